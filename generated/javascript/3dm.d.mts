@@ -487,10 +487,9 @@ export declare class DataStreamControlResponse extends Response {
     /**
      * Stream specified in the command.
      *
-     * - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
-     *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-     *   3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
-     *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
+     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35,
+     *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
      * - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
      */
     descriptorSet: number;
@@ -2270,10 +2269,9 @@ export declare class DataStreamControl<R extends Response | undefined = undefine
     /**
      * Data descriptor set; 0 means all streams (save, load, default).
      *
-     * - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
-     *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-     *   3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
-     *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
+     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35,
+     *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
      * - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
      */
     descriptorSet?: number;
@@ -3385,8 +3383,7 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
     /**
      * True enables the heading correction, which 5-series manuals call north compensation. Required for `write`.
      *
-     * - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL has no
-     *   support for it.
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15: MSCL has no support for it.
      * - On the 3DM-GX5-15: default true.
      */
     headingEnable?: boolean;

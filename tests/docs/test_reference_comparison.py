@@ -60,7 +60,9 @@ def expected(d: m.Device, f: m.Field, number: int, of: Known) -> str:
 def test_what_devices_support(manual: Manual, page: str, role: str) -> None:
     """Every command and data field once in each of its sets, with a cell for each device with known fields."""
     of, told = manual.model, known(manual)
-    _, *sections = manual.page(f"compare/{page}.md").partition("\n## Devices known by name\n")[0].split("\n## ")
+    _, *sections = (
+        manual.page(f"compare/{page}.md").partition("\n## Devices with probable fields only\n")[0].split("\n## ")
+    )
     in_sets = [(s, [f for f in of.fields_in(s) if f.role == role]) for s in of.sets]
     wanted = [(s, fields) for s, fields in in_sets if fields]
     assert [text.partition("\n")[0] for text in sections] == [heading(s) for s, _ in wanted]
@@ -75,7 +77,7 @@ def test_what_devices_support(manual: Manual, page: str, role: str) -> None:
 
 @pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
 def test_what_other_devices_may_support(manual: Manual, page: str, role: str) -> None:
-    text = manual.page(f"compare/{page}.md").partition("\n## Devices known by name\n")[2]
+    text = manual.page(f"compare/{page}.md").partition("\n## Devices with probable fields only\n")[2]
     others = [d for d in manual.model.devices if not d.certain]
     rows = {DEVICE.findall(row["Device"])[0]: row for t in tables(text) for row in t}
     wanted = {d.id: [s.field.full_name for s in d.supports if s.field.role == role] for d in others}

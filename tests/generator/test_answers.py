@@ -82,7 +82,7 @@ def test_devices_that_send_a_layout() -> None:
     assert sent["3dm-gq4-45"] == ["basic", "diagnostic_gq4_45"]
     assert sent["3dm-gx5-45"] == sent["3dm-gx4-45"] == ["basic", "diagnostic_gnss"]
     assert sent["3dm-gx4-15"] == ["basic_without_state", "diagnostic_gx4"]
-    assert sent["3dm-gx5-10"] == ["basic_without_state", "diagnostic_imu"]
+    assert sent["3dm-cx5-10"] == ["basic_without_state", "diagnostic_imu"]
     gq4 = field(model("real"), "3dm.device_status_diagnostic_gq4_45_response")
     assert [d.id for d in model("real").devices_of(gq4)] == ["3dm-gq4-45"] and model("real").devices_of(
         gq4, certain=False

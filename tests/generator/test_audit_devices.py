@@ -44,11 +44,11 @@ def test_what_agrees(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("number: 4001,", "number: 4003,", "models.yaml:2: no device has the model number 4003"),
+        ("number: 4001,", "number: 4009,", "models.yaml:2: no device has the model number 4009"),
         ("name: Old 1", "name: Older", "models.yaml:2: old-1 is not called 'Older'"),
         ("also: First", "also: Second", "models.yaml:2: old-1 is not called 'Second'"),
         ("generation: 3", "generation: 4", "models.yaml:3: model-c is generation 3 in the specification"),
-        ("value: 4001", "value: 4003", "devices.yaml:2: no device has the model number 4003"),
+        ("value: 4001", "value: 4009", "devices.yaml:2: no device has the model number 4009"),
         ("seen: [0x01, 0x7E]", "seen: [0x03]", "devices.yaml:4: old-1 does not support (0x01,0x03)"),
         ("inferred: [0x02]", "seen: [0x02]", "devices.yaml:5: old-1 does not support (0x80,0x02) for certain"),
         ("inferred: [0x02]", "inferred: [0x03]", "devices.yaml:5: old-1 does not support (0x80,0x03)"),
@@ -59,6 +59,10 @@ def test_what_agrees(tmp_path: Path) -> None:
 )
 def test_what_differs(tmp_path: Path, old: str, new: str, message: str) -> None:
     assert findings(tmp_path, MODELS.replace(old, new), DEVICES.replace(old, new)) == [message]
+
+
+def test_a_device_known_by_its_name_only(tmp_path: Path) -> None:
+    assert findings(tmp_path, MODELS.replace("number: 4001,", "number: 4003,")) == []
 
 
 def test_files(tmp_path: Path) -> None:

@@ -154,7 +154,7 @@ def test_devices_narrow_sets() -> None:
 def test_a_device_has_its_own_layouts_of_a_response() -> None:
     for devices, wanted in (
         (("3dm-gq4-45",), ["basic", "diagnostic_gq4_45"]),
-        (("3dm-gx5-10", "3dm-gx5-15"), ["basic", "basic_without_state", "diagnostic", "diagnostic_imu"]),
+        (("3dm-cx5-10", "3dm-gx5-15"), ["basic", "basic_without_state", "diagnostic", "diagnostic_imu"]),
     ):
         part = select(REAL, Selection(devices=devices))
         whole(part)
@@ -210,6 +210,10 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
         (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
         (Selection(certain=True), "--certain requires a device; add --device"),
         (Selection(sets=("0x7E",)), f"no set has the number 0x7E; known: {NUMBERS}"),
+        (
+            Selection(devices=("3dm-gx5-10",)),
+            "only the name of the 3DM-GX5-10 is known; choose 3dm-cx5-10, the device most like it",
+        ),
         (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
         (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),
         (
@@ -218,7 +222,7 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
             "a device that has it: 3dm-gq4-45",
         ),
         (
-            Selection(devices=("3dm-gx5-15", "3dm-gx5-10"), sets=("sensor", "displacement")),
+            Selection(devices=("3dm-gx5-15", "3dm-cx5-10"), sets=("sensor", "displacement")),
             "no selected device has the set 'displacement'; remove it, or select a device that has it: demod-dc",
         ),
     ],

@@ -638,6 +638,11 @@ def test_names_of_devices() -> None:
         with pytest.raises(real.errors.UnknownName, match=f"{name!r} is not a device; did you mean .*{near}") as found:
             find(name)
         assert near in found.value.near and len(found.value.near) <= 4
-    with pytest.raises(real.errors.UnknownName, match=r"'45' may be 3dm-cv5-45, .* or 3dm-gx5-45"):
+    with pytest.raises(real.errors.UnknownName, match=r"'45' may be 3dm-cx5-45, .* or 3dm-gx5-45"):
         find("45")
+    for name in ("3dm-gx5-10", "3DM-GX5-IMU"):
+        with pytest.raises(
+            real.errors.UnknownName, match="only the name of the 3DM-GX5-10 is known; choose 3dm-cx5-10"
+        ):
+            find(name)
     assert repr(find("gx5 15")) == "<Device 3dm-gx5-15: 3DM-GX5-15>"

@@ -32,12 +32,8 @@ def python_with_mscl() -> Path:
     return folder / "bin/python"
 
 
-#: What MSCL cannot do with a model: the command that it uses fails, as the device is not known to have it, or it does
-#: not support the model.
-FAILS = {
-    "3dm-cl5-10": "The ContinuousDataStream command has failed",  # it does not know it: it sends numbers of newer ones
-    "demod-dc": "is not supported",
-}
+#: The models that MSCL does not support, and what it says.
+FAILS = {"demod-dc": "is not supported"}
 #: What a read may end with, beside the value.
 NOT_READ = ("not supported", "MSCL support for Device Status (0x0C, 0x64) is not currently implemented")
 READ_FAILS = {"3dm-rtk": "The CommPortSpeed command has failed"}

@@ -2196,13 +2196,9 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
 
 #: Ids of devices -> title, other names.
 DEVICES: dict[str, tuple[str, ...]] = {
-    "3dm-cl5-10": ("3DM-CL5-10", "3DM-CL5-IMU"),
-    "3dm-cl5-15": ("3DM-CL5-15", "3DM-CL5-AR"),
-    "3dm-cl5-25": ("3DM-CL5-25", "3DM-CL5-AHRS"),
     "3dm-cv5-10": ("3DM-CV5-10", "3DM-CV5-IMU"),
     "3dm-cv5-15": ("3DM-CV5-15", "3DM-CV5-AR"),
     "3dm-cv5-25": ("3DM-CV5-25", "3DM-CV5-AHRS"),
-    "3dm-cv5-45": ("3DM-CV5-45",),
     "3dm-cv7-ahrs": ("3DM-CV7-AHRS",),
     "3dm-cv7-ar": ("3DM-CV7-AR",),
     "3dm-cv7-gnss-ins": ("3DM-CV7-GNSS/INS",),
@@ -2210,7 +2206,6 @@ DEVICES: dict[str, tuple[str, ...]] = {
     "3dm-cx5-10": ("3DM-CX5-10", "3DM-CX5-IMU"),
     "3dm-cx5-15": ("3DM-CX5-15", "3DM-CX5-AR"),
     "3dm-cx5-25": ("3DM-CX5-25", "3DM-CX5-AHRS"),
-    "3dm-cx5-35": ("3DM-CX5-35", "3DM-CX5-GNSS/AHRS"),
     "3dm-cx5-45": ("3DM-CX5-45", "3DM-CX5-GNSS/INS"),
     "3dm-cx7-ahrs": ("3DM-CX7-AHRS",),
     "3dm-cx7-ar": ("3DM-CX7-AR",),
@@ -2229,7 +2224,6 @@ DEVICES: dict[str, tuple[str, ...]] = {
     "3dm-gx4-25": ("3DM-GX4-25",),
     "3dm-gx4-45": ("3DM-GX4-45",),
     "3dm-gx4-imu": ("3DM-GX4-IMU",),
-    "3dm-gx5-10": ("3DM-GX5-10", "3DM-GX5-IMU"),
     "3dm-gx5-15": ("3DM-GX5-15", "3DM-GX5-AR"),
     "3dm-gx5-25": ("3DM-GX5-25", "3DM-GX5-AHRS"),
     "3dm-gx5-35": ("3DM-GX5-35", "3DM-GX5-GNSS/AHRS"),
@@ -2240,4 +2234,14 @@ DEVICES: dict[str, tuple[str, ...]] = {
     "3dm-rq1-imu": ("3DM-RQ1-IMU",),
     "3dm-rtk": ("3DM-RTK",),
     "demod-dc": ("DEMOD-DC", "Digital Demod"),
+}
+
+#: Ids of devices of which only the names are known -> the device most like it, title, other names.
+NAMED: dict[str, tuple[str, ...]] = {
+    "3dm-cl5-10": ("3dm-cx5-10", "3DM-CL5-10", "3DM-CL5-IMU"),
+    "3dm-cl5-15": ("3dm-cx5-15", "3DM-CL5-15", "3DM-CL5-AR"),
+    "3dm-cl5-25": ("3dm-cx5-25", "3DM-CL5-25", "3DM-CL5-AHRS"),
+    "3dm-cv5-45": ("3dm-gx5-45", "3DM-CV5-45"),
+    "3dm-cx5-35": ("3dm-gx5-35", "3DM-CX5-35", "3DM-CX5-GNSS/AHRS"),
+    "3dm-gx5-10": ("3dm-cx5-10", "3DM-GX5-10", "3DM-GX5-IMU"),
 }

@@ -6,175 +6,6 @@ from . import filter_data, mip_3dm, types
 from .lookup import device_id
 from .profile import Device, DeviceInfo, Evidence, Limit, Note, Port, Support, model_number
 
-CL5_10 = Device(
-    id="3dm-cl5-10",
-    title="3DM-CL5-10",
-    description="Inertial measurement unit.",
-    model_number=6279,
-    evidence=(
-        Evidence(
-            Support.PROBABLE,
-            "family",
-            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
-            {
-                0x01: bytes.fromhex("01 02 03 04 06 07"),
-                0x0C: bytes.fromhex("06 08 30"),
-                0x80: bytes.fromhex("04 05"),
-            },
-        ),
-        Evidence(
-            Support.PROBABLE,
-            "sister",
-            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.",
-            {
-                0x01: bytes.fromhex("05 72 7E"),
-                0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
-                0x80: bytes.fromhex("07 08 12"),
-            },
-        ),
-    ),
-    base_rates={},
-    notes={
-        "device_status": Note(
-            "Device status",
-            "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
-            (),
-        )
-    },
-    readings={
-        "base.built_in_test_response.result": types.Gx5BuiltInTest,
-        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
-        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
-    },
-    incomplete=("No manual is known.",),
-    also=("3DM-CL5-IMU",),
-    generation=5,
-)
-"""Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is
-known. This profile is incomplete: No manual is known. Uncertain: MSCL does not list it.
-
-- mip-sdk-4: Device models
-- mscl: MIP node features
-"""
-
-CL5_15 = Device(
-    id="3dm-cl5-15",
-    title="3DM-CL5-15",
-    description="Attitude reference.",
-    model_number=6280,
-    evidence=(
-        Evidence(
-            Support.PROBABLE,
-            "family",
-            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
-            {
-                0x01: bytes.fromhex("01 02 03 04 06 07"),
-                0x0C: bytes.fromhex("06 08 30"),
-                0x80: bytes.fromhex("04 05"),
-            },
-        ),
-        Evidence(
-            Support.PROBABLE,
-            "sister",
-            "Supported by nearly identical devices, 3DM-GX5-15.",
-            {
-                0x01: bytes.fromhex("05 72 7E"),
-                0x0C: bytes.fromhex("01 03 0A 0B 11 37 38 39 3E 40 50 51 64"),
-                0x0D: bytes.fromhex("01 02 03 11 14 17 18 19 1A 1B 1D 1F 20 21 23 26 28 41 44 4B"),
-                0x7F: bytes.fromhex("10"),
-                0x80: bytes.fromhex("07 08 09 0A 0C 10 11 12 17"),
-                0x82: bytes.fromhex("03 04 05 06 0A 0B 0D 0E 0F 10 11 12 13 14 1C 21"),
-            },
-        ),
-    ),
-    base_rates={},
-    notes={
-        "device_status": Note(
-            "Device status",
-            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
-            (),
-        )
-    },
-    readings={
-        "base.built_in_test_response.result": types.Gx5BuiltInTest,
-        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
-        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
-        "filter_data.status.filter_state": filter_data.Gx5FilterState,
-        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
-        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
-    },
-    incomplete=("No manual is known.",),
-    also=("3DM-CL5-AR",),
-    generation=5,
-)
-"""Attitude reference. Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known.
-This profile is incomplete: No manual is known.
-
-- mip-sdk-4: Device models
-- mscl: MIP node features
-"""
-
-CL5_25 = Device(
-    id="3dm-cl5-25",
-    title="3DM-CL5-25",
-    description="Attitude and heading reference system.",
-    model_number=6281,
-    evidence=(
-        Evidence(
-            Support.PROBABLE,
-            "family",
-            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
-            {
-                0x01: bytes.fromhex("01 02 03 04 06 07"),
-                0x0C: bytes.fromhex("06 08 30"),
-                0x80: bytes.fromhex("04 05"),
-            },
-        ),
-        Evidence(
-            Support.PROBABLE,
-            "sister",
-            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
-            {
-                0x01: bytes.fromhex("05 72 7E"),
-                0x0C: bytes.fromhex("01 03 0A 0B 11 37 38 39 3A 3B 3E 40 50 51 64"),
-                0x0D: bytes.fromhex(
-                    "01 02 03 11 14 17 18 19 1A 1B 1D 1F 20 21 23 26 27 28 29 2B 2C 41 42 43 44 45 46 47 4B"
-                ),
-                0x7F: bytes.fromhex("10"),
-                0x80: bytes.fromhex("06 07 08 09 0A 0C 10 11 12 17"),
-                0x82: bytes.fromhex(
-                    "03 04 05 06 0A 0B 0D 0E 0F 10 11 12 13 14 15 1C 21 25 26 28 29"
-                ),
-            },
-        ),
-    ),
-    base_rates={},
-    notes={
-        "device_status": Note(
-            "Device status",
-            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
-            (),
-        )
-    },
-    readings={
-        "base.built_in_test_response.result": types.Gx5BuiltInTest,
-        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
-        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
-        "filter_data.status.filter_state": filter_data.Gx5FilterState,
-        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
-        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
-    },
-    incomplete=("No manual is known.",),
-    also=("3DM-CL5-AHRS",),
-    generation=5,
-)
-"""Attitude and heading reference system. Also called 3DM-CL5-AHRS. Generation 5. Model number 6281.
-No manual is known. This profile is incomplete: No manual is known.
-
-- mip-sdk-4: Device models
-- mscl: MIP node features
-"""
-
 CV5_10 = Device(
     id="3dm-cv5-10",
     title="3DM-CV5-10",
@@ -371,76 +202,6 @@ CV5_25 = Device(
 )
 """Attitude and heading reference system. Also called 3DM-CV5-AHRS. Generation 5. Model number 6257.
 No manual is known. This profile is incomplete: No manual is known.
-
-- mip-sdk-4: Device models
-- mscl: MIP node features
-"""
-
-CV5_45 = Device(
-    id="3dm-cv5-45",
-    title="3DM-CV5-45",
-    description="Inertial navigation system with GNSS.",
-    model_number=6256,
-    evidence=(
-        Evidence(
-            Support.PROBABLE,
-            "family",
-            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
-            {
-                0x01: bytes.fromhex("01 02 03 04 06 07"),
-                0x0C: bytes.fromhex("06 08 30"),
-                0x80: bytes.fromhex("04 05"),
-            },
-        ),
-        Evidence(
-            Support.PROBABLE,
-            "sister",
-            "Supported by nearly identical devices, 3DM-GX5-45.",
-            {
-                0x01: bytes.fromhex("05 72 7E"),
-                0x0C: bytes.fromhex(
-                    "01 02 03 07 09 0A 0B 11 21 22 23 24 37 38 39 3A 3B 3E 40 50 51 64"
-                ),
-                0x0D: bytes.fromhex(
-                    "01 02 03 10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 27 28 29 2B 2C 42 43 44 45 46 47 4B 53"
-                ),
-                0x7F: bytes.fromhex("10"),
-                0x80: bytes.fromhex("06 07 08 09 0A 0C 10 11 12 17"),
-                0x81: bytes.fromhex("03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F"),
-                0x82: bytes.fromhex("04 05 0E 14"),
-            },
-        ),
-        Evidence(
-            Support.PROBABLE,
-            "sister",
-            "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
-            {
-                0x82: bytes.fromhex(
-                    "01 02 03 06 07 08 09 0A 0B 0C 0D 0F 10 11 12 13 15 1C 20 21 25 26 28 29"
-                )
-            },
-        ),
-    ),
-    base_rates={},
-    notes={
-        "device_status": Note(
-            "Device status",
-            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
-            (),
-        )
-    },
-    readings={
-        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
-        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
-        "filter_data.status.filter_state": filter_data.Gx5FilterState,
-        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
-        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
-    },
-    incomplete=("No manual is known.",),
-    generation=5,
-)
-"""Inertial navigation system with GNSS. Generation 5. Model number 6256. No manual is known. This
-profile is incomplete: No manual is known. Uncertain: Only MSCL lists it; the SDK does not.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1484,58 +1245,6 @@ CX5_25 = Device(
 )
 """Attitude and heading reference system. Also called 3DM-CX5-AHRS. Generation 5. Model number 6273.
 No manual is known. This profile is incomplete: No manual is known.
-
-- mip-sdk-4: Device models
-- mscl: MIP node features
-"""
-
-CX5_35 = Device(
-    id="3dm-cx5-35",
-    title="3DM-CX5-35",
-    description="Attitude and heading reference system (AHRS) with GNSS.",
-    model_number=6272,
-    evidence=(
-        Evidence(
-            Support.PROBABLE,
-            "family",
-            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
-            {
-                0x01: bytes.fromhex("01 02 03 04 06 07"),
-                0x0C: bytes.fromhex("06 08 30"),
-                0x80: bytes.fromhex("04 05"),
-            },
-        ),
-        Evidence(
-            Support.PROBABLE,
-            "sister",
-            "Supported by nearly identical devices, 3DM-GX5-35.",
-            {
-                0x01: bytes.fromhex("05 72 7E"),
-                0x0C: bytes.fromhex("01 02 07 09 11 21 22 23 24 37 38 39 3A 3B 3E 40 50 51 64"),
-                0x7F: bytes.fromhex("10"),
-                0x80: bytes.fromhex("06 07 08 09 0A 0C 10 11 12 17"),
-                0x81: bytes.fromhex("03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F"),
-            },
-        ),
-    ),
-    base_rates={},
-    notes={
-        "device_status": Note(
-            "Device status",
-            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
-            (),
-        )
-    },
-    readings={
-        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
-        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
-    },
-    incomplete=("No manual is known.",),
-    also=("3DM-CX5-GNSS/AHRS",),
-    generation=5,
-)
-"""Attitude and heading reference system (AHRS) with GNSS. Also called 3DM-CX5-GNSS/AHRS. Generation
-5. Model number 6272. No manual is known. This profile is incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -3088,57 +2797,6 @@ number 6237. No manual is known. This profile is incomplete: No manual is known.
 - mip-sdk-2014: GX4 IMU
 """
 
-GX5_10 = Device(
-    id="3dm-gx5-10",
-    title="3DM-GX5-10",
-    description="Inertial measurement unit.",
-    model_number=6255,
-    evidence=(
-        Evidence(
-            Support.PROBABLE,
-            "family",
-            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
-            {
-                0x01: bytes.fromhex("01 02 03 04 06 07"),
-                0x0C: bytes.fromhex("06 08 30"),
-                0x80: bytes.fromhex("04 05"),
-            },
-        ),
-        Evidence(
-            Support.PROBABLE,
-            "sister",
-            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.",
-            {
-                0x01: bytes.fromhex("05 72 7E"),
-                0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
-                0x80: bytes.fromhex("07 08 12"),
-            },
-        ),
-    ),
-    base_rates={},
-    notes={
-        "device_status": Note(
-            "Device status",
-            "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
-            (),
-        )
-    },
-    readings={
-        "base.built_in_test_response.result": types.Gx5BuiltInTest,
-        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
-        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
-    },
-    incomplete=("No manual is known.",),
-    also=("3DM-GX5-IMU",),
-    generation=5,
-)
-"""Inertial measurement unit. Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is
-known. This profile is incomplete: No manual is known.
-
-- mip-sdk-4: Device models
-- mscl: MIP node features
-"""
-
 GX5_15 = Device(
     id="3dm-gx5-15",
     title="3DM-GX5-15",
@@ -3900,13 +3558,9 @@ manual is known. This profile is incomplete: No manual is known; everything here
 
 #: All devices by id.
 DEVICES: dict[str, Device] = {
-    "3dm-cl5-10": CL5_10,
-    "3dm-cl5-15": CL5_15,
-    "3dm-cl5-25": CL5_25,
     "3dm-cv5-10": CV5_10,
     "3dm-cv5-15": CV5_15,
     "3dm-cv5-25": CV5_25,
-    "3dm-cv5-45": CV5_45,
     "3dm-cv7-ahrs": CV7_AHRS,
     "3dm-cv7-ar": CV7_AR,
     "3dm-cv7-gnss-ins": CV7_GNSS_INS,
@@ -3914,7 +3568,6 @@ DEVICES: dict[str, Device] = {
     "3dm-cx5-10": CX5_10,
     "3dm-cx5-15": CX5_15,
     "3dm-cx5-25": CX5_25,
-    "3dm-cx5-35": CX5_35,
     "3dm-cx5-45": CX5_45,
     "3dm-cx7-ahrs": CX7_AHRS,
     "3dm-cx7-ar": CX7_AR,
@@ -3933,7 +3586,6 @@ DEVICES: dict[str, Device] = {
     "3dm-gx4-25": GX4_25,
     "3dm-gx4-45": GX4_45,
     "3dm-gx4-imu": GX4_IMU,
-    "3dm-gx5-10": GX5_10,
     "3dm-gx5-15": GX5_15,
     "3dm-gx5-25": GX5_25,
     "3dm-gx5-35": GX5_35,
@@ -3967,13 +3619,9 @@ def identify(info: DeviceInfo) -> Device | None:
 __all__ = [
     "DEVICES", "Device", "DeviceInfo", "Evidence", "Limit", "Note", "Port", "Support", "by_model", "by_name",
     "identify", "model_number",
-    "CL5_10",
-    "CL5_15",
-    "CL5_25",
     "CV5_10",
     "CV5_15",
     "CV5_25",
-    "CV5_45",
     "CV7_AHRS",
     "CV7_AR",
     "CV7_GNSS_INS",
@@ -3981,7 +3629,6 @@ __all__ = [
     "CX5_10",
     "CX5_15",
     "CX5_25",
-    "CX5_35",
     "CX5_45",
     "CX7_AHRS",
     "CX7_AR",
@@ -4000,7 +3647,6 @@ __all__ = [
     "GX4_25",
     "GX4_45",
     "GX4_IMU",
-    "GX5_10",
     "GX5_15",
     "GX5_25",
     "GX5_35",

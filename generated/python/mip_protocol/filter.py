@@ -2331,14 +2331,10 @@ class EstimationControl(Command[R]):
     flags: EstimatedStates | None
     """States to estimate. Required for `write`.
 
-    - On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15:
-      only `EstimatedStates.GYRO_BIAS`.
-    - On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only `EstimatedStates.GYRO_BIAS`,
+    - On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
+      `EstimatedStates.GYRO_BIAS`.
+    - On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only `EstimatedStates.GYRO_BIAS`,
       `EstimatedStates.AUTO_HARD_IRON` and `EstimatedStates.AUTO_SOFT_IRON`.
-    - On the 3DM-CV5-45: only `EstimatedStates.GYRO_BIAS`, `EstimatedStates.ACCEL_BIAS`,
-      `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR`,
-      `EstimatedStates.ANTENNA_OFFSET`, `EstimatedStates.AUTO_HARD_IRON` and
-      `EstimatedStates.AUTO_SOFT_IRON`.
     - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
       `EstimatedStates.GYRO_BIAS`, `EstimatedStates.ACCEL_BIAS`,
       `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR` and
@@ -2631,14 +2627,10 @@ class HeadingSource(Command[R]):
     source: HeadingUpdateSource | None
     """Source of the heading. Required for `write`.
 
-    - On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `HeadingUpdateSource.NONE` and
+    - On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `HeadingUpdateSource.NONE` and
       `HeadingUpdateSource.EXTERNAL`.
-    - On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only
-      `HeadingUpdateSource.NONE`, `HeadingUpdateSource.MAG` and `HeadingUpdateSource.EXTERNAL`.
-    - On the 3DM-CV5-45: only `HeadingUpdateSource.NONE`, `HeadingUpdateSource.MAG`,
-      `HeadingUpdateSource.GNSS_VELOCITY`, `HeadingUpdateSource.EXTERNAL`,
-      `HeadingUpdateSource.GNSS_VELOCITY_AND_MAG`, `HeadingUpdateSource.GNSS_VELOCITY_AND_EXTERNAL`,
-      `HeadingUpdateSource.MAG_AND_EXTERNAL` and `HeadingUpdateSource.ALL`.
+    - On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only `HeadingUpdateSource.NONE`,
+      `HeadingUpdateSource.MAG` and `HeadingUpdateSource.EXTERNAL`.
     - On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only `HeadingUpdateSource.NONE`,
       `HeadingUpdateSource.MAG`, `HeadingUpdateSource.GNSS_VELOCITY` and
       `HeadingUpdateSource.EXTERNAL`.
@@ -5514,7 +5506,7 @@ class AdaptiveFilterOptions(Command[R]):
     level: AdaptiveLevel | None
     """Strength of the adaptation. Default: 2. Required for `write`.
 
-    - On the 3DM-CV5-45 and 3DM-GX5-45: only `AdaptiveLevel.OFF` and `AdaptiveLevel.MODERATE`.
+    - On the 3DM-GX5-45: only `AdaptiveLevel.OFF` and `AdaptiveLevel.MODERATE`.
     """
     time_limit: int | None
     """Longest time for which measurements are rejected before the filter recovers. Unit: ms.

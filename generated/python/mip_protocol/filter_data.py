@@ -1014,10 +1014,9 @@ class Status(Data):
     filter_state: int
     """Progress of the filter from start-up to its full solution.
 
-    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-      3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
-      `Gx5FilterState`. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all
-      generations up to the fifth.
+    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
+      3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5FilterState`. Inferred: The 3DM-GX5-15
+      has them, and the SDK lists the same states for all generations up to the fifth.
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7FilterState`.
       Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation.
@@ -1027,10 +1026,9 @@ class Status(Data):
     dynamics_mode: int
     """Motion for which the filter is configured.
 
-    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-      3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
-      `Gx5DynamicsMode`. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for
-      all generations up to the fifth.
+    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
+      3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5DynamicsMode`. Inferred: The 3DM-GX5-15
+      has them, and the SDK lists the same states for all generations up to the fifth.
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7DynamicsMode`.
       Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation.
@@ -1040,10 +1038,9 @@ class Status(Data):
     status_flags: int
     """Condition and warnings.
 
-    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-      3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
-      `Gx5StatusFlags`. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all
-      generations up to the fifth.
+    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
+      3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5StatusFlags`. Inferred: The 3DM-GX5-15
+      has them, and the SDK lists the same states for all generations up to the fifth.
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7StatusFlags`.
       Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation.

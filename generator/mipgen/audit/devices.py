@@ -41,11 +41,18 @@ def _by_number(model: m.Model, number: int) -> m.Device | None:
     return next((d for d in model.devices if d.model_number == number), None)
 
 
+def _named(model: m.Model, number: int) -> bool:
+    """Is only the name of the device with this number known?"""
+    return any(d.model_number == number for d in model.named)
+
+
 def _models(model: m.Model, root: Node) -> Iterator[Finding]:
     """Checks that each model is a device of the specification, with all its names."""
     for node in root["models"]:
         number = node["number"]
         device = _by_number(model, number.value)
+        if device is None and _named(model, number.value):
+            continue
         if device is None:
             yield _finding(number.position, f"no device has the model number {number.value}")
             continue
@@ -62,6 +69,8 @@ def _devices(model: m.Model, root: Node) -> Iterator[Finding]:
     for name, node in root["devices"].items():
         for number in _numbers(node["model_number"]):
             device = _by_number(model, number)
+            if device is None and _named(model, number):
+                continue
             if device is None:
                 yield _finding(root["devices"].keys[name], f"no device has the model number {number}")
                 continue

@@ -141,6 +141,21 @@ class DeviceVariant:
 
 
 @dataclass(frozen=True, slots=True)
+class NamedDevice:
+    """A device of which only the names and the number are known."""
+
+    id: str
+    title: str
+    like: str  # the known device that resembles it most
+    also: tuple[str, ...] = ()
+    model_number: int | None = None
+
+    @property
+    def sentence(self) -> str:
+        return f"only the name of the {self.title} is known; choose {self.like}, the device most like it"
+
+
+@dataclass(frozen=True, slots=True)
 class Device:
     id: str
     name: str

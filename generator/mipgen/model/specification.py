@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, TypeVar
 
-from .devices import Device, Support
+from .devices import Device, NamedDevice, Support
 from .evidence import Erratum, Example
 from .fields import MAX_FIELD_DATA, RESPONSE, Family, Field, Reply, Set
 from .guides import Guide
@@ -27,6 +27,7 @@ class Model:
     types: tuple[Type, ...]  # of spec/types, in dependency order
     families: tuple[Family, ...]  # by number
     devices: tuple[Device, ...] = ()
+    named: tuple[NamedDevice, ...] = ()  # known by name only
     examples: tuple[Example, ...] = ()
     errata: tuple[Erratum, ...] = ()
     simulation: Simulation = field(default_factory=Simulation)

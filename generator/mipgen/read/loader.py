@@ -41,9 +41,9 @@ WITNESSES = {"witness": "witness/*.yaml"}
 #: Other files in the same folder, recognized by a key: accepted differences, and rules for kinds of quantities.
 BESIDE = {"rules": "rules", "differences": "accepted"}
 
-#: Files that contain several devices or families, and the keys of their lists.
+#: Files that contain several devices or families, and the keys of their lists; `named` has devices known by name only.
 DEVICES = "devices"
-PARTS = {"device": "devices", "family": "families"}
+PARTS = {"device": "devices", "family": "families", "named": "named"}
 
 #: The files of an overlay: the same, except that additions to the protocol are in `overlay.yaml`.
 OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}

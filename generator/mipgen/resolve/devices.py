@@ -36,6 +36,27 @@ def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Type
     return model
 
 
+def known_by_name(nodes: list[Node], model: m.Model, problems: Problems) -> tuple[m.NamedDevice, ...]:
+    """Resolves the devices of which only the names are known. No name or number may be that of another device."""
+    known = {d.id for d in model.devices}
+    taken: set[object] = {x for d in model.devices for x in (d.id, d.title, *d.also, d.model_number)}
+    made = []
+    for node in nodes:
+        also = tuple(node["also"].plain()) if "also" in node else ()
+        numbers = [node["model_number"]] if "model_number" in node else []
+        for own in (node["device"], node["title"], *(node.get("also") or ()), *numbers):
+            if own.value in taken:
+                problems.add(own.position, f"another device has '{own.value}'; correct one")
+            taken.add(own.value)
+        like = node["like"]
+        if like.value not in known:
+            problems.add(like.position, f"unknown device '{like.value}'{nearest(like.value, known)}")
+        made.append(
+            m.NamedDevice(node["device"].value, node["title"].value, like.value, also, node.scalar("model_number"))
+        )
+    return tuple(sorted(made, key=lambda d: d.id))
+
+
 def _check_layouts(model: m.Model, problems: Problems) -> None:
     """Requires that a device which sends a layout of a response supports a command that is answered with it."""
     for f in (f for f in model.fields if f.devices):

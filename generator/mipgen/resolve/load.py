@@ -53,11 +53,12 @@ def _programs() -> tuple[tuple[str, str], ...]:
 
 def resolve(documents: Sequence[Document], problems: Problems) -> m.Model:
     """Builds the model of the documents; adds their mistakes to `problems`."""
-    roots = {kind: [d.root for d in documents if d.kind == kind] for kind in (*loader.LAYOUT, "family")}
+    roots = {kind: [d.root for d in documents if d.kind == kind] for kind in (*loader.LAYOUT, "family", "named")}
     types, model = definitions(roots, problems)
     checks.check_definitions(model, problems)
     sound = not problems
     model = devices.resolve(roots["device"], roots["family"], model, types, problems)
+    model = replace(model, named=devices.known_by_name(roots["named"], model, problems))
     if sound:
         manuals = types.vocabulary.manuals
         examples = evidence.examples(roots["examples"], model, problems)

@@ -73,6 +73,8 @@ def _check(model: m.Model, selection: Selection) -> None:
     }
     for what, (asked, names) in known.items():
         for name in asked:
+            if what == "device" and (named := next((d for d in model.named if name in (d.id, d.title)), None)):
+                raise Failure(named.sentence)
             if name not in names:
                 meant = " or ".join(f"'{d}'" for d in _meant(model, name)) if what == "device" else ""
                 near = f", did you mean {meant}?" if meant else nearest(name.casefold(), names)
@@ -187,6 +189,7 @@ def _only(model: m.Model, needed: dict[str, m.Field], devices: tuple[m.Device, .
         errata=tuple(e for e in model.errata if _concerns(e, kept, printed)),
         simulation=model.simulation.only(by_name),
         guides=_guides(model.guides, by_name, whole),
+        named=(),
         programs=(),  # they may use any field
     )
 

@@ -8,7 +8,7 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from ._index import DEVICES, FAMILIES, FIELDS, SETS
+from ._index import DEVICES, FAMILIES, FIELDS, NAMED, SETS
 from .errors import UnknownName
 from .field import Field
 
@@ -118,6 +118,9 @@ def device_id(name: str) -> str:
     for id, names in DEVICES.items():
         if wanted in map(_joined, (id, *names)):
             return id
+    named = only_named(name)
+    if named:
+        raise named
     from difflib import get_close_matches
 
     keys = _ends()
@@ -128,6 +131,15 @@ def device_id(name: str) -> str:
         raise ambiguous(name, ids)
     close = get_close_matches(wanted, keys, n=4)
     raise unknown(name, "a device", DEVICES, dict.fromkeys(id for k in close for id in keys[k]))
+
+
+def only_named(name: str) -> UnknownName | None:
+    """Returns the error for a device of which only the names are known; None for any other."""
+    for id, (like, *names) in NAMED.items():
+        if _joined(name) in map(_joined, (id, *names)):
+            text = f"only the name of the {names[0]} is known; choose {like}, the device most like it"
+            return UnknownName("unknown_name", text, (like,))
+    return None
 
 
 @cache

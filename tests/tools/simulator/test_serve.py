@@ -558,6 +558,7 @@ def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: p
         ("", "the device is missing; `mip simulate --list` lists all devices"),
         ("3dm-gx5-16", "device '3dm-gx5-16' is unknown; do you mean 3dm-gx5-15? `mip simulate --list` "),
         ("CV7-GNSS", "device 'CV7-GNSS' is unknown; do you mean 3dm-cv7-gnss-ins? "),
+        ("3DM-GX5-10", "only the name of the 3DM-GX5-10 is known; choose 3dm-cx5-10, the device most like it"),
         ("toaster", "device 'toaster' is unknown; `mip simulate --list` lists them all"),
         ("DEVICE --tcp 70000", "'70000' is not a TCP port; write PORT or HOST:PORT"),
         ("DEVICE --tcp localhost", "'localhost' is not a TCP port; "),
@@ -603,7 +604,7 @@ def test_errors_are_one_line_with_a_remedy(
     before = sorted(tmp_path.iterdir())
     with taken:
         code, out, text = run(capsys, "simulate", *shlex.split(arguments), "--duration", "0.01")
-    wrong = r"(the device |device|fault|'USB|--log|--signal)|.* (is not a (TCP port|motion)|two terminals|has no port)"
+    wrong = r"(the dev|dev|only |fault|'USB|--log|--signal)|.* (is not a (TCP port|motion)|two terminals|has no port)"
     status = 2 if re.match(wrong, error) else 1
     assert (code, out) == (status, "") and text.startswith(f"mip simulate: {error}") and text.count("\n") == 1
     assert sorted(tmp_path.iterdir()) == before and (tmp_path / "file").read_text() == "mine"

@@ -33,7 +33,8 @@ def device_id(name: str | None) -> str | None:
     try:
         return lookup.device_id(name)
     except UnknownName as error:
-        raise Misuse(f"{error}; `mip simulate --list` lists them all") from None
+        known = "" if lookup.only_named(name) else "; `mip simulate --list` lists them all"
+        raise Misuse(f"{error}{known}") from None
 
 
 def positive(text: str) -> int:

@@ -72,6 +72,7 @@ def index(document: Document, module: Any) -> None:
             for name, f in _listed(document)
         },
         DEVICES={d["id"]: (d["title"], *d.get("also", ())) for d in content["devices"]},
+        NAMED={d["id"]: (d["like"], d["title"], *d.get("also", ())) for d in content["named_devices"]},
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from dataclasses import replace
 
-from ..binding import DEVICES, Device, Port, Support
+from ..binding import DEVICES, Device, Port, Support, lookup
 from ..errors import Misuse
 from .checks import data_sets
 
@@ -17,6 +17,8 @@ def device_named(name: str) -> Device:
     """Finds a device by its id, its title or another name; case is ignored. Raises Failure."""
     names = {alias.lower(): d for d in DEVICES.values() for alias in (d.id, d.title, *d.also)}
     wanted = name.lower()
+    if wanted not in names and (named := lookup.only_named(name)):
+        raise Misuse(str(named))
     if wanted not in names:
         near = [n for n in sorted(names) if wanted in n]  # a part of the name, else a similar one
         near = near or difflib.get_close_matches(wanted, names, 1, 0.5)

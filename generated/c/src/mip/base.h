@@ -360,16 +360,15 @@ MIP_CHECKED static inline mip_error mip_base_built_in_test_encode(
  */
 struct mip_base_built_in_test_response {
     /**
-     * Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CL5-10,
-     * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-     * 3DM-CX5-25, 3DM-GX5-10 and 3DM-GX5-25: values of mip_gx5_built_in_test. Inferred: The
-     * 3DM-GX5-15 has it. On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15,
-     * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-     * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are unknown.
-     * On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
-     * mip_cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values
-     * of mip_cv7_built_in_test. On the 3DM-GX5-15: values of mip_gx5_built_in_test.
+     * Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CV5-10,
+     * 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25 and 3DM-GX5-25: values of
+     * mip_gx5_built_in_test. Inferred: The 3DM-GX5-15 has it. On the 3DM-CV7-AHRS, 3DM-CV7-AR,
+     * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+     * 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of mip_cv7_built_in_test. Inferred: The
+     * 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the
+     * 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
+     * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
+     * 3DM-RQ1-IMU: the values are unknown. On the 3DM-GX5-15: values of mip_gx5_built_in_test.
      */
     uint32_t result;
 };

@@ -17,39 +17,6 @@ extern "C" {
 #endif
 
 /**
- * 3DM-CL5-10: Inertial measurement unit.
- *
- * Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is known. This profile is
- * incomplete: No manual is known. Uncertain: MSCL does not list it.
- *
- * - mip-sdk-4: Device models
- * - mscl: MIP node features
- */
-extern MIP_API const struct mip_profile mip_profile_cl5_10;
-
-/**
- * 3DM-CL5-15: Attitude reference.
- *
- * Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known. This profile is
- * incomplete: No manual is known.
- *
- * - mip-sdk-4: Device models
- * - mscl: MIP node features
- */
-extern MIP_API const struct mip_profile mip_profile_cl5_15;
-
-/**
- * 3DM-CL5-25: Attitude and heading reference system.
- *
- * Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual is known. This profile is
- * incomplete: No manual is known.
- *
- * - mip-sdk-4: Device models
- * - mscl: MIP node features
- */
-extern MIP_API const struct mip_profile mip_profile_cl5_25;
-
-/**
  * 3DM-CV5-10: Inertial measurement unit.
  *
  * Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is known. This profile is
@@ -81,17 +48,6 @@ extern MIP_API const struct mip_profile mip_profile_cv5_15;
  * - mscl: MIP node features
  */
 extern MIP_API const struct mip_profile mip_profile_cv5_25;
-
-/**
- * 3DM-CV5-45: Inertial navigation system with GNSS.
- *
- * Generation 5. Model number 6256. No manual is known. This profile is incomplete: No manual is
- * known. Uncertain: Only MSCL lists it; the SDK does not.
- *
- * - mip-sdk-4: Device models
- * - mscl: MIP node features
- */
-extern MIP_API const struct mip_profile mip_profile_cv5_45;
 
 /**
  * 3DM-CV7-AHRS: Attitude and heading reference system.
@@ -178,17 +134,6 @@ extern MIP_API const struct mip_profile mip_profile_cx5_15;
  * - mscl: MIP node features
  */
 extern MIP_API const struct mip_profile mip_profile_cx5_25;
-
-/**
- * 3DM-CX5-35: Attitude and heading reference system (AHRS) with GNSS.
- *
- * Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual is known. This profile
- * is incomplete: No manual is known.
- *
- * - mip-sdk-4: Device models
- * - mscl: MIP node features
- */
-extern MIP_API const struct mip_profile mip_profile_cx5_35;
 
 /**
  * 3DM-CX5-45: Inertial navigation system with GNSS.
@@ -400,17 +345,6 @@ extern MIP_API const struct mip_profile mip_profile_gx4_45;
  * - mip-sdk-2014: GX4 IMU
  */
 extern MIP_API const struct mip_profile mip_profile_gx4_imu;
-
-/**
- * 3DM-GX5-10: Inertial measurement unit.
- *
- * Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is known. This profile is
- * incomplete: No manual is known.
- *
- * - mip-sdk-4: Device models
- * - mscl: MIP node features
- */
-extern MIP_API const struct mip_profile mip_profile_gx5_10;
 
 /**
  * 3DM-GX5-15: Vertical reference unit with an inertial sensor, a pressure sensor and an estimation

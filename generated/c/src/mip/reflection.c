@@ -434,9 +434,6 @@ static const struct mip_record record_base_get_device_descriptors_response = {
 };
 
 static const struct mip_reading readings_base_built_in_test_response_result[] = {
-    {"3dm-cl5-10", 0, 0, &mip_names_gx5_built_in_test},
-    {"3dm-cl5-15", 0, 0, &mip_names_gx5_built_in_test},
-    {"3dm-cl5-25", 0, 0, &mip_names_gx5_built_in_test},
     {"3dm-cv5-10", 0, 0, &mip_names_gx5_built_in_test},
     {"3dm-cv5-15", 0, 0, &mip_names_gx5_built_in_test},
     {"3dm-cv5-25", 0, 0, &mip_names_gx5_built_in_test},
@@ -454,7 +451,6 @@ static const struct mip_reading readings_base_built_in_test_response_result[] = 
     {"3dm-gv7-ahrs", 0, 0, &mip_names_cv7_built_in_test},
     {"3dm-gv7-ar", 0, 0, &mip_names_cv7_built_in_test},
     {"3dm-gv7-ins", 0, 0, &mip_names_cv7_built_in_test},
-    {"3dm-gx5-10", 0, 0, &mip_names_gx5_built_in_test},
     {"3dm-gx5-15", 0, 0, &mip_names_gx5_built_in_test},
     {"3dm-gx5-25", 0, 0, &mip_names_gx5_built_in_test},
     {"3dm-rtk", 0, 0, &mip_names_cv7_built_in_test},
@@ -462,7 +458,7 @@ static const struct mip_reading readings_base_built_in_test_response_result[] = 
 static const struct mip_parameter parameters_base_built_in_test_response[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_base_built_in_test_response, result), 0, NULL,
-     readings_base_built_in_test_response_result, NULL, NULL, 24},
+     readings_base_built_in_test_response_result, NULL, NULL, 20},
 };
 static const struct mip_record record_base_built_in_test_response = {
     parameters_base_built_in_test_response,
@@ -757,17 +753,12 @@ static const struct mip_record record_3dm_factory_streaming = {
 };
 
 static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[] = {
-    {"3dm-cl5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-cl5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-cl5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-cv5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-cx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-dh3", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gq4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
@@ -778,7 +769,6 @@ static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[
     {"3dm-gx4-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx4-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-gx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
@@ -793,7 +783,7 @@ static const struct mip_parameter parameters_3dm_data_stream_control[] = {
      NULL, 0},
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_data_stream_control, descriptor_set), 0, NULL,
-     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 29},
+     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 23},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_3dm_data_stream_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -1527,17 +1517,12 @@ static const struct mip_record record_3dm_get_gnss_base_rate_response = {
 };
 
 static const struct mip_reading readings_3dm_data_stream_control_response_descriptor_set[] = {
-    {"3dm-cl5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-cl5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-cl5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-cv5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-cx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-dh3", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gq4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
@@ -1548,7 +1533,6 @@ static const struct mip_reading readings_3dm_data_stream_control_response_descri
     {"3dm-gx4-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx4-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
-    {"3dm-gx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
@@ -1560,7 +1544,7 @@ static const struct mip_reading readings_3dm_data_stream_control_response_descri
 static const struct mip_parameter parameters_3dm_data_stream_control_response[] = {
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, descriptor_set), 0, NULL,
-     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 29},
+     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 23},
     {"enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, enabled), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -6579,11 +6563,8 @@ static const struct mip_record record_filter_data_wgs84_gravity_magnitude = {
 };
 
 static const struct mip_reading readings_filter_data_status_filter_state[] = {
-    {"3dm-cl5-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
-    {"3dm-cl5-25", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-cv5-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-cv5-25", 0, 0, &mip_names_filter_data_gx5_filter_state},
-    {"3dm-cv5-45", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-cv7-ahrs", 0, 0, &mip_names_filter_data_cv7_filter_state},
     {"3dm-cv7-ar", 0, 0, &mip_names_filter_data_cv7_filter_state},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_filter_data_cv7_filter_state},
@@ -6606,11 +6587,8 @@ static const struct mip_reading readings_filter_data_status_filter_state[] = {
     {"3dm-gx5-45", 0, 0, &mip_names_filter_data_gx5_filter_state},
 };
 static const struct mip_reading readings_filter_data_status_dynamics_mode[] = {
-    {"3dm-cl5-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
-    {"3dm-cl5-25", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-cv5-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-cv5-25", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
-    {"3dm-cv5-45", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-cv7-ahrs", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
     {"3dm-cv7-ar", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
@@ -6633,11 +6611,8 @@ static const struct mip_reading readings_filter_data_status_dynamics_mode[] = {
     {"3dm-gx5-45", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
 };
 static const struct mip_reading readings_filter_data_status_status_flags[] = {
-    {"3dm-cl5-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
-    {"3dm-cl5-25", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-cv5-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-cv5-25", 0, 0, &mip_names_filter_data_gx5_status_flags},
-    {"3dm-cv5-45", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-cv7-ahrs", 0, 0, &mip_names_filter_data_cv7_status_flags},
     {"3dm-cv7-ar", 0, 0, &mip_names_filter_data_cv7_status_flags},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_filter_data_cv7_status_flags},
@@ -6662,13 +6637,13 @@ static const struct mip_reading readings_filter_data_status_status_flags[] = {
 static const struct mip_parameter parameters_filter_data_status[] = {
     {"filter_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_status, filter_state), 0, NULL,
-     readings_filter_data_status_filter_state, NULL, NULL, 25},
+     readings_filter_data_status_filter_state, NULL, NULL, 22},
     {"dynamics_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_status, dynamics_mode), 0, NULL,
-     readings_filter_data_status_dynamics_mode, NULL, NULL, 25},
+     readings_filter_data_status_dynamics_mode, NULL, NULL, 22},
     {"status_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_status, status_flags), 0, NULL,
-     readings_filter_data_status_status_flags, NULL, NULL, 25},
+     readings_filter_data_status_status_flags, NULL, NULL, 22},
 };
 static const struct mip_record record_filter_data_status = {
     parameters_filter_data_status,

@@ -32,12 +32,12 @@ TYPES: dict[str, Info] = {
     "RelativePositionSource": EnumInfo("filter.relative_position_source", filter.RelativePositionSource),
     "ReferencePoint": EnumInfo("filter.reference_point", filter.ReferencePoint),
     "Reset": FieldInfo(
-        "filter.reset", filter.Reset, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter.reset", filter.Reset, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
         ),
     ),
     "SetInitialAttitude": FieldInfo(
-        "filter.set_initial_attitude", filter.SetInitialAttitude, devices=("3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter.set_initial_attitude", filter.SetInitialAttitude, devices=("3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
             Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), minimum=-1.5707963267948966, maximum=1.5707963267948966, frame="ned"),
@@ -45,7 +45,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "SetInitialHeading": FieldInfo(
-        "filter.set_initial_heading", filter.SetInitialHeading, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "filter.set_initial_heading", filter.SetInitialHeading, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("heading", "heading", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
         ),
@@ -62,14 +62,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "VehicleDynamicsMode": FieldInfo(
-        "filter.vehicle_dynamics_mode", filter.VehicleDynamicsMode, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.vehicle_dynamics_mode", filter.VehicleDynamicsMode, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("mode", "mode", "scalar", scalar="u8", required=("write",), type=filter.DynamicsMode, variants=(Variant("device", ("3dm-gx3-45",), {"only": ("portable", "automotive", "airborne")}),)),
         ),
     ),
     "SensorToVehicleRotationEuler": FieldInfo(
-        "filter.sensor_to_vehicle_rotation_euler", filter.SensorToVehicleRotationEuler, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.sensor_to_vehicle_rotation_euler", filter.SensorToVehicleRotationEuler, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), required=("write",)),
@@ -78,35 +78,35 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "SensorToVehicleOffset": FieldInfo(
-        "filter.sensor_to_vehicle_offset", filter.SensorToVehicleOffset, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.sensor_to_vehicle_offset", filter.SensorToVehicleOffset, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",), magnitude=(None, 10), frame="sensor", required=("write",)),
         ),
     ),
     "AntennaOffset": FieldInfo(
-        "filter.antenna_offset", filter.AntennaOffset, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.antenna_offset", filter.AntennaOffset, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gx5-45"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",), magnitude=(None, 10), frame="vehicle", required=("write",), variants=(Variant("device", ("3dm-gx5-45",), {"frame": "sensor"}),)),
         ),
     ),
     "EstimationControl": FieldInfo(
-        "filter.estimation_control", filter.EstimationControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.estimation_control", filter.EstimationControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("flags", "flags", "scalar", scalar="u16", required=("write",), type=filter.EstimatedStates, variants=(Variant("device", ("3dm-cl5-15", "3dm-cv5-15", "3dm-cx5-15", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx5-15"), {"only": ("gyro_bias",)}), Variant("device", ("3dm-cl5-25", "3dm-cv5-25", "3dm-cx5-25", "3dm-gx5-25"), {"only": ("gyro_bias", "auto_hard_iron", "auto_soft_iron")}), Variant("device", ("3dm-cv5-45",), {"only": ("gyro_bias", "accel_bias", "gyro_scale_factor", "accel_scale_factor", "antenna_offset", "auto_hard_iron", "auto_soft_iron")}), Variant("device", ("3dm-gq4-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"only": ("gyro_bias", "accel_bias", "gyro_scale_factor", "accel_scale_factor", "antenna_offset")}),)),
+            Parameter("flags", "flags", "scalar", scalar="u16", required=("write",), type=filter.EstimatedStates, variants=(Variant("device", ("3dm-cv5-15", "3dm-cx5-15", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx5-15"), {"only": ("gyro_bias",)}), Variant("device", ("3dm-cv5-25", "3dm-cx5-25", "3dm-gx5-25"), {"only": ("gyro_bias", "auto_hard_iron", "auto_soft_iron")}), Variant("device", ("3dm-gq4-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"only": ("gyro_bias", "accel_bias", "gyro_scale_factor", "accel_scale_factor", "antenna_offset")}),)),
         ),
     ),
     "GnssSource": FieldInfo(
-        "filter.gnss_source", filter.GnssSource, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.gnss_source", filter.GnssSource, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("source", "source", "scalar", scalar="u8", required=("write",), type=filter.GnssAidingSource, variants=(Variant("device", ("3dm-gx5-45",), {"only": ("all_internal", "external")}),)),
         ),
     ),
     "ExternalGnssUpdate": FieldInfo(
-        "filter.external_gnss_update", filter.ExternalGnssUpdate, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.external_gnss_update", filter.ExternalGnssUpdate, devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
@@ -119,7 +119,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ExternalHeadingUpdate": FieldInfo(
-        "filter.external_heading_update", filter.ExternalHeadingUpdate, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.external_heading_update", filter.ExternalHeadingUpdate, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("heading", "heading", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
             Parameter("heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",), above=0),
@@ -127,35 +127,35 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "HeadingSource": FieldInfo(
-        "filter.heading_source", filter.HeadingSource, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.heading_source", filter.HeadingSource, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("source", "source", "scalar", scalar="u8", required=("write",), type=filter.HeadingUpdateSource, variants=(Variant("device", ("3dm-cl5-15", "3dm-cv5-15", "3dm-cx5-15", "3dm-gx5-15"), {"only": ("none", "external")}), Variant("device", ("3dm-cl5-25", "3dm-cv5-25", "3dm-cx5-25", "3dm-gx4-25", "3dm-gx5-25"), {"only": ("none", "mag", "external")}), Variant("device", ("3dm-cv5-45",), {"only": ("none", "mag", "gnss_velocity", "external", "gnss_velocity_and_mag", "gnss_velocity_and_external", "mag_and_external", "all")}), Variant("device", ("3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45"), {"only": ("none", "mag", "gnss_velocity", "external")}), Variant("device", ("3dm-rq1-45-lt", "3dm-rq1-45-st"), {"only": ("none", "gnss_velocity", "external")}),)),
+            Parameter("source", "source", "scalar", scalar="u8", required=("write",), type=filter.HeadingUpdateSource, variants=(Variant("device", ("3dm-cv5-15", "3dm-cx5-15", "3dm-gx5-15"), {"only": ("none", "external")}), Variant("device", ("3dm-cv5-25", "3dm-cx5-25", "3dm-gx4-25", "3dm-gx5-25"), {"only": ("none", "mag", "external")}), Variant("device", ("3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45"), {"only": ("none", "mag", "gnss_velocity", "external")}), Variant("device", ("3dm-rq1-45-lt", "3dm-rq1-45-st"), {"only": ("none", "gnss_velocity", "external")}),)),
         ),
     ),
     "AutoInitializationControl": FieldInfo(
-        "filter.auto_initialization_control", filter.AutoInitializationControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.auto_initialization_control", filter.AutoInitializationControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0),
         ),
     ),
     "AccelNoise": FieldInfo(
-        "filter.accel_noise", filter.AccelNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.accel_noise", filter.AccelNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), required=("write",), above=0),
         ),
     ),
     "GyroNoise": FieldInfo(
-        "filter.gyro_noise", filter.GyroNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.gyro_noise", filter.GyroNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), required=("write",), above=0),
         ),
     ),
     "AccelBiasModel": FieldInfo(
-        "filter.accel_bias_model", filter.AccelBiasModel, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.accel_bias_model", filter.AccelBiasModel, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-45"), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",), required=("write",)),
@@ -163,7 +163,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GyroBiasModel": FieldInfo(
-        "filter.gyro_bias_model", filter.GyroBiasModel, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.gyro_bias_model", filter.GyroBiasModel, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",), required=("write",)),
@@ -171,7 +171,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AutoZupt": FieldInfo(
-        "filter.auto_zupt", filter.AutoZupt, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.auto_zupt", filter.AutoZupt, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0),
@@ -179,7 +179,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ExternalHeadingUpdateWithTime": FieldInfo(
-        "filter.external_heading_update_with_time", filter.ExternalHeadingUpdateWithTime, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.external_heading_update_with_time", filter.ExternalHeadingUpdateWithTime, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
@@ -189,7 +189,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AutoAngularZupt": FieldInfo(
-        "filter.auto_angular_zupt", filter.AutoAngularZupt, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.auto_angular_zupt", filter.AutoAngularZupt, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0),
@@ -197,24 +197,24 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "TareOrientation": FieldInfo(
-        "filter.tare_orientation", filter.TareOrientation, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.tare_orientation", filter.TareOrientation, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("axes", "axes", "scalar", scalar="u8", required=("write",), type=filter.TareAxes),
         ),
     ),
     "CommandedZupt": FieldInfo(
-        "filter.commanded_zupt", filter.CommandedZupt, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.commanded_zupt", filter.CommandedZupt, devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
         ),
     ),
     "CommandedAngularZupt": FieldInfo(
-        "filter.commanded_angular_zupt", filter.CommandedAngularZupt, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.commanded_angular_zupt", filter.CommandedAngularZupt, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
         ),
     ),
     "ReferencePosition": FieldInfo(
-        "filter.reference_position", filter.ReferencePosition, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter.reference_position", filter.ReferencePosition, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15",), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0),
@@ -224,55 +224,55 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "MagCaptureAutoCalibration": FieldInfo(
-        "filter.mag_capture_auto_calibration", filter.MagCaptureAutoCalibration, functions=("write", "save"), devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.mag_capture_auto_calibration", filter.MagCaptureAutoCalibration, functions=("write", "save"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         ),
     ),
     "GravityNoise": FieldInfo(
-        "filter.gravity_noise", filter.GravityNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-25"),
+        "filter.gravity_noise", filter.GravityNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",), required=("write",), above=0),
         ),
     ),
     "PressureAltitudeNoise": FieldInfo(
-        "filter.pressure_altitude_noise", filter.PressureAltitudeNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.pressure_altitude_noise", filter.PressureAltitudeNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("noise", "noise", "scalar", scalar="float", units=("m",), required=("write",), above=0),
         ),
     ),
     "HardIronOffsetNoise": FieldInfo(
-        "filter.hard_iron_offset_noise", filter.HardIronOffsetNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.hard_iron_offset_noise", filter.HardIronOffsetNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), required=("write",), above=0),
         ),
     ),
     "SoftIronMatrixNoise": FieldInfo(
-        "filter.soft_iron_matrix_noise", filter.SoftIronMatrixNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.soft_iron_matrix_noise", filter.SoftIronMatrixNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("noise", "noise", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), required=("write",), above=0),
         ),
     ),
     "EnableMeasurements": FieldInfo(
-        "filter.enable_measurements", filter.EnableMeasurements, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx4-25", "3dm-gx5-25"),
+        "filter.enable_measurements", filter.EnableMeasurements, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15",), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx4-25", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("control", "control", "scalar", scalar="u16", required=("write",), type=filter.MeasurementFlags, variants=(Variant("device", ("3dm-gx5-15",), {"only": ("accel",)}),)),
         ),
     ),
     "MagNoise": FieldInfo(
-        "filter.mag_noise", filter.MagNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.mag_noise", filter.MagNoise, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), required=("write",), above=0),
         ),
     ),
     "MagneticDeclinationSource": FieldInfo(
-        "filter.magnetic_declination_source", filter.MagneticDeclinationSource, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.magnetic_declination_source", filter.MagneticDeclinationSource, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("source", "source", "scalar", scalar="u8", required=("write",), type=filter.MagParameterSource, variants=(Variant("device", ("3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-gv7-ahrs", "3dm-gv7-ar"), {"only": ("none", "manual")}), Variant("device", ("3dm-gq7",), {"only": ("wmm", "manual")}),)),
@@ -280,7 +280,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AccelMagnitudeErrorAdaptiveMeasurement": FieldInfo(
-        "filter.accel_magnitude_error_adaptive_measurement", filter.AccelMagnitudeErrorAdaptiveMeasurement, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.accel_magnitude_error_adaptive_measurement", filter.AccelMagnitudeErrorAdaptiveMeasurement, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("adaptive_measurement", "adaptive_measurement", "scalar", scalar="u8", required=("write",), type=filter.AdaptiveMeasurementSelector, variants=(Variant("device", ("3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"only": ("disabled", "fixed")}),)),
@@ -293,7 +293,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "MagMagnitudeErrorAdaptiveMeasurement": FieldInfo(
-        "filter.mag_magnitude_error_adaptive_measurement", filter.MagMagnitudeErrorAdaptiveMeasurement, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.mag_magnitude_error_adaptive_measurement", filter.MagMagnitudeErrorAdaptiveMeasurement, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("adaptive_measurement", "adaptive_measurement", "scalar", scalar="u8", required=("write",), type=filter.AdaptiveMeasurementSelector, variants=(Variant("device", ("3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"only": ("disabled", "fixed")}),)),
@@ -306,7 +306,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "MagDipAngleErrorAdaptiveMeasurement": FieldInfo(
-        "filter.mag_dip_angle_error_adaptive_measurement", filter.MagDipAngleErrorAdaptiveMeasurement, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.mag_dip_angle_error_adaptive_measurement", filter.MagDipAngleErrorAdaptiveMeasurement, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="bool", required=("write",)),
@@ -317,14 +317,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AltitudeAiding": FieldInfo(
-        "filter.altitude_aiding", filter.AltitudeAiding, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.altitude_aiding", filter.AltitudeAiding, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("selector", "selector", "scalar", scalar="u8", required=("write",), type=filter.AltitudeAidingSource),
         ),
     ),
     "PitchRollAiding": FieldInfo(
-        "filter.pitch_roll_aiding", filter.PitchRollAiding, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.pitch_roll_aiding", filter.PitchRollAiding, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("aiding", "aiding", "scalar", scalar="u8", required=("write",), type=filter.PitchRollAidingSource),
@@ -393,10 +393,10 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AdaptiveFilterOptions": FieldInfo(
-        "filter.adaptive_filter_options", filter.AdaptiveFilterOptions, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-45"),
+        "filter.adaptive_filter_options", filter.AdaptiveFilterOptions, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("level", "level", "scalar", scalar="u8", default=2, required=("write",), type=filter.AdaptiveLevel, variants=(Variant("device", ("3dm-cv5-45", "3dm-gx5-45"), {"only": ("off", "moderate")}),)),
+            Parameter("level", "level", "scalar", scalar="u8", default=2, required=("write",), type=filter.AdaptiveLevel, variants=(Variant("device", ("3dm-gx5-45",), {"only": ("off", "moderate")}),)),
             Parameter("time_limit", "time_limit", "scalar", scalar="u16", units=("ms",), required=("write",)),
         ),
     ),
@@ -465,13 +465,13 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "VehicleDynamicsModeResponse": FieldInfo(
-        "filter.vehicle_dynamics_mode_response", filter.VehicleDynamicsModeResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.vehicle_dynamics_mode_response", filter.VehicleDynamicsModeResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("mode", "mode", "scalar", scalar="u8", type=filter.DynamicsMode),
         ),
     ),
     "SensorToVehicleRotationEulerResponse": FieldInfo(
-        "filter.sensor_to_vehicle_rotation_euler_response", filter.SensorToVehicleRotationEulerResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.sensor_to_vehicle_rotation_euler_response", filter.SensorToVehicleRotationEulerResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
             Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
@@ -479,83 +479,83 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "SensorToVehicleOffsetResponse": FieldInfo(
-        "filter.sensor_to_vehicle_offset_response", filter.SensorToVehicleOffsetResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.sensor_to_vehicle_offset_response", filter.SensorToVehicleOffsetResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",), magnitude=(None, 10), frame="sensor"),
         ),
     ),
     "AntennaOffsetResponse": FieldInfo(
-        "filter.antenna_offset_response", filter.AntennaOffsetResponse, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.antenna_offset_response", filter.AntennaOffsetResponse, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gx5-45"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",), magnitude=(None, 10), frame="vehicle", variants=(Variant("device", ("3dm-gx5-45",), {"frame": "sensor"}),)),
         ),
     ),
     "EstimationControlResponse": FieldInfo(
-        "filter.estimation_control_response", filter.EstimationControlResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.estimation_control_response", filter.EstimationControlResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("flags", "flags", "scalar", scalar="u16", type=filter.EstimatedStates),
         ),
     ),
     "GnssSourceResponse": FieldInfo(
-        "filter.gnss_source_response", filter.GnssSourceResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.gnss_source_response", filter.GnssSourceResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("source", "source", "scalar", scalar="u8", type=filter.GnssAidingSource),
         ),
     ),
     "HeadingSourceResponse": FieldInfo(
-        "filter.heading_source_response", filter.HeadingSourceResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.heading_source_response", filter.HeadingSourceResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("source", "source", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
         ),
     ),
     "AutoInitializationControlResponse": FieldInfo(
-        "filter.auto_initialization_control_response", filter.AutoInitializationControlResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.auto_initialization_control_response", filter.AutoInitializationControlResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, minimum=0),
         ),
     ),
     "AccelNoiseResponse": FieldInfo(
-        "filter.accel_noise_response", filter.AccelNoiseResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.accel_noise_response", filter.AccelNoiseResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), above=0),
         ),
     ),
     "GyroNoiseResponse": FieldInfo(
-        "filter.gyro_noise_response", filter.GyroNoiseResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.gyro_noise_response", filter.GyroNoiseResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), above=0),
         ),
     ),
     "AccelBiasModelResponse": FieldInfo(
-        "filter.accel_bias_model_response", filter.AccelBiasModelResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.accel_bias_model_response", filter.AccelBiasModelResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-45"), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)),
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), above=0),
         ),
     ),
     "GyroBiasModelResponse": FieldInfo(
-        "filter.gyro_bias_model_response", filter.GyroBiasModelResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.gyro_bias_model_response", filter.GyroBiasModelResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)),
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), above=0),
         ),
     ),
     "AutoZuptResponse": FieldInfo(
-        "filter.auto_zupt_response", filter.AutoZuptResponse, devices=("3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.auto_zupt_response", filter.AutoZuptResponse, devices=("3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, minimum=0),
             Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",), minimum=0),
         ),
     ),
     "AutoAngularZuptResponse": FieldInfo(
-        "filter.auto_angular_zupt_response", filter.AutoAngularZuptResponse, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.auto_angular_zupt_response", filter.AutoAngularZuptResponse, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, minimum=0),
             Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",), minimum=0),
         ),
     ),
     "ReferencePositionResponse": FieldInfo(
-        "filter.reference_position_response", filter.ReferencePositionResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter.reference_position_response", filter.ReferencePositionResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, minimum=0),
             Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), minimum=-90, maximum=90, frame="llh"),
@@ -564,56 +564,56 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GravityNoiseResponse": FieldInfo(
-        "filter.gravity_noise_response", filter.GravityNoiseResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-25"),
+        "filter.gravity_noise_response", filter.GravityNoiseResponse, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-25"),
         parameters=(
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",), above=0),
         ),
     ),
     "PressureAltitudeNoiseResponse": FieldInfo(
-        "filter.pressure_altitude_noise_response", filter.PressureAltitudeNoiseResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.pressure_altitude_noise_response", filter.PressureAltitudeNoiseResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("noise", "noise", "scalar", scalar="float", units=("m",), above=0),
         ),
     ),
     "HardIronOffsetNoiseResponse": FieldInfo(
-        "filter.hard_iron_offset_noise_response", filter.HardIronOffsetNoiseResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.hard_iron_offset_noise_response", filter.HardIronOffsetNoiseResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), above=0),
         ),
     ),
     "SoftIronMatrixNoiseResponse": FieldInfo(
-        "filter.soft_iron_matrix_noise_response", filter.SoftIronMatrixNoiseResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.soft_iron_matrix_noise_response", filter.SoftIronMatrixNoiseResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("noise", "noise", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), above=0),
         ),
     ),
     "TareOrientationResponse": FieldInfo(
-        "filter.tare_orientation_response", filter.TareOrientationResponse, perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.tare_orientation_response", filter.TareOrientationResponse, perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("axes", "axes", "scalar", scalar="u8", type=filter.TareAxes),
         ),
     ),
     "EnableMeasurementsResponse": FieldInfo(
-        "filter.enable_measurements_response", filter.EnableMeasurementsResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx4-25", "3dm-gx5-25"),
+        "filter.enable_measurements_response", filter.EnableMeasurementsResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx4-25", "3dm-gx5-25"),
         parameters=(
             Parameter("control", "control", "scalar", scalar="u16", type=filter.MeasurementFlags),
         ),
     ),
     "MagNoiseResponse": FieldInfo(
-        "filter.mag_noise_response", filter.MagNoiseResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.mag_noise_response", filter.MagNoiseResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), above=0),
         ),
     ),
     "MagneticDeclinationSourceResponse": FieldInfo(
-        "filter.magnetic_declination_source_response", filter.MagneticDeclinationSourceResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.magnetic_declination_source_response", filter.MagneticDeclinationSourceResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
             Parameter("declination", "declination", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793),
         ),
     ),
     "AccelMagnitudeErrorAdaptiveMeasurementResponse": FieldInfo(
-        "filter.accel_magnitude_error_adaptive_measurement_response", filter.AccelMagnitudeErrorAdaptiveMeasurementResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.accel_magnitude_error_adaptive_measurement_response", filter.AccelMagnitudeErrorAdaptiveMeasurementResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("adaptive_measurement", "adaptive_measurement", "scalar", scalar="u8", type=filter.AdaptiveMeasurementSelector),
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), minimum=0),
@@ -625,7 +625,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "MagMagnitudeErrorAdaptiveMeasurementResponse": FieldInfo(
-        "filter.mag_magnitude_error_adaptive_measurement_response", filter.MagMagnitudeErrorAdaptiveMeasurementResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.mag_magnitude_error_adaptive_measurement_response", filter.MagMagnitudeErrorAdaptiveMeasurementResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("adaptive_measurement", "adaptive_measurement", "scalar", scalar="u8", type=filter.AdaptiveMeasurementSelector),
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), minimum=0),
@@ -637,7 +637,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "MagDipAngleErrorAdaptiveMeasurementResponse": FieldInfo(
-        "filter.mag_dip_angle_error_adaptive_measurement_response", filter.MagDipAngleErrorAdaptiveMeasurementResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter.mag_dip_angle_error_adaptive_measurement_response", filter.MagDipAngleErrorAdaptiveMeasurementResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="bool"),
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), minimum=0),
@@ -647,13 +647,13 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AltitudeAidingResponse": FieldInfo(
-        "filter.altitude_aiding_response", filter.AltitudeAidingResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.altitude_aiding_response", filter.AltitudeAidingResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("selector", "selector", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
         ),
     ),
     "PitchRollAidingResponse": FieldInfo(
-        "filter.pitch_roll_aiding_response", filter.PitchRollAidingResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
+        "filter.pitch_roll_aiding_response", filter.PitchRollAidingResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25"),
         parameters=(
             Parameter("aiding", "aiding", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
         ),
@@ -714,7 +714,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AdaptiveFilterOptionsResponse": FieldInfo(
-        "filter.adaptive_filter_options_response", filter.AdaptiveFilterOptionsResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-45"),
+        "filter.adaptive_filter_options_response", filter.AdaptiveFilterOptionsResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-45"),
         parameters=(
             Parameter("level", "level", "scalar", scalar="u8", default=2, type=filter.AdaptiveLevel),
             Parameter("time_limit", "time_limit", "scalar", scalar="u16", units=("ms",)),

@@ -26,7 +26,7 @@ TYPES: dict[str, Info] = {
     "FilterCondition": EnumInfo("filter_data.filter_condition", filter_data.FilterCondition),
     "Cv7StatusFlags": BitsInfo("filter_data.cv7_status_flags", filter_data.Cv7StatusFlags, concerns={"roll_pitch_warning": ("filter_data.attitude_quaternion", "filter_data.attitude_dcm", "filter_data.euler_angles"), "heading_warning": ("filter_data.attitude_quaternion", "filter_data.attitude_dcm", "filter_data.euler_angles"), "position_warning": ("filter_data.llh_position", "filter_data.ecef_position", "filter_data.ned_relative_position"), "velocity_warning": ("filter_data.ned_velocity", "filter_data.ecef_velocity"), "imu_bias_warning": ("filter_data.accel_bias", "filter_data.gyro_bias", "3dm.capture_gyro_bias"), "gnss_clock_warning": ("filter_data.timestamp", "filter_data.clock_correction"), "antenna_lever_arm_warning": ("filter_data.multi_antenna_offset_correction", "filter.multi_antenna_offset"), "mounting_transform_warning": ("3dm.sensor_to_vehicle_transform_euler", "3dm.sensor_to_vehicle_transform_dcm"), "time_sync_warning": ("3dm.pps_source_control",), "solution_error": ("filter.reset",)}, numbers={"filter_condition": filter_data.FilterCondition}),
     "LlhPosition": FieldInfo(
-        "filter_data.llh_position", filter_data.LlhPosition, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter_data.llh_position", filter_data.LlhPosition, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.valid",), minimum=-90, maximum=90, frame="llh", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.valid",), minimum=-180, maximum=180, frame="llh", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -35,7 +35,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "NedVelocity": FieldInfo(
-        "filter_data.ned_velocity", filter_data.NedVelocity, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter_data.ned_velocity", filter_data.NedVelocity, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("north", "north", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("east", "east", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -44,21 +44,21 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AttitudeQuaternion": FieldInfo(
-        "filter_data.attitude_quaternion", filter_data.AttitudeQuaternion, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.attitude_quaternion", filter_data.AttitudeQuaternion, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "AttitudeDcm": FieldInfo(
-        "filter_data.attitude_dcm", filter_data.AttitudeDcm, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "filter_data.attitude_dcm", filter_data.AttitudeDcm, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("dcm", "dcm", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "EulerAngles": FieldInfo(
-        "filter_data.euler_angles", filter_data.EulerAngles, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "filter_data.euler_angles", filter_data.EulerAngles, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=-1.5707963267948966, maximum=1.5707963267948966, frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -67,21 +67,21 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GyroBias": FieldInfo(
-        "filter_data.gyro_bias", filter_data.GyroBias, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.gyro_bias", filter_data.GyroBias, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "AccelBias": FieldInfo(
-        "filter_data.accel_bias", filter_data.AccelBias, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx5-45"),
+        "filter_data.accel_bias", filter_data.AccelBias, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx5-45"),
         parameters=(
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "LlhPositionUncertainty": FieldInfo(
-        "filter_data.llh_position_uncertainty", filter_data.LlhPositionUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-45"),
+        "filter_data.llh_position_uncertainty", filter_data.LlhPositionUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-45"),
         parameters=(
             Parameter("north", "north", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("east", "east", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -90,7 +90,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "NedVelocityUncertainty": FieldInfo(
-        "filter_data.ned_velocity_uncertainty", filter_data.NedVelocityUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-45"),
+        "filter_data.ned_velocity_uncertainty", filter_data.NedVelocityUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-45"),
         parameters=(
             Parameter("north", "north", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("east", "east", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -99,7 +99,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "EulerAnglesUncertainty": FieldInfo(
-        "filter_data.euler_angles_uncertainty", filter_data.EulerAnglesUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.euler_angles_uncertainty", filter_data.EulerAnglesUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -108,50 +108,50 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GyroBiasUncertainty": FieldInfo(
-        "filter_data.gyro_bias_uncertainty", filter_data.GyroBiasUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.gyro_bias_uncertainty", filter_data.GyroBiasUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("bias_uncertainty", "bias_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "AccelBiasUncertainty": FieldInfo(
-        "filter_data.accel_bias_uncertainty", filter_data.AccelBiasUncertainty, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx5-45"),
+        "filter_data.accel_bias_uncertainty", filter_data.AccelBiasUncertainty, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx5-45"),
         parameters=(
             Parameter("bias_uncertainty", "bias_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "LinearAccel": FieldInfo(
-        "filter_data.linear_accel", filter_data.LinearAccel, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.linear_accel", filter_data.LinearAccel, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), valid=("valid_flags.valid",), frame="vehicle", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "CompAngularRate": FieldInfo(
-        "filter_data.comp_angular_rate", filter_data.CompAngularRate, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "filter_data.comp_angular_rate", filter_data.CompAngularRate, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("gyro", "gyro", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), valid=("valid_flags.valid",), frame="vehicle", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "Wgs84GravityMagnitude": FieldInfo(
-        "filter_data.wgs84_gravity_magnitude", filter_data.Wgs84GravityMagnitude, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.wgs84_gravity_magnitude", filter_data.Wgs84GravityMagnitude, devices=("3dm-gx5-15",), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("gravity_magnitude", "gravity_magnitude", "scalar", scalar="float", units=("m/s^2",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "Status": FieldInfo(
-        "filter_data.status", filter_data.Status, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.status", filter_data.Status, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("filter_state", "filter_state", "scalar", scalar="u16", variants=(Variant("device", ("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"), {"type": filter_data.Gx5FilterState}), Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": filter_data.Cv7FilterState}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": filter_data.Cv7FilterState}), Variant("device", ("3dm-gx5-15",), {"type": filter_data.Gx5FilterState}),)),
-            Parameter("dynamics_mode", "dynamics_mode", "scalar", scalar="u16", variants=(Variant("device", ("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"), {"type": filter_data.Gx5DynamicsMode}), Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": filter_data.Cv7DynamicsMode}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": filter_data.Cv7DynamicsMode}), Variant("device", ("3dm-gx5-15",), {"type": filter_data.Gx5DynamicsMode}),)),
-            Parameter("status_flags", "status_flags", "scalar", scalar="u16", variants=(Variant("device", ("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"), {"type": filter_data.Gx5StatusFlags}), Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": filter_data.Cv7StatusFlags}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": filter_data.Cv7StatusFlags}), Variant("device", ("3dm-gx5-15",), {"type": filter_data.Gx5StatusFlags}),)),
+            Parameter("filter_state", "filter_state", "scalar", scalar="u16", variants=(Variant("device", ("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"), {"type": filter_data.Gx5FilterState}), Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": filter_data.Cv7FilterState}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": filter_data.Cv7FilterState}), Variant("device", ("3dm-gx5-15",), {"type": filter_data.Gx5FilterState}),)),
+            Parameter("dynamics_mode", "dynamics_mode", "scalar", scalar="u16", variants=(Variant("device", ("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"), {"type": filter_data.Gx5DynamicsMode}), Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": filter_data.Cv7DynamicsMode}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": filter_data.Cv7DynamicsMode}), Variant("device", ("3dm-gx5-15",), {"type": filter_data.Gx5DynamicsMode}),)),
+            Parameter("status_flags", "status_flags", "scalar", scalar="u16", variants=(Variant("device", ("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"), {"type": filter_data.Gx5StatusFlags}), Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": filter_data.Cv7StatusFlags}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": filter_data.Cv7StatusFlags}), Variant("device", ("3dm-gx5-15",), {"type": filter_data.Gx5StatusFlags}),)),
         ),
     ),
     "Timestamp": FieldInfo(
-        "filter_data.timestamp", filter_data.Timestamp, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.timestamp", filter_data.Timestamp, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.valid",), below=604800, minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -159,21 +159,21 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "QuaternionAttitudeUncertainty": FieldInfo(
-        "filter_data.quaternion_attitude_uncertainty", filter_data.QuaternionAttitudeUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.quaternion_attitude_uncertainty", filter_data.QuaternionAttitudeUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "GravityVector": FieldInfo(
-        "filter_data.gravity_vector", filter_data.GravityVector, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.gravity_vector", filter_data.GravityVector, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("gravity", "gravity", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), valid=("valid_flags.valid",), frame="vehicle", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "HeadingUpdateState": FieldInfo(
-        "filter_data.heading_update_state", filter_data.HeadingUpdateState, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "filter_data.heading_update_state", filter_data.HeadingUpdateState, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("heading", "heading", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -182,7 +182,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "MagneticModel": FieldInfo(
-        "filter_data.magnetic_model", filter_data.MagneticModel, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.magnetic_model", filter_data.MagneticModel, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("intensity_north", "intensity_north", "scalar", scalar="float", units=("gauss",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("intensity_east", "intensity_east", "scalar", scalar="float", units=("gauss",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -235,14 +235,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "CompAccel": FieldInfo(
-        "filter_data.comp_accel", filter_data.CompAccel, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.comp_accel", filter_data.CompAccel, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), valid=("valid_flags.valid",), frame="vehicle", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "StandardAtmosphere": FieldInfo(
-        "filter_data.standard_atmosphere", filter_data.StandardAtmosphere, perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gx5-45"),
+        "filter_data.standard_atmosphere", filter_data.StandardAtmosphere, perhaps=("3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("geometric_altitude", "geometric_altitude", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("geopotential_altitude", "geopotential_altitude", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -253,7 +253,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "PressureAltitude": FieldInfo(
-        "filter_data.pressure_altitude", filter_data.PressureAltitude, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.pressure_altitude", filter_data.PressureAltitude, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("pressure_altitude", "pressure_altitude", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), maximum=84852, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
@@ -267,28 +267,28 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "MagOffset": FieldInfo(
-        "filter_data.mag_offset", filter_data.MagOffset, perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.mag_offset", filter_data.MagOffset, perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("hard_iron", "hard_iron", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "MagMatrix": FieldInfo(
-        "filter_data.mag_matrix", filter_data.MagMatrix, perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.mag_matrix", filter_data.MagMatrix, perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("soft_iron", "soft_iron", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "MagOffsetUncertainty": FieldInfo(
-        "filter_data.mag_offset_uncertainty", filter_data.MagOffsetUncertainty, perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.mag_offset_uncertainty", filter_data.MagOffsetUncertainty, perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("hard_iron_uncertainty", "hard_iron_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "MagMatrixUncertainty": FieldInfo(
-        "filter_data.mag_matrix_uncertainty", filter_data.MagMatrixUncertainty, perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "filter_data.mag_matrix_uncertainty", filter_data.MagMatrixUncertainty, perhaps=("3dm-cv5-25", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("soft_iron_uncertainty", "soft_iron_uncertainty", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),

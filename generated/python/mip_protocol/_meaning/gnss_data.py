@@ -54,7 +54,7 @@ TYPES: dict[str, Info] = {
     "GalileoIonoCorrectionFlags": BitsInfo("gnss_data.galileo_iono_correction_flags", gnss_data.GalileoIonoCorrectionFlags, aliases=("flags",)),
     "BeidouIonoCorrectionFlags": BitsInfo("gnss_data.beidou_iono_correction_flags", gnss_data.BeidouIonoCorrectionFlags, aliases=("flags",)),
     "LlhPosition": FieldInfo(
-        "gnss_data.llh_position", gnss_data.LlhPosition, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "gnss_data.llh_position", gnss_data.LlhPosition, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), minimum=-90, maximum=90, frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
             Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), minimum=-180, maximum=180, frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
@@ -66,7 +66,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "EcefPosition": FieldInfo(
-        "gnss_data.ecef_position", gnss_data.EcefPosition, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-35", "3dm-gx5-45"),
+        "gnss_data.ecef_position", gnss_data.EcefPosition, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cx5-45", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.position",), frame="ecef", flags=(Flag("valid_flags.position", "valid_flags", 0x1),)),
             Parameter("position_accuracy", "position_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.position_accuracy",), minimum=0, flags=(Flag("valid_flags.position_accuracy", "valid_flags", 0x2),)),
@@ -74,7 +74,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "NedVelocity": FieldInfo(
-        "gnss_data.ned_velocity", gnss_data.NedVelocity, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "gnss_data.ned_velocity", gnss_data.NedVelocity, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("velocity", "velocity", "array", scalar="float", elements=("north", "east", "down"), units=("m/s",), valid=("valid_flags.velocity",), frame="ned", flags=(Flag("valid_flags.velocity", "valid_flags", 0x1),)),
             Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.speed_3d",), minimum=0, flags=(Flag("valid_flags.speed_3d", "valid_flags", 0x2),)),
@@ -86,7 +86,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "EcefVelocity": FieldInfo(
-        "gnss_data.ecef_velocity", gnss_data.EcefVelocity, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
+        "gnss_data.ecef_velocity", gnss_data.EcefVelocity, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7", "3dm-gx5-35"), perhaps=("3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("velocity", "velocity", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",), valid=("valid_flags.velocity",), frame="ecef", flags=(Flag("valid_flags.velocity", "valid_flags", 0x1),)),
             Parameter("velocity_accuracy", "velocity_accuracy", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.velocity_accuracy",), minimum=0, flags=(Flag("valid_flags.velocity_accuracy", "valid_flags", 0x2),)),
@@ -94,7 +94,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "Dop": FieldInfo(
-        "gnss_data.dop", gnss_data.Dop, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45"),
+        "gnss_data.dop", gnss_data.Dop, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cx5-45", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("gdop", "gdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.gdop",), minimum=0, flags=(Flag("valid_flags.gdop", "valid_flags", 0x1),)),
             Parameter("pdop", "pdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.pdop",), minimum=0, flags=(Flag("valid_flags.pdop", "valid_flags", 0x2),)),
@@ -107,7 +107,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "UtcTime": FieldInfo(
-        "gnss_data.utc_time", gnss_data.UtcTime, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx5-35", "3dm-gx5-45"),
+        "gnss_data.utc_time", gnss_data.UtcTime, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("year", "year", "scalar", scalar="u16", valid=("valid_flags.gnss_date_time",), flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
             Parameter("month", "month", "scalar", scalar="u8", valid=("valid_flags.gnss_date_time",), minimum=1, maximum=12, flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
@@ -120,7 +120,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GpsTime": FieldInfo(
-        "gnss_data.gps_time", gnss_data.GpsTime, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq4-45", "3dm-gq7", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "gnss_data.gps_time", gnss_data.GpsTime, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gq7", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
@@ -128,7 +128,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ClockInfo": FieldInfo(
-        "gnss_data.clock_info", gnss_data.ClockInfo, perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-35", "3dm-gx5-45"),
+        "gnss_data.clock_info", gnss_data.ClockInfo, perhaps=("3dm-cx5-45", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("bias", "bias", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias",), flags=(Flag("valid_flags.bias", "valid_flags", 0x1),)),
             Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",), valid=("valid_flags.drift",), flags=(Flag("valid_flags.drift", "valid_flags", 0x2),)),
@@ -137,7 +137,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "FixInfo": FieldInfo(
-        "gnss_data.fix_info", gnss_data.FixInfo, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-35", "3dm-gx5-45"),
+        "gnss_data.fix_info", gnss_data.FixInfo, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("fix_type", "fix_type", "scalar", scalar="u8", valid=("valid_flags.fix_type",), type=types.GnssFixType, flags=(Flag("valid_flags.fix_type", "valid_flags", 0x1),)),
             Parameter("num_sv", "num_sv", "scalar", scalar="u8", units=("1",), valid=("valid_flags.num_sv",), flags=(Flag("valid_flags.num_sv", "valid_flags", 0x2),)),
@@ -146,7 +146,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "SvInfo": FieldInfo(
-        "gnss_data.sv_info", gnss_data.SvInfo, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-35"),
+        "gnss_data.sv_info", gnss_data.SvInfo, devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gx5-35"),
         parameters=(
             Parameter("channel", "channel", "scalar", scalar="u8", valid=("valid_flags.channel",), flags=(Flag("valid_flags.channel", "valid_flags", 0x1),)),
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8", valid=("valid_flags.satellite_id",), flags=(Flag("valid_flags.satellite_id", "valid_flags", 0x2),)),
@@ -158,7 +158,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "HardwareStatus": FieldInfo(
-        "gnss_data.hardware_status", gnss_data.HardwareStatus, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-35"),
+        "gnss_data.hardware_status", gnss_data.HardwareStatus, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cx5-45", "3dm-gx5-35"),
         parameters=(
             Parameter("receiver_state", "receiver_state", "scalar", scalar="u8", valid=("valid_flags.sensor_state",), type=gnss_data.ReceiverState, flags=(Flag("valid_flags.sensor_state", "valid_flags", 0x1),)),
             Parameter("antenna_state", "antenna_state", "scalar", scalar="u8", valid=("valid_flags.antenna_state",), type=gnss_data.AntennaState, flags=(Flag("valid_flags.antenna_state", "valid_flags", 0x2),)),
@@ -167,7 +167,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DgpsInfo": FieldInfo(
-        "gnss_data.dgps_info", gnss_data.DgpsInfo, devices=("3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45"),
+        "gnss_data.dgps_info", gnss_data.DgpsInfo, devices=("3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cx5-45",),
         parameters=(
             Parameter("age", "age", "scalar", scalar="float", units=("s",), valid=("valid_flags.age",), minimum=0, flags=(Flag("valid_flags.age", "valid_flags", 0x1),)),
             Parameter("base_station_id", "base_station_id", "scalar", scalar="s16", valid=("valid_flags.base_station_id",), flags=(Flag("valid_flags.base_station_id", "valid_flags", 0x2),)),
@@ -187,7 +187,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DgpsChannel": FieldInfo(
-        "gnss_data.dgps_channel", gnss_data.DgpsChannel, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-35"),
+        "gnss_data.dgps_channel", gnss_data.DgpsChannel, devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gx5-35"),
         parameters=(
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8", valid=("valid_flags.satellite_id",), flags=(Flag("valid_flags.satellite_id", "valid_flags", 0x1),)),
             Parameter("age", "age", "scalar", scalar="float", units=("s",), valid=("valid_flags.age",), minimum=0, flags=(Flag("valid_flags.age", "valid_flags", 0x2),)),

@@ -57,7 +57,7 @@ TYPES: dict[str, Info] = {
     "LegacyDataStream": EnumInfo("3dm.legacy_data_stream", mip_3dm.LegacyDataStream),
     "Gx4SystemState": EnumInfo("3dm.gx4_system_state", mip_3dm.Gx4SystemState),
     "PollImuData": FieldInfo(
-        "3dm.poll_imu_data", mip_3dm.PollImuData, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
+        "3dm.poll_imu_data", mip_3dm.PollImuData, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
@@ -65,7 +65,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "PollGnssData": FieldInfo(
-        "3dm.poll_gnss_data", mip_3dm.PollGnssData, devices=("3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35"),
+        "3dm.poll_gnss_data", mip_3dm.PollGnssData, devices=("3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35"),
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", maximum=83, minimum=0),
@@ -73,7 +73,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "PollFilterData": FieldInfo(
-        "3dm.poll_filter_data", mip_3dm.PollFilterData, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "3dm.poll_filter_data", mip_3dm.PollFilterData, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
@@ -89,17 +89,17 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetImuBaseRate": FieldInfo(
-        "3dm.get_imu_base_rate", mip_3dm.GetImuBaseRate, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-rq1-imu"),
+        "3dm.get_imu_base_rate", mip_3dm.GetImuBaseRate, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35", "3dm-rq1-imu"),
         parameters=(
         ),
     ),
     "GetGnssBaseRate": FieldInfo(
-        "3dm.get_gnss_base_rate", mip_3dm.GetGnssBaseRate, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
+        "3dm.get_gnss_base_rate", mip_3dm.GetGnssBaseRate, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
         parameters=(
         ),
     ),
     "ImuMessageFormat": FieldInfo(
-        "3dm.imu_message_format", mip_3dm.ImuMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-rq1-imu"),
+        "3dm.imu_message_format", mip_3dm.ImuMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-rq1-imu"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", required=("write",)),
@@ -107,7 +107,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssMessageFormat": FieldInfo(
-        "3dm.gnss_message_format", mip_3dm.GnssMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
+        "3dm.gnss_message_format", mip_3dm.GnssMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", maximum=82, required=("write",), minimum=0),
@@ -115,7 +115,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "FilterMessageFormat": FieldInfo(
-        "3dm.filter_message_format", mip_3dm.FilterMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "3dm.filter_message_format", mip_3dm.FilterMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", required=("write",)),
@@ -123,7 +123,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetFilterBaseRate": FieldInfo(
-        "3dm.get_filter_base_rate", mip_3dm.GetFilterBaseRate, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "3dm.get_filter_base_rate", mip_3dm.GetFilterBaseRate, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
         ),
     ),
@@ -167,10 +167,10 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DataStreamControl": FieldInfo(
-        "3dm.data_stream_control", mip_3dm.DataStreamControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
+        "3dm.data_stream_control", mip_3dm.DataStreamControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), refers="set", variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), refers="set", variants=(Variant("device", ("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True, required=("write",)),
         ),
     ),
@@ -181,7 +181,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ConstellationSettings": FieldInfo(
-        "3dm.constellation_settings", mip_3dm.ConstellationSettings, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
+        "3dm.constellation_settings", mip_3dm.ConstellationSettings, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("max_channels", "max_channels", "scalar", scalar="u16", units=("1",), required=("write",)),
@@ -190,7 +190,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssSbasSettings": FieldInfo(
-        "3dm.gnss_sbas_settings", mip_3dm.GnssSbasSettings, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-45"),
+        "3dm.gnss_sbas_settings", mip_3dm.GnssSbasSettings, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cx5-45", "3dm-gq7", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0, variants=(Variant("device", ("3dm-gx5-35",), {"default": 1}),)),
@@ -200,7 +200,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssAssistedFix": FieldInfo(
-        "3dm.gnss_assisted_fix", mip_3dm.GnssAssistedFix, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
+        "3dm.gnss_assisted_fix", mip_3dm.GnssAssistedFix, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-35",), perhaps=("3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("option", "option", "scalar", scalar="u8", required=("write",), default=0, type=mip_3dm.AssistedFixOption, variants=(Variant("device", ("3dm-gx5-35",), {"default": 0}),)),
@@ -208,7 +208,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssTimeAssistance": FieldInfo(
-        "3dm.gnss_time_assistance", mip_3dm.GnssTimeAssistance, functions=("write", "read"), devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
+        "3dm.gnss_time_assistance", mip_3dm.GnssTimeAssistance, functions=("write", "read"), devices=("3dm-gx5-35",), perhaps=("3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, required=("write",), minimum=0),
@@ -271,7 +271,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceSettings": FieldInfo(
-        "3dm.device_settings", mip_3dm.DeviceSettings, functions=("save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-rtk"),
+        "3dm.device_settings", mip_3dm.DeviceSettings, functions=("save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rtk"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         ),
@@ -329,48 +329,48 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AccelBias": FieldInfo(
-        "3dm.accel_bias", mip_3dm.AccelBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"), advanced=True,
+        "3dm.accel_bias", mip_3dm.AccelBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",), frame="sensor", required=("write", "apply")),
         ),
     ),
     "GyroBias": FieldInfo(
-        "3dm.gyro_bias", mip_3dm.GyroBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-imu"), advanced=True,
+        "3dm.gyro_bias", mip_3dm.GyroBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-imu"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), frame="sensor", required=("write", "apply")),
         ),
     ),
     "CaptureGyroBias": FieldInfo(
-        "3dm.capture_gyro_bias", mip_3dm.CaptureGyroBias, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
+        "3dm.capture_gyro_bias", mip_3dm.CaptureGyroBias, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("averaging_time_ms", "averaging_time_ms", "scalar", scalar="u16", units=("ms",), minimum=1000, maximum=30000),
         ),
     ),
     "MagHardIronOffset": FieldInfo(
-        "3dm.mag_hard_iron_offset", mip_3dm.MagHardIronOffset, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35"),
+        "3dm.mag_hard_iron_offset", mip_3dm.MagHardIronOffset, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), frame="sensor", required=("write", "apply"), variants=(Variant("device", ("3dm-gx5-45",), {"default": (0, 0, 0)}),)),
         ),
     ),
     "MagSoftIronMatrix": FieldInfo(
-        "3dm.mag_soft_iron_matrix", mip_3dm.MagSoftIronMatrix, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.mag_soft_iron_matrix", mip_3dm.MagSoftIronMatrix, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("matrix", "matrix", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), frame="sensor", required=("write", "apply")),
         ),
     ),
     "ConingScullingEnable": FieldInfo(
-        "3dm.coning_sculling_enable", mip_3dm.ConingScullingEnable, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-imu"),
+        "3dm.coning_sculling_enable", mip_3dm.ConingScullingEnable, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True, required=("write",)),
         ),
     ),
     "UartBaudRate": FieldInfo(
-        "3dm.uart_baud_rate", mip_3dm.UartBaudRate, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35"),
+        "3dm.uart_baud_rate", mip_3dm.UartBaudRate, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",), required=("write",), variants=(Variant("device", ("3dm-gx5-15", "3dm-gx5-45"), {"default": 115200}),)),
@@ -404,7 +404,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ImuLowPassFilter": FieldInfo(
-        "3dm.imu_low_pass_filter", mip_3dm.ImuLowPassFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"), advanced=True,
+        "3dm.imu_low_pass_filter", mip_3dm.ImuLowPassFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), refers="field", fields_of="sensor", variants=(Variant("device", ("3dm-cv7-gnss-ins",), {}),)),
@@ -415,11 +415,11 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ComplementaryFilter": FieldInfo(
-        "3dm.complementary_filter", mip_3dm.ComplementaryFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.complementary_filter", mip_3dm.ComplementaryFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("pitch_roll_enable", "pitch_roll_enable", "scalar", scalar="bool", required=("write",), variants=(Variant("device", ("3dm-gx5-15",), {"default": True}),)),
-            Parameter("heading_enable", "heading_enable", "scalar", scalar="bool", required=("write",), variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cv5-10", "3dm-cv5-15", "3dm-cx5-10", "3dm-cx5-15", "3dm-gx5-10"), {}), Variant("device", ("3dm-gx5-15",), {"default": True}),)),
+            Parameter("heading_enable", "heading_enable", "scalar", scalar="bool", required=("write",), variants=(Variant("device", ("3dm-cv5-10", "3dm-cv5-15", "3dm-cx5-10", "3dm-cx5-15"), {}), Variant("device", ("3dm-gx5-15",), {"default": True}),)),
             Parameter("pitch_roll_time_constant", "pitch_roll_time_constant", "scalar", scalar="float", units=("s",), minimum=1, maximum=1000, default=10, required=("write",)),
             Parameter("heading_time_constant", "heading_time_constant", "scalar", scalar="float", units=("s",), minimum=1, maximum=1000, default=10, required=("write",)),
         ),
@@ -472,49 +472,49 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatus": FieldInfo(
-        "3dm.device_status", mip_3dm.DeviceStatus, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-rq1-imu"), advanced=True,
+        "3dm.device_status", mip_3dm.DeviceStatus, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-rq1-imu"), advanced=True,
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16", variants=(Variant("device", ("3dm-gx5-15",), {"constant": 6254}), Variant("device", ("3dm-gx5-35",), {"constant": 6252}), Variant("device", ("3dm-gx5-45",), {"constant": 6251}),)),
             Parameter("status_selector", "status_selector", "scalar", scalar="u8", type=mip_3dm.DeviceStatusSelector),
         ),
     ),
     "ImuMessageFormatResponse": FieldInfo(
-        "3dm.imu_message_format_response", mip_3dm.ImuMessageFormatResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-rq1-imu"),
+        "3dm.imu_message_format_response", mip_3dm.ImuMessageFormatResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-rq1-imu"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
             Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="sensor", type=types.DescriptorRate),
         ),
     ),
     "GnssMessageFormatResponse": FieldInfo(
-        "3dm.gnss_message_format_response", mip_3dm.GnssMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
+        "3dm.gnss_message_format_response", mip_3dm.GnssMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", maximum=82, minimum=0),
             Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="gnss_data", type=types.DescriptorRate),
         ),
     ),
     "FilterMessageFormatResponse": FieldInfo(
-        "3dm.filter_message_format_response", mip_3dm.FilterMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "3dm.filter_message_format_response", mip_3dm.FilterMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
             Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="filter_data", type=types.DescriptorRate),
         ),
     ),
     "GetImuBaseRateResponse": FieldInfo(
-        "3dm.get_imu_base_rate_response", mip_3dm.GetImuBaseRateResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-rq1-imu"),
+        "3dm.get_imu_base_rate_response", mip_3dm.GetImuBaseRateResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35", "3dm-rq1-imu"),
         parameters=(
             Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
         ),
     ),
     "GetGnssBaseRateResponse": FieldInfo(
-        "3dm.get_gnss_base_rate_response", mip_3dm.GetGnssBaseRateResponse, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
+        "3dm.get_gnss_base_rate_response", mip_3dm.GetGnssBaseRateResponse, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
         parameters=(
             Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
         ),
     ),
     "DataStreamControlResponse": FieldInfo(
-        "3dm.data_stream_control_response", mip_3dm.DataStreamControlResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
+        "3dm.data_stream_control_response", mip_3dm.DataStreamControlResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", refers="set", variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", refers="set", variants=(Variant("device", ("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
             Parameter("enabled", "enabled", "scalar", scalar="bool"),
         ),
     ),
@@ -532,7 +532,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "UartBaudRateResponse": FieldInfo(
-        "3dm.uart_baud_rate_response", mip_3dm.UartBaudRateResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35"),
+        "3dm.uart_baud_rate_response", mip_3dm.UartBaudRateResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
         ),
@@ -552,13 +552,13 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetFilterBaseRateResponse": FieldInfo(
-        "3dm.get_filter_base_rate_response", mip_3dm.GetFilterBaseRateResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "3dm.get_filter_base_rate_response", mip_3dm.GetFilterBaseRateResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
         ),
     ),
     "ImuLowPassFilterResponse": FieldInfo(
-        "3dm.imu_low_pass_filter_response", mip_3dm.ImuLowPassFilterResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
+        "3dm.imu_low_pass_filter_response", mip_3dm.ImuLowPassFilterResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8", refers="field", fields_of="sensor"),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True),
@@ -599,7 +599,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusBasicResponse": FieldInfo(
-        "3dm.device_status_basic_response", mip_3dm.DeviceStatusBasicResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx4-45", "3dm-gx5-25"),
+        "3dm.device_status_basic_response", mip_3dm.DeviceStatusBasicResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
@@ -609,7 +609,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusBasicWithoutStateResponse": FieldInfo(
-        "3dm.device_status_basic_without_state_response", mip_3dm.DeviceStatusBasicWithoutStateResponse, perhaps=("3dm-cl5-10", "3dm-cv5-10", "3dm-cx5-10", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-imu", "3dm-gx5-10"),
+        "3dm.device_status_basic_without_state_response", mip_3dm.DeviceStatusBasicWithoutStateResponse, perhaps=("3dm-cv5-10", "3dm-cx5-10", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-imu"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
@@ -618,7 +618,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusDiagnosticResponse": FieldInfo(
-        "3dm.device_status_diagnostic_response", mip_3dm.DeviceStatusDiagnosticResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx5-25"),
+        "3dm.device_status_diagnostic_response", mip_3dm.DeviceStatusDiagnosticResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx5-25"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
@@ -639,7 +639,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusDiagnosticGnssResponse": FieldInfo(
-        "3dm.device_status_diagnostic_gnss_response", mip_3dm.DeviceStatusDiagnosticGnssResponse, devices=("3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-45"),
+        "3dm.device_status_diagnostic_gnss_response", mip_3dm.DeviceStatusDiagnosticGnssResponse, devices=("3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cx5-45", "3dm-gx4-45"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
@@ -758,7 +758,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusDiagnosticImuResponse": FieldInfo(
-        "3dm.device_status_diagnostic_imu_response", mip_3dm.DeviceStatusDiagnosticImuResponse, perhaps=("3dm-cl5-10", "3dm-cv5-10", "3dm-cx5-10", "3dm-gx5-10"),
+        "3dm.device_status_diagnostic_imu_response", mip_3dm.DeviceStatusDiagnosticImuResponse, perhaps=("3dm-cv5-10", "3dm-cx5-10"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
@@ -896,7 +896,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ComplementaryFilterResponse": FieldInfo(
-        "3dm.complementary_filter_response", mip_3dm.ComplementaryFilterResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.complementary_filter_response", mip_3dm.ComplementaryFilterResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("pitch_roll_enable", "pitch_roll_enable", "scalar", scalar="bool"),
             Parameter("heading_enable", "heading_enable", "scalar", scalar="bool"),
@@ -905,37 +905,37 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AccelBiasResponse": FieldInfo(
-        "3dm.accel_bias_response", mip_3dm.AccelBiasResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
+        "3dm.accel_bias_response", mip_3dm.AccelBiasResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",), frame="sensor"),
         ),
     ),
     "GyroBiasResponse": FieldInfo(
-        "3dm.gyro_bias_response", mip_3dm.GyroBiasResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
+        "3dm.gyro_bias_response", mip_3dm.GyroBiasResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), frame="sensor"),
         ),
     ),
     "MagHardIronOffsetResponse": FieldInfo(
-        "3dm.mag_hard_iron_offset_response", mip_3dm.MagHardIronOffsetResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35"),
+        "3dm.mag_hard_iron_offset_response", mip_3dm.MagHardIronOffsetResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), frame="sensor"),
         ),
     ),
     "MagSoftIronMatrixResponse": FieldInfo(
-        "3dm.mag_soft_iron_matrix_response", mip_3dm.MagSoftIronMatrixResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.mag_soft_iron_matrix_response", mip_3dm.MagSoftIronMatrixResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("matrix", "matrix", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), frame="sensor"),
         ),
     ),
     "ConingScullingEnableResponse": FieldInfo(
-        "3dm.coning_sculling_enable_response", mip_3dm.ConingScullingEnableResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-imu"),
+        "3dm.coning_sculling_enable_response", mip_3dm.ConingScullingEnableResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="bool", default=True),
         ),
     ),
     "ConstellationSettingsResponse": FieldInfo(
-        "3dm.constellation_settings_response", mip_3dm.ConstellationSettingsResponse, devices=("3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
+        "3dm.constellation_settings_response", mip_3dm.ConstellationSettingsResponse, devices=("3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("max_channels_available", "max_channels_available", "scalar", scalar="u16", units=("1",)),
             Parameter("max_channels_use", "max_channels_use", "scalar", scalar="u16", units=("1",)),
@@ -944,7 +944,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssSbasSettingsResponse": FieldInfo(
-        "3dm.gnss_sbas_settings_response", mip_3dm.GnssSbasSettingsResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-45"),
+        "3dm.gnss_sbas_settings_response", mip_3dm.GnssSbasSettingsResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cx5-45", "3dm-gq7", "3dm-gx5-45"),
         parameters=(
             Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8", maximum=1, minimum=0),
             Parameter("sbas_options", "sbas_options", "scalar", scalar="u16", type=mip_3dm.SbasOptions),
@@ -953,14 +953,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssAssistedFixResponse": FieldInfo(
-        "3dm.gnss_assisted_fix_response", mip_3dm.GnssAssistedFixResponse, devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
+        "3dm.gnss_assisted_fix_response", mip_3dm.GnssAssistedFixResponse, devices=("3dm-gx5-35",), perhaps=("3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("option", "option", "scalar", scalar="u8", default=0, type=mip_3dm.AssistedFixOption),
             Parameter("flags", "flags", "scalar", scalar="u8", default=255, reserved=True),
         ),
     ),
     "GnssTimeAssistanceResponse": FieldInfo(
-        "3dm.gnss_time_assistance_response", mip_3dm.GnssTimeAssistanceResponse, devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
+        "3dm.gnss_time_assistance_response", mip_3dm.GnssTimeAssistanceResponse, devices=("3dm-gx5-35",), perhaps=("3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),

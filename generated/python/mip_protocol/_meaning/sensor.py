@@ -31,43 +31,43 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ScaledAccel": FieldInfo(
-        "sensor.scaled_accel", sensor.ScaledAccel, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "sensor.scaled_accel", sensor.ScaledAccel, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("scaled_accel", "scaled_accel", "array", scalar="float", elements=("x", "y", "z"), units=("g",), frame="vehicle"),
         ),
     ),
     "ScaledGyro": FieldInfo(
-        "sensor.scaled_gyro", sensor.ScaledGyro, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "sensor.scaled_gyro", sensor.ScaledGyro, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("scaled_gyro", "scaled_gyro", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), frame="vehicle"),
         ),
     ),
     "ScaledMag": FieldInfo(
-        "sensor.scaled_mag", sensor.ScaledMag, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "sensor.scaled_mag", sensor.ScaledMag, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("scaled_mag", "scaled_mag", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), frame="vehicle"),
         ),
     ),
     "DeltaTheta": FieldInfo(
-        "sensor.delta_theta", sensor.DeltaTheta, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
+        "sensor.delta_theta", sensor.DeltaTheta, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("delta_theta", "delta_theta", "array", scalar="float", elements=("x", "y", "z"), units=("rad",), frame="vehicle"),
         ),
     ),
     "DeltaVelocity": FieldInfo(
-        "sensor.delta_velocity", sensor.DeltaVelocity, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
+        "sensor.delta_velocity", sensor.DeltaVelocity, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("delta_velocity", "delta_velocity", "array", scalar="float", elements=("x", "y", "z"), units=("g*s",), frame="vehicle"),
         ),
     ),
     "CompOrientationMatrix": FieldInfo(
-        "sensor.comp_orientation_matrix", sensor.CompOrientationMatrix, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
+        "sensor.comp_orientation_matrix", sensor.CompOrientationMatrix, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("m", "m", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), frame="ned", variants=(Variant("device", ("3dm-gx5-15",), {}),)),
         ),
     ),
     "CompQuaternion": FieldInfo(
-        "sensor.comp_quaternion", sensor.CompQuaternion, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
+        "sensor.comp_quaternion", sensor.CompQuaternion, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",), frame="ned", variants=(Variant("device", ("3dm-gx5-15",), {}),)),
         ),
@@ -79,7 +79,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "CompEulerAngles": FieldInfo(
-        "sensor.comp_euler_angles", sensor.CompEulerAngles, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
+        "sensor.comp_euler_angles", sensor.CompEulerAngles, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
             Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), minimum=-1.5707963267948966, maximum=1.5707963267948966, frame="ned"),
@@ -114,19 +114,19 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "NorthVector": FieldInfo(
-        "sensor.north_vector", sensor.NorthVector, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
+        "sensor.north_vector", sensor.NorthVector, devices=("3dm-gx5-15",), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("stabilized_mag", "stabilized_mag", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), frame="sensor"),
         ),
     ),
     "UpVector": FieldInfo(
-        "sensor.up_vector", sensor.UpVector, devices=("3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "sensor.up_vector", sensor.UpVector, devices=("3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("stabilized_accel", "stabilized_accel", "array", scalar="float", elements=("x", "y", "z"), units=("g",), frame="sensor"),
         ),
     ),
     "GpsTimestamp": FieldInfo(
-        "sensor.gps_timestamp", sensor.GpsTimestamp, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
+        "sensor.gps_timestamp", sensor.GpsTimestamp, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow_valid",), below=604800, minimum=0, flags=(Flag("valid_flags.tow_valid", "valid_flags", 0x8),), variants=(Variant("device", ("3dm-gx5-15", "3dm-gx5-35"), {"valid": ("valid_flags.time_initialized",)}),), flags_on={"3dm-gx5-15": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),), "3dm-gx5-35": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),)}),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number_valid",), flags=(Flag("valid_flags.week_number_valid", "valid_flags", 0x10),), variants=(Variant("device", ("3dm-gx5-15", "3dm-gx5-35"), {"valid": ("valid_flags.time_initialized",)}),), flags_on={"3dm-gx5-15": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),), "3dm-gx5-35": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),)}),
@@ -148,7 +148,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ScaledPressure": FieldInfo(
-        "sensor.scaled_pressure", sensor.ScaledPressure, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "sensor.scaled_pressure", sensor.ScaledPressure, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("scaled_pressure", "scaled_pressure", "scalar", scalar="float", units=("mbar",), minimum=0),
         ),

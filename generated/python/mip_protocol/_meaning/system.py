@@ -22,7 +22,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "CommMode": FieldInfo(
-        "system.comm_mode", system.CommMode, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st", "3dm-rq1-imu", "3dm-rtk"), advanced=True,
+        "system.comm_mode", system.CommMode, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st", "3dm-rq1-imu", "3dm-rtk"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("mode", "mode", "scalar", scalar="u8", default=1, required=("write",), type=system.ProtocolMode, variants=(Variant("device", ("3dm-gx5-35",), {"default": 1}),)),
@@ -37,7 +37,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "CommModeResponse": FieldInfo(
-        "system.comm_mode_response", system.CommModeResponse, devices=("3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st", "3dm-rq1-imu", "3dm-rtk"),
+        "system.comm_mode_response", system.CommModeResponse, devices=("3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st", "3dm-rq1-imu", "3dm-rtk"),
         parameters=(
             Parameter("mode", "mode", "scalar", scalar="u8", default=1, type=system.ProtocolMode),
         ),

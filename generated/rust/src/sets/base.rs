@@ -673,22 +673,11 @@ record! {
     pub struct BuiltInTestResponse {
         /// Failure flags, defined by each device. Zero means that every test passed.
         ///
-        /// On the [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-        /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-        /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-        /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GX5-10](crate::devices::GX5_10) and
+        /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25) and
         /// [3DM-GX5-25](crate::devices::GX5_25): values of [`types::Gx5BuiltInTest`]. Inferred: The
-        /// 3DM-GX5-15 has it. On the [3DM-CV5-45](crate::devices::CV5_45),
-        /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
-        /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-35](crate::devices::GX5_35),
-        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT),
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU):
-        /// the values are unknown. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// 3DM-GX5-15 has it. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
         /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
         /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
         /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
@@ -696,7 +685,15 @@ record! {
         /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-RTK](crate::devices::RTK): values of
         /// [`types::Cv7BuiltInTest`]. Inferred: The 3DM-CV7-GNSS/INS has it. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::Cv7BuiltInTest`].
-        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`types::Gx5BuiltInTest`].
+        /// On the [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+        /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+        /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST)
+        /// and [3DM-RQ1-IMU](crate::devices::RQ1_IMU): the values are unknown. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): values of [`types::Gx5BuiltInTest`].
         pub result: u32,
     }
 }
@@ -717,11 +714,9 @@ constructors! {
 impl BuiltInTestResponse {
     /// Reads `result` as [`types::Gx5BuiltInTest`].
     ///
-    /// On the [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25) and
     /// [3DM-GX5-25](crate::devices::GX5_25): values of [`types::Gx5BuiltInTest`]. Inferred: The
     /// 3DM-GX5-15 has it. On the [3DM-GX5-15](crate::devices::GX5_15): values of
     /// [`types::Gx5BuiltInTest`].

@@ -856,20 +856,12 @@ record! {
         /// States to estimate.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-15](crate::devices::CV5_15),
-        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-GX3-45](crate::devices::GX3_45),
-        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25) and
-        /// [3DM-GX5-15](crate::devices::GX5_15): only [`gyro_bias`](EstimatedStates::gyro_bias). On
-        /// the [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-15](crate::devices::CX5_15),
+        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-15](crate::devices::GX5_15): only
+        /// [`gyro_bias`](EstimatedStates::gyro_bias). On the [3DM-CV5-25](crate::devices::CV5_25),
         /// [3DM-CX5-25](crate::devices::CX5_25) and [3DM-GX5-25](crate::devices::GX5_25): only
         /// [`gyro_bias`](EstimatedStates::gyro_bias),
-        /// [`auto_hard_iron`](EstimatedStates::auto_hard_iron) and
-        /// [`auto_soft_iron`](EstimatedStates::auto_soft_iron). On the
-        /// [3DM-CV5-45](crate::devices::CV5_45): only [`gyro_bias`](EstimatedStates::gyro_bias),
-        /// [`accel_bias`](EstimatedStates::accel_bias),
-        /// [`gyro_scale_factor`](EstimatedStates::gyro_scale_factor),
-        /// [`accel_scale_factor`](EstimatedStates::accel_scale_factor),
-        /// [`antenna_offset`](EstimatedStates::antenna_offset),
         /// [`auto_hard_iron`](EstimatedStates::auto_hard_iron) and
         /// [`auto_soft_iron`](EstimatedStates::auto_soft_iron). On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
@@ -1145,18 +1137,12 @@ record! {
         /// Source of the heading.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-15](crate::devices::CV5_15),
-        /// [3DM-CX5-15](crate::devices::CX5_15) and [3DM-GX5-15](crate::devices::GX5_15): only
-        /// [`HeadingUpdateSource::NONE`] and [`HeadingUpdateSource::EXTERNAL`]. On the
-        /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-15](crate::devices::CX5_15) and
+        /// [3DM-GX5-15](crate::devices::GX5_15): only [`HeadingUpdateSource::NONE`] and
+        /// [`HeadingUpdateSource::EXTERNAL`]. On the [3DM-CV5-25](crate::devices::CV5_25),
         /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GX4-25](crate::devices::GX4_25) and
         /// [3DM-GX5-25](crate::devices::GX5_25): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::MAG`] and [`HeadingUpdateSource::EXTERNAL`]. On the
-        /// [3DM-CV5-45](crate::devices::CV5_45): only [`HeadingUpdateSource::NONE`],
-        /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`],
-        /// [`HeadingUpdateSource::EXTERNAL`], [`HeadingUpdateSource::GNSS_VELOCITY_AND_MAG`],
-        /// [`HeadingUpdateSource::GNSS_VELOCITY_AND_EXTERNAL`],
-        /// [`HeadingUpdateSource::MAG_AND_EXTERNAL`] and [`HeadingUpdateSource::ALL`]. On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45) and
         /// [3DM-GX4-45](crate::devices::GX4_45): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
@@ -3579,8 +3565,8 @@ record! {
         /// Strength of the adaptation.
         ///
         /// Default: 2. Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CV5-45](crate::devices::CV5_45) and [3DM-GX5-45](crate::devices::GX5_45): only
-        /// [`AdaptiveLevel::OFF`] and [`AdaptiveLevel::MODERATE`].
+        /// [3DM-GX5-45](crate::devices::GX5_45): only [`AdaptiveLevel::OFF`] and
+        /// [`AdaptiveLevel::MODERATE`].
         pub level: Option<AdaptiveLevel>,
         /// Longest time for which measurements are rejected before the filter recovers.
         ///

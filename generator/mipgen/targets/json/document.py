@@ -102,6 +102,7 @@ def _parts(model: m.Model) -> dict[str, Any]:
         "sets": [_set(s, model) for s in model.sets],
         "fields": [_with_samples(f, samples) for f in (p.acknowledge, *model.fields)],
         "devices": [_device(d, model) for d in model.devices],
+        "named_devices": [_attributes(d) for d in model.named],
         "examples": [_attributes(x) for x in model.examples],
         "errata": [_attributes(e) for e in model.errata],
         "simulation": _attributes(model.simulation),

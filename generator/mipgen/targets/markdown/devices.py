@@ -81,11 +81,18 @@ def listed(page: Page) -> str:
         parts.append("### Some fields are known\n\n" + table(rows, headings))
     if named:
         about = "None of their fields is certain. Their pages list the probable fields, with the evidence."
-        parts.append(f"### Known by name\n\n{about}\n")
+        parts.append(f"### Probable fields only\n\n{about}\n")
         for generation in sorted({d.generation for d in named}, key=lambda x: -(x or 0)):
             title = "Generation not known" if generation is None else f"Generation {generation}"
             links = ", ".join(_named(page, d) for d in named if d.generation == generation)
             parts[-1] += f"\n- {title}: {links}"
+    if page.model.named:
+        known = {d.id: d for d in page.model.devices}
+        rows = [[*_names(d), page.link(known[d.like])] for d in page.model.named]
+        about = (
+            "No source states any of their fields. The tools have no profile of them; choose the most similar device."
+        )
+        parts.append(f"### Names only\n\n{about}\n\n" + table(rows, [*IDENTITY, "Most similar"]))
     return "\n\n".join(parts)
 
 
@@ -93,7 +100,11 @@ IDENTITY = ("Device", "Also called", "Model number")
 
 
 def _identity(page: Page, d: m.Device) -> list[str]:
-    return [page.link(d), ", ".join(map(inline, d.also)), "" if d.model_number is None else str(d.model_number)]
+    return [page.link(d), *_names(d)[1:]]
+
+
+def _names(d: m.Device | m.NamedDevice) -> list[str]:
+    return [inline(d.title), ", ".join(map(inline, d.also)), "" if d.model_number is None else str(d.model_number)]
 
 
 def _named(page: Page, d: m.Device) -> str:

@@ -106,6 +106,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "quoted": info.code,
         "every_field": info.fields,
         "called": info.called,
+        "named": info.named,
     }
 
 

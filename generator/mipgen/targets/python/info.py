@@ -227,3 +227,8 @@ def fields(model: m.Model) -> list[m.Field]:
 def called(d: m.Device) -> tuple[str, ...]:
     """Returns the title of a device and its other names."""
     return (d.title, *d.also)
+
+
+def named(d: m.NamedDevice) -> tuple[str, ...]:
+    """Returns the device that is most like it, its title and its other names."""
+    return (d.like, d.title, *d.also)
