@@ -91,7 +91,7 @@ audit: $(VENV)/generator.stamp ## compare the specification with its sources: ma
 
 # Each ends with a line that says what was run and what was left out; nothing is skipped in between.
 # Tests start many programs in Python: what is compiled is kept, even where Python is told to keep nothing.
-PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dist loadgroup
+PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dist loadgroup --no-loadscope-reorder
 
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages, of those whose compiler is there: make test SEED=2, make test STRICT=1

@@ -8,6 +8,7 @@ import shutil
 import signal
 from collections import Counter
 from collections.abc import Generator, Iterable, Iterator
+from itertools import chain
 from typing import Any
 
 import bare
@@ -68,8 +69,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None, N
 
 
 def group(items: list[pytest.Item]) -> None:
-    """Tests that use cargo, which has one target folder, wait for it in one process and not in all; they take longest,
-    so they begin first. Tests that need random values of all fields run in the process where these have been drawn."""
+    """Tests that use cargo, which has one target folder, wait for it in one process and not in all. Tests that need
+    random values of all fields run in the process where these have been drawn."""
     for item in items:
         spec = getattr(item, "callspec", None) and item.callspec.params.get("spec")
         if item.path.name == "test_c_print.py":
@@ -82,7 +83,22 @@ def group(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.xdist_group("columns"))
         if any(mark.args == ("cargo",) for mark in item.iter_markers("xdist_group")):
             item.add_marker(uses("cargo"))
-    items.sort(key=lambda item: item.get_closest_marker("xdist_group") is None)
+    items[:] = balanced(items, int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", 1)))
+
+
+#: Groups of tests that run in one process, those that take longest first.
+LONGEST = ("cargo", "values-real", "columns", "values-invented", "site")
+
+
+def balanced(items: list[pytest.Item], workers: int) -> list[pytest.Item]:
+    """Puts long groups first: a worker takes two things at once, so each takes a group and a single test."""
+    groups: dict[str, list[pytest.Item]] = {name: [] for name in LONGEST}
+    single = []
+    for item in items:
+        mark = item.get_closest_marker("xdist_group")
+        (groups.setdefault(mark.args[0], []) if mark else single).append(item)
+    longest = [group for group in groups.values() if group]
+    return [*chain(*longest[:workers]), *single[:workers], *chain(*longest[workers:]), *single[workers:]]
 
 
 @pytest.hookimpl(tryfirst=True)

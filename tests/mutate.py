@@ -235,8 +235,8 @@ def generate(part: Part) -> tuple[bool, str]:
 def passes(tests: tuple[str, ...], limit: float) -> tuple[bool, str]:
     """Do all these tests pass? If not, the first that fails."""
     well, printed = run(
-        limit, sys.executable, "-m", "pytest", "-x", "-n", "2", "--dist", "loadgroup", "-p", "no:cacheprovider",
-        "-m", MARKED, *tests,
+        limit, sys.executable, "-m", "pytest", "-x", "-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder",
+        "-p", "no:cacheprovider", "-m", MARKED, *tests,
     )  # fmt: skip
     found = re.search(r"^(FAILED|ERROR) (\S+)", printed, re.M) or re.search(r"^(E) +(.*)", printed, re.M)
     return well, "" if well else (found[2] if found else printed.strip())[-150:]
