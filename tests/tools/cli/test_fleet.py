@@ -121,23 +121,6 @@ def test_a_data_set_has_the_rows_of_its_logs(tmp_path: Path, here: None, capsys:
 
 
 @heavy("Dask")
-def test_groups_of_rows_are_large_and_small_files_grow(tmp_path: Path, here: None) -> None:
-    folder, out = logs(tmp_path / "logs", 3), tmp_path / "out"
-    fleet.build(folder, out, group=GROUP)
-    logs(folder, 5)
-    fleet.build(folder, out, group=GROUP)
-    assert_complete(out, folder)
-    sizes: dict[str, list[float]] = {}
-    for one in fleet.open(out).manifest.files:
-        found = parquet.read_metadata(out / one.path)
-        counts = [found.row_group(i).num_rows for i in range(found.num_row_groups)]
-        sizes.setdefault(one.field, []).extend(count * one.bytes / one.rows for count in counts)
-    assert len(sizes["sensor.scaled_accel"]) > 2
-    for field, several in sizes.items():
-        assert len(several) == 1 or min(several) > 0.99 * GROUP, field
-
-
-@heavy("Dask")
 def test_a_run_that_fails_anywhere_goes_on(tmp_path: Path, here: None, monkeypatch: pytest.MonkeyPatch) -> None:
     folder, out = logs(tmp_path / "logs", 2), tmp_path / "out"
     fleet.build(folder, out, group=GROUP)

@@ -286,7 +286,7 @@ def test_values_in_a_pipe(place: str) -> None:
     code, out, error = mip("monitor", place, "sensor.scaled_accel", "--duration", "2", "--rate", "5")
     assert (code, error) == (0, "")
     shown = out.strip().split("\n\n")
-    assert 2 <= len(shown) <= 12 and "timestamp" not in out and "\x1b" not in out
+    assert len(shown) <= 12 and "timestamp" not in out and "\x1b" not in out
     assert re.search(r"^  scaled_accel +\S+ Hz$", shown[-1], re.M)
     assert re.search(r"scaled_accel = \(x=\S+, y=\S+, z=-[01]\.\S+\) g$", shown[-1], re.M)
 

@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 from mip_protocol import registry
 from mip_tools import __main__
-from program import DEVICE, ENVIRONMENT, log, mip, run
+from program import DEVICE, ENVIRONMENT, log, mip, on_a_full_disk, run
 from random_values import chance
-from support import ROOT, rounds
+from support import rounds
 
 
 @pytest.mark.parametrize("name", __main__.COMMANDS)
@@ -230,17 +230,10 @@ def test_completion_in_other_shells(shell: str, capsys: pytest.CaptureFixture[st
     assert code == 0 and "mip completion words -- " in out
 
 
-def test_a_full_disk_cuts_no_compiled_module(tmp_path: Path) -> None:
-    """The tests of full disks run first where nothing has been compiled yet; what they leave can all be imported."""
-    tests = (
-        "test_logs.py::test_a_full_disk",
-        "test_mip_ports.py::test_a_recording_is_kept_when_the_disk_is_full",
-    )
-    words = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *(f"{Path(__file__).parent}/{t}" for t in tests)]
-    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "", "PYTHONPYCACHEPREFIX": str(tmp_path / "compiled")}
-    done = subprocess.run(words, cwd=ROOT, env=environment, capture_output=True, text=True)
-    assert done.returncode == 0 and "tools 2" in done.stdout, done.stdout
-    compiled = sorted(tmp_path.glob("compiled/**/*.pyc"))
-    assert any("mip_tools" in p.parts for p in compiled)
-    for path in compiled:
+def test_a_full_disk_cuts_no_compiled_module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where nothing has been compiled yet, what tests of full disks leave can all be imported."""
+    monkeypatch.setitem(ENVIRONMENT, "PYTHONPYCACHEPREFIX", str(tmp_path / "compiled"))
+    (tmp_path / "log").write_bytes(log(1.0))
+    assert on_a_full_disk(2_000, "export", tmp_path / "log", "-o", tmp_path / "out.csv")[0] == 1
+    for path in tmp_path.glob("compiled/**/*.pyc"):
         marshal.loads(path.read_bytes()[16:])

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import random_values
 from mip_protocol import PacketBuilder, Parser, filter_data, registry, shared
 from mip_tools.binding import info
 from mip_tools.cli import messages
@@ -26,10 +27,9 @@ from mip_tools.ros.types import Types
 from mip_tools.simulator import VirtualDevice
 from mipgen.lower import codec
 from program import DEVICE, log, mip
-from random_values import drawn
 from support import PYTHONPATH, ROOT, SPECS, heavy, later, model, set_of
-from test_by_columns import damaged
 from test_doctor import sent, started
+from test_log_tables import drawn
 
 np, jsonschema = later("numpy"), later("jsonschema")
 
@@ -153,7 +153,7 @@ def test_a_bag_is_the_same_however_the_log_is_divided(
     whole: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     device = VirtualDevice(DEVICE)
-    (tmp_path / "log").write_bytes(sent(device, started(device, NAVIGATION), 2) if whole else damaged(1))
+    (tmp_path / "log").write_bytes(sent(device, started(device, NAVIGATION), 2) if whole else drawn(1, 400))
     bags = []
     for part in (messages.PART, 3000):
         monkeypatch.setattr(messages, "PART", part)
@@ -206,7 +206,7 @@ def test_messages_of_any_length(tmp_path: Path) -> None:
     spec, folder = model("invented"), SPECS["invented"][1]
     names = ("cloud", "growing", "strings")
     fields = [f for f in spec.fields if f.family == "measurements" and f.name in names]
-    sent = [(f, values) for f in fields for values in drawn(f, 5)]
+    sent = [(f, values) for f in fields for values in random_values.drawn(f, 5)]
     packets = [codec.build(spec, set_of(f, spec), [(f.descriptor, codec.encode(f, v))]) for f, v in sent]
     (tmp_path / "log").write_bytes(b"".join(packets))
     words = ["export", tmp_path / "log", "--format", "ros2", "-o", tmp_path / "bag", "--messages", folder / "ros2"]
@@ -247,15 +247,6 @@ def test_a_time_that_messages_cannot_have(week: int, tmp_path: Path) -> None:
     assert (status, out) == (1, "") and not (tmp_path / "bag").exists()
     assert said.startswith(f"mip export: {path}: packet 1 has the time ") and "2038-01-19T03:14:07.000Z" in said
     assert mip("export", path, "--format", "mcap", "-o", tmp_path / "log.mcap") == (0, "", "")
-
-
-@heavy("rosbags")
-def test_a_bag_that_cannot_be_written(tmp_path: Path) -> None:
-    path, file = tmp_path / "log.bin", tmp_path / "file"
-    path.write_bytes(log(0.5))
-    file.write_bytes(b"")
-    said = f"mip export: {file}/bag cannot be written: Not a directory\n"
-    assert mip("export", path, "--format", "ros2", "-o", f"{file}/bag") == (1, "", said)
 
 
 def test_attitudes_of_rep_103() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+import sys
 from itertools import groupby
 from pathlib import Path
 from typing import Any
@@ -567,6 +568,21 @@ def test_time_does_not_drift() -> None:
     days = 4
     device.run_until(days * 86400 * 10**9)
     assert times == [50 * 10**9 * k for k in range(1, days * 1728 + 1)]
+
+
+def test_memory_does_not_grow() -> None:
+    device = VirtualDevice(CV7)
+    link = device.connect(capacity=0)  # all is dropped, as if a host had read it
+    for set, fields in {
+        0x80: (0xD5, 0xD6, 0x04, 0x05, 0x07, 0x08, 0x0A, 0x0C),
+        0x82: (0xD3, 0x01, 0x02, 0x05, 0x10),
+        0x91: (0x03, 0x07, 0x0B, 0x20),  # one of several items
+    }.items():
+        link.write(bytes(mip_3dm.MessageFormat.write(set, rates(*((x, 1) for x in fields))).packet()))
+    device.advance(2.0)
+    before = sys.getallocatedblocks()
+    device.advance(4.0)
+    assert sys.getallocatedblocks() - before < 500, "6,000 packets and more"
 
 
 def test_any_bytes_are_taken() -> None:

@@ -14,6 +14,7 @@ import termios
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from itertools import pairwise
 from pathlib import Path
 from threading import Thread
 from typing import Any
@@ -408,6 +409,24 @@ def test_as_fast_as_clients_read() -> None:
         assert device.now == 40_000_000_000
 
 
+def test_two_sets_of_thirteen_fields_arrive_whole() -> None:
+    """At 1 kHz, as fast as the program reads: nothing is lost, and nothing is late."""
+    commands = []
+    for set, fields in {
+        0x80: (0xD5, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0C),
+        0x82: (0xD5, 0x01, 0x02, 0x05, 0x0D, 0x10),
+    }.items():
+        entries = tuple(types.DescriptorRate(x, 1) for x in fields)
+        commands += [mip_3dm.MessageFormat.write(set, entries), mip_3dm.DataStreamControl.write(set, True)]
+    device = VirtualDevice(DEVICE)
+    with serving(device, tcp_at("0"), speed=0, duration=2) as server, Client(server.places[0]) as client:
+        client.send(b"".join(bytes(command.packet()) for command in commands))
+        assert client.at_end() and client.parser.skipped == 0 and not server.complaints
+    for set in (0x80, 0x82):
+        times = [int.from_bytes(p[6:14]) for p in client.packets if p[2] == set]
+        assert len(times) > 1900 and {b - a for a, b in pairwise(times)} == {1_000_000}
+
+
 def test_time_that_cannot_be_caught_up_is_given_up() -> None:
     ahead = 0.0
     device = VirtualDevice(DEVICE)
@@ -494,6 +513,7 @@ def test_faults_and_a_signal_of_the_program(tmp_path: Path) -> None:
         mip_3dm.EventControl.write(1, types.EventTriggerMode.ENABLED),
     ]
     options = ["--signal", "2=50", "--fault", "lose_answer@1,nmea=1", "--fault", "unknown_set@2"]
+    options += ["--strict-baud", "--noise", "0"]
     with running("simulate", DEVICE, "--tcp", "0", *options, "--fault-log", log, "--log-packets", text=True) as process:
         assert process.stdout is not None
         with Client(process.stdout.readline().strip()) as client:
