@@ -81,7 +81,7 @@ def shown_broken(frames: list[Element]) -> int:
 # --------------------------------------------------------------------------- TCP
 
 
-@pytest.mark.parametrize("size", [1, 3, 5, 7, 11, 17, 23, 37, 101, 1001])
+@pytest.mark.parametrize("size", [1, 5, 23, 101])
 def test_tcp_segments_of_any_size(size: int, tmp_path: Path) -> None:
     data = stream()
     segments = [(True, part) for part in captures.chunks(data, size)]
@@ -158,7 +158,7 @@ def test_datagrams_are_whole(tmp_path: Path) -> None:
 # --------------------------------------------------------------------------- serial lines
 
 
-@pytest.mark.parametrize("size", [1, 2, 3, 7, 20, 64, 1000])
+@pytest.mark.parametrize("size", [1, 3, 20, 1000])
 def test_serial_chunks_of_any_size(size: int, tmp_path: Path) -> None:
     data = stream()
     for passes in ((), ("-2",)):

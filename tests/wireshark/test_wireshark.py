@@ -1,8 +1,7 @@
-"""The Wireshark dissector, run by tshark, against the reference and the Python binding."""
+"""What the Wireshark dissector shows, run by tshark. That it decodes as the reference does is in tests/conformance."""
 
 from __future__ import annotations
 
-import random
 import struct
 from collections import Counter
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import Any
 
 import captures
 import pytest
-from conformance.test_conformance import mutated, random_values, samples
+from conformance.test_conformance import random_values
 from dissected import Element, accel, acknowledge, broken, field_bytes, packet, shark, shown, trees
 from mipgen import model as m
 from mipgen.lower import codec
@@ -18,11 +17,6 @@ from mipgen.targets import wireshark
 from support import (
     SPECS,
     all_fields,
-    decode_request,
-    differences,
-    driver,
-    encode_request,
-    expected,
     heavy,
     model,
     set_of,
@@ -34,54 +28,6 @@ each_spec = pytest.mark.parametrize("spec", sorted(SPECS))
 
 
 # --------------------------------------------------------------------------- values
-
-
-def requests_of(spec: str) -> list[dict[str, Any]]:
-    """All examples, values of every field, and changed data of every field."""
-    of, chance = model(spec), random.Random(2)
-    requests = [decode_request(e.packet) for e in of.examples]
-    for f, values in random_values(spec):
-        answer = expected(of, encode_request(set_of(f, of), f, values))
-        requests.append(decode_request(bytes.fromhex(answer["packet"])))
-    for f in all_fields(of):
-        data = mutated(chance, samples(f, chance)[0], f)
-        requests.append(decode_request(codec.build(of, set_of(f, of), [(f.descriptor, data)])))
-    return requests
-
-
-@each_spec
-def test_decodes_like_the_reference_and_like_python(spec: str) -> None:
-    requests = requests_of(spec)
-    answers = driver("wireshark", spec).ask(requests)
-    wrong = differences(requests, [expected(model(spec), r) for r in requests], answers)
-    assert not wrong, wrong
-    assert answers == driver("python", spec).ask(requests)
-    kinds = {f.get("error", "") for a in answers for f in a["fields"]}
-    assert kinds >= {"", "truncated"}
-
-
-@each_spec
-def test_damaged_packets_are_refused_with_the_reason(spec: str) -> None:
-    packets = sorted({e.packet for e in model(spec).examples})
-    damaged = [p[:i] + bytes([p[i] ^ 0x10]) + p[i + 1 :] for p in packets for i in range(len(p))]
-    damaged += sorted({p[:n] for p in packets for n in range(len(p))}) + [p + b"u" for p in packets]
-    requests = [decode_request(p) for p in damaged]
-    answers = driver("wireshark", spec).ask(requests)
-    wrong = differences(requests, [expected(model(spec), r) for r in requests], answers)
-    assert not wrong, wrong
-    assert {a.get("error") for a in answers} >= {"checksum", "length", "sync"}
-
-
-@each_spec
-def test_wrong_requests_are_refused(spec: str) -> None:
-    requests: list[Any] = [
-        1,
-        {},
-        {"op": "parse", "stream": "", "chunk": 1},
-        {"op": "decode"},
-        {"op": "decode", "packet": "x"},
-    ]
-    assert driver("wireshark", spec).ask(requests) == [{"error": "request"}] * len(requests)
 
 
 @each_spec
