@@ -50,7 +50,7 @@ def test_collisions_are_reported(name: str, collides: bool, tmp_path: Path) -> N
     (mine / "sets").mkdir(parents=True)
     (mine / "sets/collisions.yaml").write_text(SET.replace("OTHER", name), "utf-8")
     problems = Problems()
-    naming.collisions("wireshark", wireshark.identifiers(load_model(SPECS["real"][0], mine)), problems)
+    naming.collisions("wireshark", wireshark.identifiers(load_model(SPECS["invented"][0], mine)), problems)
     assert any("mip.collisions.place.x" in str(problem) for problem in problems.sorted()) == collides
     assert bool(problems) == collides
 
