@@ -59,11 +59,6 @@ export function mark(certainty) {
     return certainty ? ` (${certainty})` : "";
 }
 
-/** Calls a function when the user has changed something. */
-export function whenChanged(inputs, update) {
-    for (const input of inputs) input.addEventListener("input", update);
-}
-
 /** Creates a list of devices to choose from. `choose` is called with the device, or undefined for any. */
 export function deviceChoice(protocol, state, id, choose) {
     const control = element(

@@ -19,8 +19,6 @@ from . import extent
 
 Values = dict[str, Any]
 
-_FORMATS = {"u8": "B", "u16": "H", "u32": "I", "u64": "Q", "s8": "b", "s16": "h", "s32": "i", "s64": "q"}
-
 
 class CodecError(Exception):
     """`kind` is the word that the conformance protocol uses."""

@@ -182,7 +182,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "members": memory.members,
         "takes_enum": members.takes_enum,
         "declaration": members.declaration,
-        "home": members.home,
         "in_order": in_order,
         "last_present": members.last_present,
         "constructors": members.constructors,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json as text
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -81,7 +80,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "member_key": members.key,
         "members": calls.members,
         "number": members.number,
-        "quoted": text.dumps,
         "unneeded": members.unneeded,
         # comments
         **docs.filters(model),

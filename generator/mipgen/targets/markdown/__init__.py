@@ -150,7 +150,6 @@ FILTERS_OF_PAGE: Filters = {
     "conversions": frames.conversions,
     "drawings": frames.drawings,
     "changed": fields.changed,
-    "first_sentence": fields.first_sentence,
     "own_responses": fields.own_responses,
     "forms": packets.forms,
     "ruler": packets.ruler,

@@ -36,7 +36,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
     def lines(record: m.Record) -> list[members.Member]:
         return members.of_record(record, model)
 
-    return {"message": names.message, "hex": "0x{:02X}".format, "prose": prose, "members": lines}
+    return {"message": names.message, "prose": prose, "members": lines}
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
