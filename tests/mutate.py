@@ -69,7 +69,7 @@ PARTS = {
     "rust": Part(
         ("templates/rust/**/*.j2", "runtime/rust/**/*.rs", "generator/mipgen/targets/rust/*.py"),
         ("rust",),
-        (("tests/rust", "-k", "test_cases or every_fact"), ("tests/rust",), conformance("rust")),
+        (("tests/rust", "-k", "test_cases or test_replay or every_fact"), ("tests/rust",), conformance("rust")),
     ),
     "markdown": Part(
         ("templates/markdown/*.j2", "generator/mipgen/targets/markdown/*.py"), ("markdown",), (("tests/docs",),)

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import json
 import random
+import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+import random_values
 from conformance.client_model import wanted_responses
 from mipgen import model as m
 from mipgen.facts import describe
@@ -165,6 +167,8 @@ def source(model: m.Model, share: int = 1, seed: int = 0) -> str:
         parts.append(test(f"{rust.home(f)}_{f.name}", writer.field(f)))
     for d in model.devices[drawn]:
         parts.append(test(f"device_{d.name}", writer.device(d)))
+    for e in model.examples:
+        parts.append(test(f"packet_{e.id.replace('-', '_')}", writer.example(e)))
     return "\n".join(parts)
 
 
@@ -332,113 +336,90 @@ class _Writer:
     def call(
         self, record: m.Record, required: tuple[m.Parameter, ...], constructor: Constructor
     ) -> tuple[str, codec.Values]:
-        """The call of a constructor, and the values that it must make."""
-        arguments = [x.parameter.name for x in constructor.given]
+        """The call of a constructor with random arguments, and the values that it must make."""
+        given = [x.parameter.name for x in constructor.given]
         values: codec.Values = {}
-        written = {}
         for p in required:
-            if p.constant is not None:
-                continue
+            union = next((q for q in record.parameters if q.tag == p.name and q.name in given), None)
             if p.reserved is not None:
                 values[p.name] = sent(p)
-                continue
-            union = next((q for q in record.parameters if q.tag == p.name and q.name in arguments), None)
-            if union is not None:
+            elif union is not None:
                 values[p.name] = self.chance.choice(union.cases).tag.value
-                continue
-            expression, values[p.name] = self.value(p, record, values)
-            if p.name in arguments:
-                written[p.name] = expression
-            if p.counts is not None:
-                values[p.name] = None  # follows from its array
-            counter = next((q.name for q in record.parameters if q.counts == p.name), None)
-            if counter is not None:
-                values[counter] = len(values[p.name])
-        return f"{path(record)}::{constructor.name}({', '.join(written[n] for n in arguments)})", values
+            else:
+                self.draw(p, values)
+        return self.called(record, values, constructor), values
 
-    def literal(self, record: m.Record) -> tuple[str, codec.Values]:
+    def called(self, record: m.Record, values: codec.Values, constructor: Constructor) -> str:
+        arguments = [self.value(x.parameter, record, values[x.parameter.name], values) for x in constructor.given]
+        plain = [f"{a} != Bool(0)" if re.fullmatch(r"Bool\(\d+\)", a) else a for a in arguments]  # they take a `bool`
+        return f"{path(record)}::{constructor.name}({', '.join(plain)})"
+
+    def literal(self, f: m.Field) -> tuple[str, codec.Values]:
         """A structure with all members, and its values."""
-        members = {x.parameter.name: x for x in self.records.members(record)}
         values: codec.Values = {}
+        for p in f.parameters:
+            if p.selector:
+                # The function that requires the most: an empty union that is not required counts as absent.
+                values[p.name] = max((x.value for x in f.functions), key=f.required)
+            else:
+                self.draw(p, values)
+        return self.record(f, values), values
+
+    def draw(self, p: m.Parameter, values: codec.Values) -> None:
+        random_values.add(self.chance, p, values, 12)
+        if values.get(p.name) is not None:
+            values[p.name] = comparable(p, values[p.name])
+
+    # ----------------------------------------------------------------------- given values
+
+    def example(self, e: m.Example) -> Iterator[str]:
+        """A printed packet, built as a user would."""
+        yield f"let mut b = PacketBuilder::new({e.set});"
+        for f in e.fields:
+            field = self.model.field(f.field) if f.field else None
+            if field is None or f.trailing:
+                yield f"b.push_raw({f.descriptor}, {data_literal(f.data)}).unwrap();"
+            else:
+                yield f"b.push(&{self.record(field, f.values or {})}).unwrap();"
+        yield f"assert_eq!(b.bytes(), {data_literal(e.packet)});"
+
+    def record(self, record: m.Record, values: codec.Values) -> str:
+        members = {x.parameter.name: x for x in self.records.members(record)}
         written = []
         for p in record.parameters:
-            if p.constant is not None:
-                continue
-            if p.counts is not None:
-                values[p.name] = None
+            if p.derived:
                 continue
             x = members[p.name]
-            if p.selector and isinstance(record, m.Field):
-                # The function that requires the most: an empty union that is not required counts as absent.
-                values[p.name] = max((f.value for f in record.functions), key=record.required)
-                written.append(f"{x.name}: {path(self.model.protocol.function_selector)}({values[p.name]})")
+            if p.name not in values:
+                written.append(f"{x.name}: None")
                 continue
-            expression, values[p.name] = self.value(p, record, values)
-            counter = next((q.name for q in record.parameters if q.counts == p.name), None)
-            if counter is not None:
-                values[counter] = len(values[p.name])
-            expression = as_member(p, expression, values[p.name])
+            expression = self.value(p, record, values[p.name], values)
             written.append(f"{x.name}: Some({expression})" if x.may_be_absent else f"{x.name}: {expression}")
-        return f"{path(record)} {{ {', '.join(written)} }}", values
+        return f"{path(record)} {{ {', '.join(written)} }}"
 
-    def value(self, p: m.Parameter, record: m.Record, values: codec.Values) -> tuple[str, Any]:
-        """An expression, and the value that it stands for."""
-        if p.derived:
-            return "", None
+    def value(self, p: m.Parameter, record: m.Record, value: Any, siblings: codec.Values) -> str:
         if p.struct:
             (constructor,) = self.records.constructors(p.struct)
-            return self.call(p.struct, p.struct.parameters, constructor)
+            return self.called(p.struct, value, constructor)
         if p.union:
-            return self.union(p.union, record, values[p.union.tag])
+            tag = siblings[p.union.tag]
+            name = f"mip_protocol::{rust.home(record)}::{self.records.union(p.union, rust.home(record)).name}"
+            case = next((c for c in p.cases if c.tag.value == tag), None)
+            if case is None:
+                return f"{name}::Other({path(p.union.type)}({tag}))"
+            q, name = case.parameter, f"{name}::{rust.variant(case.tag.name)}"
+            return f"{name}({self.value(q, record, value[q.name], {})})" if q else name
         if p.kind == "bits" and p.named:
-            bits = [self.chance.randrange(256) for _ in range(p.size)]
-            return f"{path(p.named)}({bits})", bits
+            return f"{path(p.named)}({value})"
         if p.kind == "text":
-            count = p.count if p.count is not None else min(3, p.capacity)
-            text = "".join(self.chance.choice("abc xyz") for _ in range(count))
-            return (f'VarText::new("{text}").unwrap()' if p.open else f'Text(*b"{text}")'), text
+            octets = data_literal(value.encode("latin-1"))
+            return f"VarText(List::from({octets}))" if p.open else f"Text(*{octets})"
         if p.kind == "array":
-            count = p.count if p.count is not None else min(2, p.capacity)
-            items = [self.value(p.item, record, {}) for _ in range(count)]
-            array = f"[{', '.join(as_member(p.item, e, v) for e, v in items)}]"
+            array = f"[{', '.join(self.value(p.item, record, v, {}) for v in value)}]"
             if p.vector:
-                array = f"{path(p.vector)}::from({array})"
-            elif p.open:
-                array = f"List::from({array})"
-            return array, [v for _, v in items]
-        return self.number(p)
-
-    def union(self, union: m.Union, record: m.Record, tag: int) -> tuple[str, Any]:
-        case = next((c for c in union.cases if c.tag.value == tag), None)
-        name = f"mip_protocol::{rust.home(record)}::{self.records.union(union, rust.home(record)).name}"
-        if case is None:
-            return f"{name}::Other({path(union.type)}({tag}))", {}
-        if case.parameter is None:
-            return f"{name}::{rust.variant(case.tag.name)}", {}
-        expression, value = self.value(case.parameter, record, {})
-        expression = as_member(case.parameter, expression, value)
-        return f"{name}::{rust.variant(case.tag.name)}({expression})", {case.parameter.name: value}
-
-    def number(self, p: m.Parameter) -> tuple[str, Any]:
-        bits = 8 * p.size
-        if p.scalar.kind == "float":
-            exponent = 0x3F800000 if p.size == 4 else 0x3FF0000000000000
-            number = exponent | self.chance.getrandbits(20) | self.chance.getrandbits(1) << (bits - 1)
-            return f"f{bits}::from_bits({number})", f"0x{number:0{bits // 4}x}"
-        if p.scalar.kind == "bool":
-            truth = self.chance.randrange(2)
-            return "true" if truth else "false", truth
-        number = self.chance.getrandbits(bits)
-        if isinstance(p.named, m.Enum):
-            if self.chance.random() < 0.8:
-                v = self.chance.choice(p.named.values)
-                return f"{path(p.named)}::{rust.constant(v.name)}", v.value
-            return f"{path(p.named)}({number})", number
-        if isinstance(p.named, m.Bitfield):
-            return f"{path(p.named)}({number})", number
-        if p.scalar.kind == "signed":
-            number -= 1 << (bits - 1)
-        return str(number), number
+                return f"{path(p.vector)}::from({array})"
+            return f"List::from({array})" if p.open else array
+        return number(p, value)
 
     def device(self, d: m.Device) -> Iterator[str]:
         of = f"devices::{rust.constant(d.name)}"
@@ -492,9 +473,32 @@ class _Writer:
         yield f"assert_eq!({of}.ack_codes.iter().map(|c| c.0).collect::<Vec<u8>>(), {codes});"
 
 
-def as_member(p: m.Parameter, expression: str, value: Any) -> str:
-    """Constructors take a `bool`, everything else holds a `Bool`."""
-    return f"Bool({value})" if p.kind == "scalar" and p.scalar.kind == "bool" else expression
+def number(p: m.Parameter, value: Any) -> str:
+    if p.scalar.kind == "float":
+        return f"f{8 * p.size}::from_bits({value})"
+    if p.scalar.kind == "bool":
+        return f"Bool({int(value)})"
+    if isinstance(p.named, m.Enum):
+        known = next((v for v in p.named.values if v.value == value), None)
+        return f"{path(p.named)}::{rust.constant(known.name)}" if known else f"{path(p.named)}({value})"
+    return f"{path(p.named)}({value})" if isinstance(p.named, m.Bitfield) else str(value)
+
+
+def comparable(p: m.Parameter, value: Any) -> Any:
+    """The same value without what Rust does not find equal to itself, or does not take: NaN, and bools above 1."""
+    if p.struct:
+        known = {q.name: q for q in p.struct.parameters}
+        return {name: v if v is None else comparable(known[name], v) for name, v in value.items()}
+    if p.union:
+        known = {q.name: q for q in p.alternatives}
+        return {name: comparable(known[name], v) for name, v in value.items()}
+    if p.kind == "array":
+        return [comparable(p.item, v) for v in value]
+    if p.kind != "scalar":
+        return value
+    if p.scalar.kind == "float":
+        return f"0x{int(value, 16) & ~(1 << 8 * p.size - 2):0{2 * p.size}x}"
+    return value & 1 if p.scalar.kind == "bool" else value
 
 
 def defaults(f: m.Field | m.Struct) -> codec.Values:

@@ -165,34 +165,6 @@ def test_every_fact_is_told_where_it_belongs(spec: str) -> None:
     assert missing(specification(spec), rendered(spec)) == []
 
 
-@pytest.mark.parametrize(
-    ("path", "right", "wrong"),
-    [
-        ("sets/tools", "Unit: Bd.", "Unit: m."),
-        ("sets/tools", "Range: 1 to 30.", "Range: 1 to 31."),
-        ("sets/tools", "Default: [`types::Mode::FAST`].", "Default: [`types::Mode::SLOW`]."),
-        ("sets/tools", "is [`types::Mode::FAST`]: unit s", "is [`types::Mode::SLOW`]: unit s"),
-        ("sets/tools", "[read](types::FunctionSelector::READ) and", "[write](types::FunctionSelector::WRITE) and"),
-        ("sets/tools", "Counts the elements of [`segments`]", "Counts the elements of [`items`]"),
-        ("sets/tools", "Always 4711.", "Always 4712."),
-        ("sets/tools", "Supported by [Model A]", "Supported by [Model B]"),
-        ("sets/tools", "The device may take 2.5 s", "The device may take 3 s"),
-        ("sets/measurements", "z: [`valid_flags.ready`]", "z: [`valid_flags.hot`]"),
-        ("sets/measurements", "Maximum rate: 100 Hz.", "Maximum rate: 10 Hz."),
-        ("types", "Bit 1.", "Bit 2."),
-        ("types", "Overlaps other bits.", ""),
-        ("devices/known", "serial", "parallel"),
-    ],
-)
-def test_what_is_wrong_is_seen(path: str, right: str, wrong: str) -> None:
-    files = dict(rendered("invented"))
-    text = files[f"src/{path}.rs"].decode("utf-8")
-    unwrapped = re.sub(r"(?<=\S)\n +/// (?=\S)", " ", text)
-    assert right in unwrapped, right
-    files[f"src/{path}.rs"] = unwrapped.replace(right, wrong, 1).encode()
-    assert missing(specification("invented"), files) != []
-
-
 def test_what_uses_cargo_is_in_one_process(request: pytest.FixtureRequest) -> None:
     """With several processes, the names of tests end in their groups: other processes would only wait for cargo."""
     several = getattr(request.config.option, "loadgroup", False)

@@ -1,7 +1,4 @@
-"""Each printed packet, built in Rust as a user would: values by their names, options where they may be absent.
-
-And the programs of the folder examples, as their users run them.
-"""
+"""The programs of the folder examples, as their users run them."""
 
 from __future__ import annotations
 
@@ -11,108 +8,12 @@ import re
 import subprocess
 from functools import cache
 from pathlib import Path
-from typing import Any
 
-import everything
 import pytest
-from crates import WORK, passes, project, rendered, write
-from mipgen import model as m
-from mipgen.emit import output
+from crates import WORK, passes, rendered
 from mipgen.targets import rust as target
-from mipgen.targets.rust import names as rust
-from mipgen.targets.rust.records import Records
-from support import PATIENCE, heavy, locked, model, need, nightly, simulated, small
-from test_rust import EMBEDDED, HERE, embedded
-
-HEAD = """//! Made by test_rust_examples.py.
-
-#![allow(deprecated)]
-
-#[allow(unused_imports)]
-use mip_protocol::{Bool, List, PacketBuilder, Text, VarText};
-"""
-
-
-@small("printed packets as programs in Rust")
-def test_examples_built_by_hand(spec: str) -> None:
-    of = model(spec)
-    writer = _Writer(of)
-    source = "\n".join([HEAD, *(everything.test(e.id.replace("-", "_"), writer.example(e)) for e in of.examples)])
-    target = '[[test]]\nname = "examples"\npath = "examples.rs"\n'
-    folder = project(spec, "examples", target, files={"examples.rs": source.encode()})
-    out = passes(folder, "test", "--offline", "--quiet", "--test", "examples")
-    assert f"test result: ok. {len(of.examples)} passed" in out
-
-
-class _Writer:
-    def __init__(self, of: m.Model) -> None:
-        self.model = of
-        self.records = Records(of)
-
-    def example(self, e: m.Example) -> Any:
-        yield f"let mut b = PacketBuilder::new({e.set});"
-        for f in e.fields:
-            field = self.model.field(f.field) if f.field else None
-            if field is None or f.trailing:
-                yield f"b.push_raw({f.descriptor}, {everything.data_literal(f.data)}).unwrap();"
-            else:
-                yield f"b.push(&{self.record(field, f.values or {})}).unwrap();"
-        yield f"assert_eq!(b.bytes(), {everything.data_literal(e.packet)});"
-
-    def record(self, record: m.Record, values: dict[str, Any]) -> str:
-        members = {x.parameter.name: x for x in self.records.members(record)}
-        written = []
-        for p in record.parameters:
-            if p.derived:
-                continue
-            x = members[p.name]
-            if p.name not in values:
-                written.append(f"{x.name}: None")
-                continue
-            expression = self.value(p, record, values[p.name], values)
-            written.append(f"{x.name}: Some({expression})" if x.may_be_absent else f"{x.name}: {expression}")
-        return f"{everything.path(record)} {{ {', '.join(written)} }}"
-
-    def value(self, p: m.Parameter, record: m.Record, value: Any, siblings: dict[str, Any]) -> str:
-        if p.struct:
-            return self.record(p.struct, value)
-        if p.union:
-            union = f"mip_protocol::{rust.home(record)}::{self.records.union(p.union, rust.home(record)).name}"
-            (case,) = (c for c in p.cases if c.tag.value == siblings[p.union.tag])
-            name = f"{union}::{rust.variant(case.tag.name)}"
-            q = case.parameter
-            return f"{name}({self.value(q, record, value[q.name], {})})" if q else name
-        if p.kind == "bits" and p.named:
-            return f"{everything.path(p.named)}({value})"
-        if p.kind == "text":
-            octets = everything.data_literal(value.encode("latin-1"))
-            return f"VarText(List::from({octets}))" if p.open else f"Text(*{octets})"
-        if p.kind == "array":
-            array = f"[{', '.join(self.value(p.item, record, v, {}) for v in value)}]"
-            if p.vector:
-                return f"{everything.path(p.vector)}::from({array})"
-            return f"List::from({array})" if p.open else array
-        return number(p, value)
-
-
-def number(p: m.Parameter, value: Any) -> str:
-    if p.scalar.kind == "float":
-        return f"f{8 * p.size}::from_bits({value})"
-    if p.scalar.kind == "bool":
-        return f"Bool({value})"
-    if isinstance(p.named, m.Enum):
-        known = next((v for v in p.named.values if v.value == value), None)
-        return (
-            f"{everything.path(p.named)}::{rust.constant(known.name)}"
-            if known
-            else f"{everything.path(p.named)}({value})"
-        )
-    if isinstance(p.named, m.Bitfield):
-        return f"{everything.path(p.named)}({value})"
-    return str(value)
-
-
-# --------------------------------------------------------------------------- the folder examples
+from support import PATIENCE, heavy, need, nightly, simulated
+from test_rust import EMBEDDED, embedded, workspace
 
 FEATURES = "open,std,serde"
 #: Sets that the programs need: all of them with `serde` take as long as everything else here. `make test-all` has them.
@@ -126,15 +27,8 @@ LOG = b"$GPGGA noise\r\n" + ACCEL
 EXAMPLES = "the example programs of Rust"
 
 
-@cache
 def crate() -> Path:
-    """The crate in a workspace of its own, with the programs' dependencies, pinned in examples/Cargo.lock."""
-    folder = WORK / "real" / "examples-of-crate"
-    with locked(WORK / "real-examples-of-crate"):
-        output.write(rendered("real"), folder)
-        manifest = rendered("real")["Cargo.toml"] + b"\n[workspace]\n"
-        write({"Cargo.toml": manifest, "Cargo.lock": (HERE / "examples/Cargo.lock").read_bytes()}, folder)
-    return folder
+    return workspace("real") / "mip-protocol"
 
 
 @cache
@@ -224,37 +118,22 @@ def test_json(log: Path) -> None:
     assert (accel["set"], values[0], values[2]) == (128, pytest.approx(0.24452066), "NaN(0x7fe5bf7f)")
     assert unknown == {"set": 128, "fields": [{"descriptor": 254, "data": [1, 2]}]}
     assert '[0.24452066,-0.0043405485,"' in out  # as short as floats of 32 bits are
-
-
-@heavy(EXAMPLES)
-def test_json_tells_what_is_broken(log: Path) -> None:
-    """A field whose data are too short, and one that its packet cuts."""
+    # A field whose data are too short, and one that its packet cuts.
     log.write_bytes(packet("75658004" + "04040102") + packet("75658006" + "02fe" + "0e040102"))
-    code, out, error = ran("json", log)
-    assert (code, error) == (0, "")
-    short, cut = (json.loads(line)["fields"] for line in out.splitlines())
-    assert short == [
-        {"descriptor": 4, "data": [1, 2], "error": "sensor.scaled_accel: it needs 12 bytes and has 2"}
-    ]  # fmt: skip
-    assert cut == [
-        {"descriptor": 254, "data": []},
-        {"error": "the length of a field does not fit into the packet"},
-    ]
-
-
-def finds_nobody(name: str, argument: object) -> None:
-    """It ends with an error, without a panic, if nobody reads its output, as with `json log.bin | head`."""
-    reader, writer = os.pipe()
-    os.close(reader)
-    done = subprocess.run([programs() / name, str(argument)], stdout=writer, stderr=subprocess.PIPE, timeout=PATIENCE)
-    os.close(writer)
-    assert done.returncode == 1 and b"BrokenPipe" in done.stderr and b"panicked" not in done.stderr
+    short, cut = (json.loads(line)["fields"] for line in ran("json", log)[1].splitlines())
+    assert short == [{"descriptor": 4, "data": [1, 2], "error": "sensor.scaled_accel: it needs 12 bytes and has 2"}]
+    assert cut[1] == {"error": "the length of a field does not fit into the packet"}
 
 
 @heavy(EXAMPLES)
 def test_nobody_reads_the_json(log: Path) -> None:
+    """It ends with an error, without a panic, as with `json log.bin | head`."""
     log.write_bytes(LOG * 2000)
-    finds_nobody("json", log)
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run([programs() / "json", log], stdout=writer, stderr=subprocess.PIPE, timeout=PATIENCE)
+    os.close(writer)
+    assert done.returncode == 1 and b"BrokenPipe" in done.stderr and b"panicked" not in done.stderr
 
 
 @heavy(EXAMPLES)
@@ -262,16 +141,6 @@ def test_tokio_codec() -> None:
     """Even if chunks split packets, and inside an incomplete packet at the end."""
     code, out, error = ran("tokio_codec", given=LOG * 20 + bytes.fromhex("756580ff") + ACCEL)
     assert (code, error) == (0, "") and out == f"Packet({ACCEL.hex()})\n" * 21
-
-
-@heavy(EXAMPLES)
-def test_stream(tmp_path: Path) -> None:
-    """At a pseudo-terminal; test_rust_first_day.py tests its output."""
-    path = f"{tmp_path}/terminal"
-    assert ran("stream")[0] == 1
-    programs()
-    with simulated("--pty", path):
-        finds_nobody("stream", f"serial:{path}")
 
 
 @heavy(EXAMPLES)
@@ -286,14 +155,9 @@ def test_setup(tmp_path: Path) -> None:
         *(f"field 0x{descriptor:02X} at 100 Hz" for descriptor in (0xD3, 0x04, 0x05)),
         "saved; 3 fields in the first packet",
     ]
-    saved = storage.read_bytes()
-    assert saved
-    with simulated("--pty", path, "--storage", str(storage), "--fault", "refuse@3"):
+    assert storage.read_bytes()
+    with simulated("--pty", path, "--storage", str(storage), "--fault", "refuse=1"):
         assert ran("setup", f"serial:{path}")[0] == 1
-    storage.unlink()
-    with simulated("--pty", path, "--storage", str(storage)):
-        finds_nobody("setup", f"serial:{path}")
-    assert storage.read_bytes() == saved  # it has saved nevertheless
 
 
 #: The packets that the firmware sends, and the replies.
@@ -311,14 +175,15 @@ def test_firmware() -> None:
     assert ran("firmware", given=refused)[2].splitlines() == ["2 0"]
 
 
+SMALL = {"OPT_LEVEL": "z", "LTO": "true", "CODEGEN_UNITS": "1", "PANIC": "abort"}
+SMALL = {f"CARGO_PROFILE_RELEASE_{key}": value for key, value in SMALL.items()}
+
+
 @heavy(EMBEDDED)
 def test_firmware_is_small() -> None:
     """As the README says."""
-    profile = {"OPT_LEVEL": "z", "LTO": "true", "CODEGEN_UNITS": "1", "PANIC": "abort"}
-    passes(
-        crate(), "build", "--quiet", "--locked", "--release", "--example", "firmware", "--target", embedded(),
-        **{f"CARGO_PROFILE_RELEASE_{key}": value for key, value in profile.items()},
-    )  # fmt: skip
+    build = ("build", "--quiet", "--locked", "--release", "--example", "firmware", "--target", embedded())
+    passes(crate(), *build, **SMALL)
     program = WORK / "target" / EMBEDDED / "release/examples/firmware"
     sizes = subprocess.run([need("size"), str(program)], capture_output=True, text=True, check=True).stdout
     text, data = map(int, sizes.splitlines()[1].split()[:2])
@@ -328,11 +193,10 @@ def test_firmware_is_small() -> None:
 
 @heavy(EMBEDDED)
 def test_embassy() -> None:
-    """It is linked for a Cortex-M4, with the versions of its dependencies in embassy/Cargo.lock."""
-    folder = crate() / "examples/embassy"
-    write({"Cargo.lock": (HERE / "embassy/Cargo.lock").read_bytes()}, folder)
+    """It is linked for a Cortex-M4."""
     machine = "thumbv7em-none-eabi"
-    passes(folder, "build", "--quiet", "--locked", "--release", "--target", embedded(machine))
+    build = ("build", "--quiet", "--locked", "--release", "--target", embedded(machine))
+    passes(crate() / "examples/embassy", *build, **SMALL)
     program = WORK / "target" / machine / "release/mip-protocol-embassy"
     sizes = subprocess.run([need("size"), str(program)], capture_output=True, text=True, check=True).stdout
     assert 5_000 < int(sizes.splitlines()[1].split()[0]) < 20_000

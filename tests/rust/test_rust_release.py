@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
 import re
@@ -16,8 +17,8 @@ import pytest
 from crates import WORK, bare, crate, passes, rendered, specification, write
 from mipgen.targets.rust import OLDEST, names
 from random_values import chance
-from support import ROOT, SPECS, heavy, locked, need, rounds
-from test_rust import EMBEDDED, LONG, embedded, lints, with_dependencies
+from support import NIGHTLY, ROOT, SPECS, heavy, locked, need, rounds
+from test_rust import EMBEDDED, LONG, embedded, lints, workspace
 
 #: The Rust version that features with dependencies need, as locked for the tests.
 DEPENDENCIES = {"serde": "1.71", "defmt": "1.81", "embedded-io": "1.81", "embedded-io-async": "1.81", "open": "1.85"}
@@ -46,7 +47,7 @@ def promised() -> dict[str, str]:
 
 def pinned(name: str) -> str:
     """The version of a dependency that the tests use."""
-    lock = (Path(__file__).parent / "features/Cargo.lock").read_text("utf-8")
+    lock = (Path(__file__).parent / "Cargo.lock").read_text("utf-8")
     return lock.partition(f'name = "{name}"\nversion = "')[2].partition('"')[0]
 
 
@@ -115,8 +116,7 @@ DRAWN = chance("oldest").sample(sorted(promised()), rounds(1, len(promised())))
 @pytest.mark.parametrize("feature", sorted(DRAWN))
 def test_the_oldest_compiler_builds_it(feature: str) -> None:
     if feature in DEPENDENCIES:
-        with with_dependencies() as folder:
-            checked_with(DEPENDENCIES[feature], folder, "-p", "mip-protocol", "--features", feature)
+        checked_with(DEPENDENCIES[feature], workspace() / "mip-protocol", "--features", feature)
         return
     own = [] if feature == "none" or " " in feature else [feature]
     checked_with(promised()[feature], user("difficult", own, default=feature != "none"), "--offline")
@@ -140,29 +140,34 @@ def test_an_older_compiler_would_not_do() -> None:
 # --------------------------------------------------------------------------- sets of features
 
 
-def combinations(spec: str) -> list[str]:
-    """Features that need no dependency alone, without and with the sets; and those that people combine. The seed draws
-    some of them."""
-    sets = [names.feature(s) for s in specification(spec).families]
-    own = [f for f in manifest(spec)["features"] if f not in (*sets, "default", *DEPENDENCIES)]
-    every = [*own, *(f"{f},{sets[0]}" for f in own), "alloc,core-error", "std,dynamic,core-error"]
-    return chance("features", spec).sample(every, rounds(4, len(every)))
+#: Features that need no dependency, and one set. Of any two, each is once there without the other, and both together.
+OWN = ("alloc", "std", "dynamic", "core-error", "tools")
+PAIRS = ("", "alloc,std,dynamic,core-error,tools", "alloc,tools", "std,core-error", "dynamic,tools", "alloc,core-error",
+         "std,dynamic", "std,tools", "dynamic,core-error")  # fmt: skip
+
+
+def combinations() -> list[str]:
+    """Pairs of features; `make nightly` has all sets of them."""
+    assert manifest("invented")["features"].keys() >= {*OWN}
+    every = [",".join(x) for n in range(len(OWN) + 1) for x in itertools.combinations(OWN, n)]
+    return every if NIGHTLY else [*PAIRS]
 
 
 @heavy(LONG)
 def test_each_combination_of_features() -> None:
-    for features in combinations("invented"):
+    for features in combinations():
         lints("invented", "--no-default-features", "--features", features)
 
 
 @heavy(EMBEDDED)
 def test_each_combination_of_features_without_std() -> None:
     check = ("check", "--quiet", "--offline", "--target", embedded(), "--no-default-features", "--features")
-    for features in ["", *combinations("invented")]:
+    for features in combinations():
         if "std" not in features.split(","):
-            passes(bare("invented"), *check, features, RUSTFLAGS="-D warnings")
+            passes(bare("difficult"), *check, features, RUSTFLAGS="-D warnings")
 
 
+@heavy(LONG)
 def test_documentation_of_one_set() -> None:
     """Its only fault is that its texts name fields of other sets."""
     name = names.feature(specification("invented").families[0])
@@ -216,6 +221,7 @@ def test_manifest() -> None:
         assert all(link.startswith("https://") for link in links), links  # others lead nowhere in a registry
 
 
+@heavy(LONG)
 def test_package(tmp_path: Path) -> None:
     """From a folder that is in no repository and has been worked in; what is packed builds by itself."""
     folder = tmp_path / "mip-protocol"

@@ -190,13 +190,6 @@ fn error_of(error: mip_protocol::EncodeError) -> RequestError {
 }
 
 #[test]
-fn a_command_that_is_not_answered_is_not_waited_for() {
-    let mut device = device([]);
-    assert_eq!(device.request(&tools::Settings::apply(1, Mode::FAST, 1)), Ok(()));
-    assert_eq!((device.port().sent.len(), device.port().now), (1, 0));
-}
-
-#[test]
 fn several_commands_in_one_packet_and_their_answers_in_several() {
     let reply = vec![data(1.0), ack(1, AckCode::OK), data(2.0), answered(5, &BIAS)];
     let mut device = device([reply, vec![ack(1, AckCode::OK)], vec![ack(1, AckCode::OK)]]);
@@ -411,26 +404,6 @@ fn ports_of_the_standard_library() {
     let error = device.request(&tools::Ping).unwrap_err();
     assert!(matches!(error, DeviceError::Command(CommandError::TimedOut)));
     assert!(start.elapsed().as_millis() >= 20);
-}
-
-#[test]
-fn an_answer_that_comes_after_a_failure_is_data() {
-    let mut device = device([vec![vec![], ack(1, AckCode::OK)]]);
-    assert_eq!(device.request(&tools::Ping), Err(DeviceError::Port(Gone)));
-    assert_eq!(next(&mut device), Some(ack(1, AckCode::OK)));
-}
-
-#[test]
-fn an_answer_is_known_until_the_next_command() {
-    let mut device = device([vec![ack(1, AckCode::OK)], vec![ack(1, AckCode::OK)]]);
-    let ping = device.send_all(tools::TOOLS_SET, |request| request.add(&tools::Ping)).unwrap();
-    for _ in 0..2 {
-        assert_eq!(device.answer(&ping), Answer::Acknowledged(()));
-    }
-    assert_eq!(next(&mut device), None);
-    assert_eq!(device.answer(&ping), Answer::Acknowledged(()));
-    assert_eq!(device.request(&tools::Ping), Ok(()));
-    assert_eq!(device.answer(&ping), Answer::TimedOut);
 }
 
 #[test]

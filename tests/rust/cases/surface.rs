@@ -32,10 +32,14 @@ fn lists_are_collections() {
     assert_eq!(list.clone().into_iter().rev().collect::<Vec<_>>(), [8, 6, 4, 2]);
     assert_eq!((list.pop(), list.len(), list.as_ref().len()), (Some(8), 3, 3));
     list.clear();
-    assert_eq!((list.pop(), list), (None, EMPTY.clone()));
+    assert_eq!((list.pop(), &list), (None, &EMPTY));
     let set: HashSet<List<u16, 4>> = [[1, 2].into(), [1, 2].into(), EMPTY.clone()].into();
     assert_eq!(set.len(), 2);
     assert_eq!(VarText::<3>::new("abc"), VarText::new("abc"));
+    assert_eq!(List::<u8, 3>::try_from(&[9][..]), Ok([9].into()));
+    list.push(7).unwrap();
+    list[0] = 9;
+    assert_eq!(format!("{list:?}"), "[9]");
 }
 
 #[test]
@@ -126,6 +130,18 @@ fn bitfields_are_sets_of_bits() {
     assert_eq!([StateFlags::READY, StateFlags::HOT].into_iter().collect::<StateFlags>(), BOTH);
     flags.extend(BOTH);
     assert_eq!(flags, BOTH);
+    assert!(BOTH.contains(StateFlags::HOT) && !StateFlags::HOT.contains(BOTH));
+    assert!(BOTH.intersects(StateFlags::HOT) && !StateFlags::HOT.intersects(StateFlags::READY));
+    let mut reserved = StateFlags(0x8000);
+    reserved.insert(BOTH);
+    reserved.remove(StateFlags::HOT);
+    assert_eq!(reserved.0, 0x8001); // reserved bits stay
+    let mut bits = Vec::new();
+    for bit in &BOTH {
+        bits.push(bit);
+    }
+    assert_eq!(bits, [StateFlags::READY, StateFlags::HOT]);
+    assert_eq!(StateFlags::empty().with_level(0xFF).0, 0x70); // more than fits
 }
 
 #[test]

@@ -26,8 +26,6 @@ struct Line {
     closed: bool,
     /// Noise arrives without end.
     flooded: bool,
-    /// How long the program is stopped before the next read.
-    stopped: u32,
 }
 
 /// The answer to a packet of pings, mostly one; several are a barrier.
@@ -50,7 +48,6 @@ impl Uart {
 
     fn take(&self, buffer: &mut [u8]) -> Option<usize> {
         let mut line = self.0.borrow_mut();
-        line.now += std::mem::take(&mut line.stopped);
         if line.flooded {
             line.now += 1;
             buffer[0] = 0;
@@ -269,21 +266,6 @@ fn a_future_that_is_dropped() {
 }
 
 #[test]
-fn an_answer_that_comes_after_its_future_was_dropped_is_data() {
-    let uart = Uart::answering(&[vec![]]);
-    let clock = uart.clone();
-    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
-    {
-        let waker = Waker::from(Arc::new(Nobody));
-        let mut request = pin!(device.request(&tools::Ping));
-        assert!(request.as_mut().poll(&mut Context::from_waker(&waker)).is_pending());
-    }
-    uart.0.borrow_mut().coming.extend(ack(1, AckCode::OK).bytes());
-    let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
-    assert_eq!(packet.as_deref(), Some(ack(1, AckCode::OK).bytes()));
-}
-
-#[test]
 fn a_late_answer_is_not_that_of_the_next_command() {
     let answer = |x| {
         let mut answer = ack(5, AckCode::OK);
@@ -303,34 +285,6 @@ fn a_late_answer_is_not_that_of_the_next_command() {
     assert_eq!(packet.as_deref(), Some(theirs.bytes()));
     // Reading what has arrived ends, even if bytes arrive all the time.
     uart.0.borrow_mut().flooded = true;
-    assert_eq!(block_on(&uart, device.request(&tools::Ping)), Err(late));
-
-    let uart = Uart::answering(&[vec![], ours.bytes().to_vec()]);
-    let clock = uart.clone();
-    let mut device = Device::new(EmbeddedPort::new(uart.clone(), move || clock.now()));
-    assert_eq!(device.request(&read), Err(CommandError::TimedOut.into()));
-    uart.0.borrow_mut().coming.extend(theirs.bytes());
-    assert_eq!(device.request(&read), Ok(BIAS));
-    let packet = device.next_packet(50).unwrap().map(|p| p.bytes().to_vec());
-    assert_eq!(packet.as_deref(), Some(theirs.bytes()));
-}
-
-#[test]
-fn a_program_that_was_stopped_finds_what_came_in_time() {
-    let mut answer = ack(5, AckCode::OK);
-    answer.push(&BIAS).unwrap();
-    let mut data = PacketBuilder::new(measurements::MEASUREMENTS_SET);
-    data.push(&measurements::Accel::default()).unwrap();
-    let uart = Uart::answering(&[answer.bytes().to_vec(), vec![]]);
-    let clock = uart.clone();
-    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
-    uart.0.borrow_mut().stopped = 5000;
-    assert_eq!(block_on(&uart, device.request(&tools::Bias::read())), Ok(BIAS));
-    uart.0.borrow_mut().stopped = 5000;
-    uart.0.borrow_mut().coming.extend(data.bytes());
-    assert!(block_on(&uart, device.next_packet(50)).unwrap().is_some());
-    uart.0.borrow_mut().stopped = 5000;
-    let late = DeviceError::Command(CommandError::TimedOut);
     assert_eq!(block_on(&uart, device.request(&tools::Ping)), Err(late));
 }
 

@@ -18,7 +18,7 @@ pub enum Json {
 impl Json {
     pub fn parse(text: &str) -> Option<Self> {
         let mut parser = Parser { rest: text };
-        let value = parser.value(0)?;
+        let value = parser.value()?;
         parser.blank();
         parser.rest.is_empty().then_some(value)
     }
@@ -96,8 +96,6 @@ struct Parser<'a> {
     rest: &'a str,
 }
 
-const DEEPEST: usize = 64;
-
 impl Parser<'_> {
     fn blank(&mut self) {
         self.rest = self.rest.trim_start_matches([' ', '\t', '\r', '\n']);
@@ -109,14 +107,11 @@ impl Parser<'_> {
         rest.is_some()
     }
 
-    fn value(&mut self, depth: usize) -> Option<Json> {
-        if depth > DEEPEST {
-            return None;
-        }
+    fn value(&mut self) -> Option<Json> {
         self.blank();
         match self.rest.chars().next()? {
-            '{' => self.object(depth),
-            '[' => self.list(depth),
+            '{' => self.sequence("}", Self::entry).map(Json::Object),
+            '[' => self.sequence("]", Self::value).map(Json::Array),
             '"' => self.text().map(Json::String),
             'n' => self.eat("null").then_some(Json::Null),
             't' => self.eat("true").then_some(Json::Bool(true)),
@@ -125,52 +120,27 @@ impl Parser<'_> {
         }
     }
 
-    fn object(&mut self, depth: usize) -> Option<Json> {
-        let mut entries: Vec<(String, Json)> = Vec::new();
-        self.eat("{");
+    fn entry(&mut self) -> Option<(String, Json)> {
+        let key = self.text()?;
         self.blank();
-        if self.eat("}") {
-            return Some(Json::Object(entries));
-        }
-        loop {
-            self.blank();
-            let key = self.text()?;
-            self.blank();
-            if !self.eat(":") {
-                return None;
-            }
-            let value = self.value(depth + 1)?;
-            match entries.iter_mut().find(|(k, _)| *k == key) {
-                Some(entry) => entry.1 = value,
-                None => entries.push((key, value)),
-            }
-            self.blank();
-            if self.eat("}") {
-                return Some(Json::Object(entries));
-            }
-            if !self.eat(",") {
-                return None;
-            }
-        }
+        self.eat(":").then_some(())?;
+        Some((key, self.value()?))
     }
 
-    fn list(&mut self, depth: usize) -> Option<Json> {
+    /// What stands between two brackets, with commas between.
+    fn sequence<T>(&mut self, end: &str, item: fn(&mut Self) -> Option<T>) -> Option<Vec<T>> {
+        self.next();
         let mut items = Vec::new();
-        self.eat("[");
         self.blank();
-        if self.eat("]") {
-            return Some(Json::Array(items));
-        }
-        loop {
-            items.push(self.value(depth + 1)?);
-            self.blank();
-            if self.eat("]") {
-                return Some(Json::Array(items));
-            }
-            if !self.eat(",") {
+        while !self.eat(end) {
+            if !items.is_empty() && !self.eat(",") {
                 return None;
             }
+            self.blank();
+            items.push(item(self)?);
+            self.blank();
         }
+        Some(items)
     }
 
     fn text(&mut self) -> Option<String> {
