@@ -12,7 +12,6 @@ from pathlib import Path
 import pytest
 from mipgen import model as m
 from mipgen.facts import comments, describe
-from mipgen.lower import calls
 from mipgen.targets.python import docs, names
 from support import SPECS, all_fields, model
 
@@ -170,13 +169,3 @@ def test_layout_of_docstrings() -> None:
     assert docs.literal([line + "x"], 4) == f'"""{line}x\n    """'
     assert docs.literal(["- " + "word " * 30], 4).splitlines()[1].startswith("      word")
     assert docs.comment("word " * 30, 4).splitlines()[1].startswith("    # word")
-
-
-@pytest.mark.parametrize("spec", sorted(SPECS))
-def test_every_member_says_something(spec: str) -> None:
-    """No parameter of the specification is without a text, so every attribute has a docstring."""
-    package = SPECS[spec][1] / "python/mip_protocol"
-    for f in all_fields(model(spec)):
-        found = documentation(package / f"{names.home(f)}.py")
-        for p in calls.members(f):
-            assert found[f"{names.class_name(f)}.{names.member(p.name)}"], f"{f.full_name}.{p.name}"

@@ -9,9 +9,8 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli
-from mipgen.resolve.load import load_model
 from mipgen.targets.python import needs
-from support import ROOT, SPECS, mypy
+from support import ROOT, heavy, model, mypy
 
 RUNTIME = ROOT / "runtime/python/mip_protocol"
 
@@ -109,11 +108,17 @@ def test_what_needs_a_fact_is_left_out(own: Path) -> None:
     assert not re.search(r"`stream|change_baud|detect_baud|`samples|GpsTimestamp", readme)
 
 
-def test_it_imports_has_right_types_and_talks(own: Path, tmp_path: Path) -> None:
+@heavy("mypy on Python packages and their users")
+def test_its_types_are_right(own: Path, tmp_path: Path) -> None:
     program = tmp_path / "client.py"
     program.write_text(CLIENT, "utf-8")
     checked = mypy(own, "own_protocol", program)
     assert checked.returncode == 0, checked.stdout
+
+
+def test_it_imports_and_talks(own: Path, tmp_path: Path) -> None:
+    program = tmp_path / "client.py"
+    program.write_text(CLIENT, "utf-8")
     done = subprocess.run([sys.executable, program], capture_output=True, text=True, env={"PYTHONPATH": str(own)})
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines() == [
@@ -126,8 +131,8 @@ def test_it_imports_has_right_types_and_talks(own: Path, tmp_path: Path) -> None
 
 def test_each_fact_decides_alone() -> None:
     """Without sessions, only what needs a session is left out; what needs one of two facts stays with either."""
-    invented = load_model(SPECS["invented"][0])
-    assert needs.left_out(invented) == {"streaming"} and not needs.left_out(load_model(SPECS["real"][0]))
+    invented = model("invented")
+    assert needs.left_out(invented) == {"streaming"} and not needs.left_out(model("real"))
     source = b"""\
 from .streaming import steps
 from .baud import rates

@@ -35,6 +35,66 @@ mip_3dm.MessageFormat.write(0x80, [4])  # not a rate
 mip_3dm.MessageFormat.write(0x80, rate)  # not a sequence
 """
 
+ANSWERS = """\
+from typing_extensions import assert_type
+import dataclasses
+import mip_protocol
+from mip_protocol import Arrival, Command, Data, Device, Response, aio, base, gnss_data, mip_3dm, sensor
+from mip_protocol.base import GpsTimeUpdateTowResponse, GpsTimeUpdateWeekNumberResponse
+
+def requests(device: Device, some: Command, kind: base.GpsTimeUpdate) -> None:
+    assert_type(device.request(base.Ping()), None)
+    assert_type(device.request(base.Ping()), int)  # nothing
+    assert_type(device.request(base.GetDeviceInfo()), base.GetDeviceInfoResponse)
+    assert_type(device.request(base.CommSpeed.read(1)), base.CommSpeedResponse)
+    assert_type(device.request(base.CommSpeed.write(1, 115200)), None)
+    assert_type(device.request(base.CommSpeed.save(1)), None)
+    assert_type(device.request(kind), Response | None)
+    assert_type(device.request(some), Response | None)
+    assert_type(
+        device.request(base.GpsTimeUpdate.read(base.GpsTimeField.TOW)),
+        GpsTimeUpdateWeekNumberResponse | GpsTimeUpdateTowResponse,
+    )
+    assert_type(
+        device.request_all(mip_3dm.GetBaseRate(0x80), base.Ping(), base.CommSpeed.read(1)),
+        tuple[mip_3dm.GetBaseRateResponse, None, base.CommSpeedResponse],
+    )
+    commands: list[Command] = [base.Ping(), base.CommSpeed.read(1)]
+    device.exchange(*commands)
+    for arrival in device:
+        assert_type(arrival, Arrival)
+        assert_type(arrival.find(sensor.ScaledAccel), sensor.ScaledAccel | None)
+    for time, accel in device.fields(sensor.ScaledAccel):
+        assert_type(time, float)
+        assert_type(accel, sensor.ScaledAccel)
+    for _, field in device.fields(sensor.ScaledAccel, sensor.ScaledGyro):
+        assert_type(field, sensor.ScaledAccel | sensor.ScaledGyro)
+    kinds: list[type[Data]] = [sensor.ScaledAccel, sensor.ScaledGyro]
+    for _, any_field in device.fields(*kinds):
+        assert_type(any_field, Data)
+
+async def asynchronous(device: aio.Device) -> None:
+    assert_type(await device.request(base.GetDeviceInfo()), base.GetDeviceInfoResponse)
+    assert_type(
+        await device.request_all(mip_3dm.GetBaseRate(0x80), base.Ping()), tuple[mip_3dm.GetBaseRateResponse, None]
+    )
+    async for arrival in device:
+        assert_type(arrival, Arrival)
+    async with aio.open_port("socket://localhost:5000") as other:
+        assert_type(other, aio.Device)
+    assert_type(await aio.open_port("socket://localhost:5000"), aio.Device)
+    async for _, accel in other.fields(sensor.ScaledAccel):
+        assert_type(accel, sensor.ScaledAccel)
+    async for _, field in other.fields(sensor.ScaledAccel, sensor.ScaledGyro, gnss_data.SatelliteStatus):
+        assert_type(field, sensor.ScaledAccel | sensor.ScaledGyro | gnss_data.SatelliteStatus)
+
+def modules_and_elements() -> float:
+    for fields in mip_protocol.Decoder().feed(memoryview(b"")):
+        found: list[mip_protocol.Field | mip_protocol.RawField] = list(fields)
+    mip_protocol.nothing  # no such module
+    return dataclasses.replace(mip_protocol.sensor.ScaledAccel([1, 2, 3]), scaled_accel=(4, 5, 6)).scaled_accel.x
+"""
+
 
 def programs(folder: Path) -> list[Path]:
     """Every program that the pages show, each in a file."""
@@ -52,14 +112,18 @@ def wrong_lines(source: str) -> set[int]:
     return {number for number, line in enumerate(source.splitlines(), 1) if "# " in line}
 
 
+@heavy("mypy on Python packages and their users")
 def test_mypy(tmp_path: Path) -> None:
-    """It finds nothing in the programs of the documentation; arrays are made of any sequence, and of nothing else."""
-    (tmp_path / "arrays.py").write_text(ARRAYS)
-    files = [*programs(tmp_path), tmp_path / "arrays.py"]
-    # pyserial has no types, and the tools are checked with their own settings
-    done = mypy(REAL, "--disable-error-code=import-untyped", "--follow-imports=silent", *files)
+    """It finds nothing in the programs of the documentation; it knows the types of answers, of modules and of elements;
+    arrays are made of any sequence, and of nothing else."""
+    wrong = {"arrays.py": ARRAYS, "answers.py": ANSWERS}
+    for name, source in wrong.items():
+        (tmp_path / name).write_text(source, "utf-8")
+    files = [*programs(tmp_path), *(tmp_path / name for name in wrong)]
+    done = mypy(REAL, *files)
     errors = re.findall(r"(\w+\.py):(\d+): error", done.stdout)
-    assert set(errors) == {("arrays.py", str(n)) for n in wrong_lines(ARRAYS)}, done.stdout
+    lines = {(name, str(n)) for name, source in wrong.items() for n in wrong_lines(source)}
+    assert set(errors) == lines, done.stdout
 
 
 def pyright(folder: Path, files: Sequence[Path]) -> list[tuple[str, int, str]]:

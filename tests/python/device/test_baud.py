@@ -85,6 +85,13 @@ def test_noise_is_no_device(search) -> None:  # type: ignore[no-untyped-def]
         search(Port(1200, b"ue\x80" + bytes(40)), 1200)
 
 
+def test_without_rates() -> None:
+    with pytest.raises(mip.NoDevice, match="at no rate"):
+        mip.detect_baud(Port(), [])
+    with pytest.raises(mip.NoDevice, match="has no baud rate"):
+        mip.detect_baud(SimpleNamespace(read=lambda size: b"", write=len))
+
+
 def test_the_usual_rate_is_first() -> None:
     found = baud.rates()
     assert found[0] == 115200 == baud.USUAL and len(set(found)) == len(found) > 3

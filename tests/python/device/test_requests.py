@@ -182,15 +182,6 @@ def test_one_failure_of_several(kind: Kind, peer: Peer) -> None:
     assert isinstance(caught.value.command, base.BuiltInTest) and len(caught.value.outcomes) == 3
 
 
-def test_an_answer_keeps_the_acknowledges_beside_it(kind: Kind, peer: Peer) -> None:
-    """One packet answers one command, and contains an acknowledge of another one, which is sent later."""
-    with kind.at(peer.near) as device:
-        peer.answering(packet(0x01, "f1 01 00", "f1 02 00"))
-        device.request(PING)
-        arrival = device.next(5)
-    assert [(raw.descriptor, raw.data) for raw in arrival.fields] == [(0xF1, b"\x02\0")]
-
-
 @pytest.mark.parametrize("noise", [b"ue\x80\xff", b"ueue\x01\xffue\x80\xf0", b"$GPZDA,ue*", bytes(300)])
 def test_noise_before_an_acknowledge(kind: Kind, peer: Peer, noise: bytes) -> None:
     """What looks like the start of a long packet does not hold back the answer until it is too late."""
@@ -200,15 +191,6 @@ def test_noise_before_an_acknowledge(kind: Kind, peer: Peer, noise: bytes) -> No
         device.request(PING)
         assert time.monotonic() - started < PATIENCE / 2
         assert device.skipped == len(noise)
-
-
-def test_an_answer_that_comes_slowly_behind_noise(kind: Kind, peer: Peer) -> None:
-    with kind.at(peer.near, timeout=PATIENCE) as device:
-        answer = acknowledge(1, 1)
-        peer.send(b"ue\x80\xff", answer[:5])
-        time.sleep(0.2)  # the port is silent for a moment; how long does not matter
-        peer.answering(answer[5:])
-        device.request(PING)
 
 
 def test_commands_that_are_not_acknowledged(kind: Kind, peer: Peer) -> None:
@@ -279,15 +261,6 @@ def test_data_come_in_order_with_their_times(kind: Kind, peer: Peer) -> None:
         assert device.next(0) is None and device.next(0.01) is None
 
 
-def test_fields_of_some_types(kind: Kind, peer: Peer) -> None:
-    with kind.at(peer.near) as device:
-        peer.send(DATA, packet(0x82, "10 0001 0002 0003"), packet(0x80, "05" + "00" * 12, "04" + "00" * 12))
-        found = device.fields(sensor.ScaledAccel, sensor.ScaledGyro)
-        assert [type(next(found)[1]) for _ in range(3)] == [
-            sensor.ScaledAccel, sensor.ScaledAccel, sensor.ScaledGyro,
-        ]  # fmt: skip
-
-
 SATELLITE = gnss_data.SatelliteStatus(
     1, 3, 0.0, 0, types.GnssConstellation.GPS, 7, 45.0, 90.0, True, gnss_data.SatelliteStatusFlags(0)
 )
@@ -334,13 +307,6 @@ def test_the_oldest_are_dropped_and_counted(kind: Kind, peer: Peer) -> None:
         assert device.waiting == 0 and device.dropped == 6
 
 
-def test_room_for_one_packet_is_enough(kind: Kind, peer: Peer) -> None:
-    with kind.at(peer.near, capacity=1) as device:
-        peer.answering([DATA, DATA, acknowledge(1, 1)])
-        device.request(PING)
-        assert (device.waiting, device.dropped) == (1, 1)
-
-
 def test_what_is_between_packets_is_handed_over(kind: Kind, peer: Peer) -> None:
     seen, read = bytearray(), bytearray()
     sentences = Sentences()
@@ -352,16 +318,6 @@ def test_what_is_between_packets_is_handed_over(kind: Kind, peer: Peer) -> None:
         assert device.waiting == 2 and device.skipped == len(seen)
     assert bytes(seen) == b"noise" + nmea + b"ue\x80\x04" + nmea and bytes(read) == b"".join(stream)
     assert sentences.feed(bytes(seen)) == [nmea.decode().strip()] * 2
-
-
-def test_a_callback_that_fails_ends_the_device(kind: Kind, peer: Peer) -> None:
-    def fail(data: bytes) -> None:
-        raise KeyError(data)
-
-    with kind.at(peer.near, on_skipped=fail) as device:
-        peer.send(b"noise")
-        with pytest.raises(mip.PortClosed, match="noise"):
-            device.next(5)
 
 
 def test_callbacks_must_not_use_a_device_of_threads(peer: Peer) -> None:
@@ -422,17 +378,6 @@ def test_the_end_of_a_connection(kind: Kind, peer: Peer) -> None:
     assert pickle.loads(pickle.dumps(caught.value)).kind == "closed"
 
 
-def test_a_connection_that_ends_before_the_answer(kind: Kind, peer: Peer) -> None:
-    def leave() -> None:
-        peer.command()
-        peer.close()
-
-    with kind.at(peer.near, timeout=PATIENCE) as device:
-        threading.Thread(target=leave).start()
-        with pytest.raises(mip.PortClosed):
-            device.request(PING)
-
-
 def test_closing_wakes_those_who_wait(kind: Kind, peer: Peer) -> None:
     ends: list[Any] = []
 
@@ -456,29 +401,6 @@ def test_closing_wakes_those_who_wait(kind: Kind, peer: Peer) -> None:
             device.request(PING)
         with pytest.raises(ValueError, match="open_port"):
             device.reopen()
-
-
-def test_a_port_that_is_opened_again(kind: Kind) -> None:
-    with socket.create_server(("localhost", 0)) as server:
-
-        def serve() -> None:
-            for _ in range(2):
-                connection, _ = server.accept()
-                with connection:
-                    connection.recv(100)
-                    connection.sendall(DATA + acknowledge(1, 1) + b"ue\x80\xff")
-
-        thread = threading.Thread(target=serve)
-        thread.start()
-        with kind.open(f"socket://localhost:{server.getsockname()[1]}") as device:
-            device.request(PING)
-            until(lambda: device.closed)
-            with pytest.raises(mip.PortClosed):
-                device.request(PING)
-            device.reopen()
-            device.request(PING)
-            assert device.waiting == 2
-        thread.join()
 
 
 def test_what_was_known_of_a_device_is_asked_again_when_it_is_back(kind: Kind) -> None:
@@ -564,58 +486,6 @@ def test_a_device_that_is_closed_while_its_port_is_away(kind: Kind) -> None:
         assert device.closed and list(device) == []
 
 
-def test_a_device_that_is_closed_while_its_port_is_opened(kind: Kind) -> None:
-    """The port that was opened is closed, too."""
-    with (
-        socket.create_server(("localhost", 0)) as server,
-        kind.open(f"socket://localhost:{server.getsockname()[1]}") as device,
-    ):
-        server.accept()[0].close()
-        until(lambda: device.closed)
-        own = inside(device)
-        open_again = own._again
-
-        def opened(rate: int) -> Any:
-            port = open_again(rate)
-            own.close()
-            return port
-
-        async def opened_later(rate: int) -> Any:
-            port = await open_again(rate)
-            await own.close()
-            return port
-
-        own._again = opened_later if kind.waits else opened
-        with pytest.raises(mip.PortClosed, match="while it was being opened again"):
-            device.reopen(PATIENCE)
-        assert device.closed and list(device) == []
-        with pytest.raises(mip.PortClosed):
-            device.send(PING)
-        connection, _ = server.accept()
-        with connection:
-            connection.settimeout(PATIENCE)
-            assert connection.recv(1) == b""
-
-
-def test_a_stream_that_accepts_no_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Neither writing nor closing waits for ever."""
-    monkeypatch.setattr(aio, "WRITE_TIMEOUT", 0.2)
-    monkeypatch.setattr(aio, "CLOSE_TIMEOUT", 0.2)
-
-    async def talk() -> None:
-        near, far = socket.socketpair()
-        near.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 4096)
-        device = aio.Device(await asyncio.open_connection(sock=near))
-        with pytest.raises(mip.PortClosed, match="the port cannot write: the other end accepts no data"):
-            for _ in range(10**6):
-                await device.send(PING)
-        await device.close()
-        assert device.closed
-        far.close()
-
-    asyncio.run(asyncio.wait_for(talk(), 20))
-
-
 def test_a_command_that_could_not_be_written_is_not_sent_later(monkeypatch: pytest.MonkeyPatch) -> None:
     """When the other end reads again, it gets no bytes of a command that has failed."""
     monkeypatch.setattr(aio, "WRITE_TIMEOUT", 0.2)
@@ -640,15 +510,6 @@ def test_a_command_that_could_not_be_written_is_not_sent_later(monkeypatch: pyte
     asyncio.run(asyncio.wait_for(talk(), 20))
 
 
-def test_nothing_is_kept_of_commands_that_are_answered() -> None:
-    """Even if nobody waits for the replies."""
-    talk = conversation.Conversation()
-    for _ in range(3):
-        _, (ticket,) = talk.send([PING], 0.0, None)
-        talk.receive(acknowledge(1, 1), 0.1, 0.1)
-        assert ticket.done and not talk._tickets
-
-
 def test_nobody_waits_for_what_is_forgotten() -> None:
     """A call that was interrupted leaves nothing that times out later, and its answer is nobody's."""
     talk = conversation.Conversation()
@@ -658,18 +519,6 @@ def test_nobody_waits_for_what_is_forgotten() -> None:
     assert talk.deadline is None and not talk._tickets
     talk.receive(acknowledge(1, 1), 0.1, 0.1)
     assert not ticket.done
-
-
-def test_a_port_that_does_not_come_back(kind: Kind) -> None:
-    with (
-        socket.create_server(("localhost", 0)) as server,
-        kind.open(f"socket://localhost:{server.getsockname()[1]}") as device,
-    ):
-        server.accept()[0].close()
-        until(lambda: device.closed)
-        server.close()
-        with pytest.raises(OSError):
-            device.reopen(within=0.2)
 
 
 @pytest.mark.parametrize(
@@ -715,12 +564,6 @@ def python(code: str, *options: str, executable: str = sys.executable) -> str:
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     return done.stdout.strip()
-
-
-def test_the_core_imports_nothing_of_it() -> None:
-    code = "import mip_protocol, mip_protocol.base\nprint([m for m in ('asyncio', 'socket', 'threading', 'select', "
-    code += "'mip_protocol.device', 'mip_protocol.conversation', 'mip_protocol.sampling') if m in sys.modules])"
-    assert python(code, "-S") == "[]"
 
 
 def test_a_missing_package_is_named() -> None:

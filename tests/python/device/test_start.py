@@ -3,39 +3,48 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Any
 
 import pytest
 from mip_protocol import EncodeError, NoSuchRate, Refused, aio, filter_data, gnss_data, open_port, sensor, shared
 from mip_protocol.streaming import decimation, set_of, steps
-from support import simulated
+from support import PATIENCE, simulated
 
 CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
 
 
-def counted(packets: list[Any]) -> float:
-    """The rate of the accelerations in Hz, without the first packets."""
-    times = [a.time for a in packets if a.find(sensor.ScaledAccel)][10:]
-    return (len(times) - 1) / (times[-1] - times[0])
-
-
 @pytest.mark.parametrize("model", [CV7, GX5])
 def test_data_at_a_rate(model: str) -> None:
-    with simulated("--tcp", "0", device=model) as place, open_port(place) as device:
+    with simulated("--tcp", "0", device=model) as place, open_port(place, timeout=PATIENCE) as device:
         rates = device.stream({sensor.ScaledAccel: 100, sensor.ScaledGyro: 50})
         assert rates == {sensor.ScaledAccel: 100, sensor.ScaledGyro: 50}
         device.clear()
-        packets = [device.next(5) for _ in range(110)]
-        assert 80 < counted(packets) < 125
-        both = sum(bool(p and p.find(sensor.ScaledGyro)) for p in packets)
-        assert 50 <= both <= 60
+        packets = [device.next(PATIENCE) for _ in range(40)]
+        assert 20 <= sum(bool(p and p.find(sensor.ScaledGyro)) for p in packets) <= 21
         rates = device.stream({filter_data.EulerAngles: 0})
         assert rates[filter_data.EulerAngles] in (500, 1000)
 
 
+def test_what_a_rate_changes() -> None:
+    """Shared fields come first; a rate that the device does not have changes nothing."""
+    with simulated("--tcp", "0") as place, open_port(place, timeout=PATIENCE) as device:
+        device.stream({sensor.ScaledAccel: 10, shared.GpsTimestamp: 10})
+        device.clear()
+        arrival = next(a for a in device if a.packet.set == 0x80)
+        assert [f.descriptor for f in arrival.packet] == [shared.GpsTimestamp.DESCRIPTOR, sensor.ScaledAccel.DESCRIPTOR]
+        with pytest.raises(NoSuchRate) as caught:
+            device.stream({sensor.ScaledGyro: 70, sensor.ScaledMag: 10})
+        nearest = caught.value.nearest
+        assert nearest[sensor.ScaledMag] == 10 and 71 < nearest[sensor.ScaledGyro] < 72
+        assert "sensor.scaled_gyro at 70 Hz (nearest: 71.4" in str(caught.value)
+        assert "scaled_mag" not in str(caught.value)
+        device.clear()
+        assert next(a for a in device if a.packet.set == 0x80).find(sensor.ScaledAccel)  # nothing has changed
+        assert device.stream({sensor.ScaledGyro: nearest[sensor.ScaledGyro]})  # the rate in the error
+
+
 def test_with_asyncio() -> None:
     async def run(place: str) -> None:
-        async with aio.open_port(place) as device:
+        async with aio.open_port(place, timeout=PATIENCE) as device:
             assert await device.stream({sensor.ScaledAccel: 100}) == {sensor.ScaledAccel: 100}
             with pytest.raises(NoSuchRate):
                 await device.stream({sensor.ScaledAccel: 70})
@@ -44,29 +53,6 @@ def test_with_asyncio() -> None:
 
     with simulated("--tcp", "0", device=GX5) as place:
         asyncio.run(run(place))
-
-
-def test_shared_fields_come_first() -> None:
-    with simulated("--tcp", "0") as place, open_port(place) as device:
-        device.stream({sensor.ScaledAccel: 10, shared.GpsTimestamp: 10})
-        device.clear()
-        arrival = device.next(5)
-        assert arrival is not None
-        assert [f.descriptor for f in arrival.packet] == [shared.GpsTimestamp.DESCRIPTOR, sensor.ScaledAccel.DESCRIPTOR]
-
-
-def test_a_rate_that_the_device_does_not_have_changes_nothing() -> None:
-    with simulated("--tcp", "0") as place, open_port(place) as device:
-        device.stream({sensor.ScaledAccel: 100})
-        with pytest.raises(NoSuchRate) as caught:
-            device.stream({sensor.ScaledGyro: 70, sensor.ScaledMag: 10})
-        nearest = caught.value.nearest
-        assert nearest[sensor.ScaledMag] == 10 and 71 < nearest[sensor.ScaledGyro] < 72
-        assert "sensor.scaled_gyro at 70 Hz (nearest: 71.4" in str(caught.value)
-        assert "scaled_mag" not in str(caught.value)
-        device.clear()
-        assert (arrival := device.next(5)) and arrival.find(sensor.ScaledAccel)
-        assert device.stream({sensor.ScaledGyro: nearest[sensor.ScaledGyro]})  # the rate in the error
 
 
 def test_the_set() -> None:
@@ -87,7 +73,7 @@ def test_the_set() -> None:
 
 def test_decimations_are_the_nearest() -> None:
     for base in (1, 10, 500, 1000):
-        for wanted in (0.001, 0.02, 0.9, 1, 3, 7, 70, 99.5, 300, 499, 900, 5000):
+        for wanted in (0.02, 3, 99.5, 900, 5000):
             best = (
                 min(range(1, 0x10000), key=lambda by: (abs(base / by - wanted), by))
                 if wanted * 70000 > base

@@ -98,56 +98,38 @@ def data(number: int, *descriptors: int, time: int | None = None, size: int = 20
 
 
 FULL = range(1, 12)  # eleven fields of 22 bytes: no room for another
+WITH_TIME = range(1, 11)
 
 
-def test_continuation_packets_without_a_time_are_recognized_by_their_order() -> None:
-    stream = [data(0x82, *FULL), data(0x82, 20, 21), data(0x82, *FULL), data(0x82, 20, 21)]
-    assert list(samples(stream)) == [stream[:2], stream[2:]]
+def first(*fields: str) -> Packet:
+    return Packet(packet(0x82, *fields))
 
 
-def test_packets_with_room_are_not_continued() -> None:
-    stream = [data(0x82, 1, 2), data(0x82, 3), data(0x82, 1, 2)]
-    assert list(samples(stream)) == [[p] for p in stream]
+#: What a stream is -> its packets, and how many of them each sample has.
+STREAMS: dict[str, tuple[list[Packet], list[int]]] = {
+    "continued in order": ([data(0x82, *FULL), data(0x82, 20, 21)] * 2, [2, 2]),
+    "with room": ([data(0x82, 1, 2), data(0x82, 3), data(0x82, 1, 2)], [1, 1, 1]),
+    "full and repeated": ([data(0x82, *FULL)] * 3, [1, 1, 1]),
+    "one timestamp": ([data(0x82, 1, 2, time=5), data(0x82, 3, time=5), data(0x82, 4, time=5), data(0x82, 1, time=6)],
+                      [3, 1]),
+    "like a continuation, but later": ([data(0x82, *WITH_TIME, time=5), data(0x82, 20, time=6)], [1, 1]),
+    "a clock that stands still, as before a fix": ([data(0x82, 1, 2, time=0), data(0x82, 3, time=0)] * 3, [2, 2, 2]),
+    "full, and the clock stands still": ([data(0x82, *WITH_TIME, time=0)] * 3, [1, 1, 1]),
+    "shared fields without a time": ([first("d0 01", f"{d:02x} 00") for d in (1, 2, 1)], [1, 1, 1]),
+    "a list that goes on, as of satellites": (
+        [data(0x91, *[0x20] * 11, time=1), data(0x91, *[0x20] * 3, time=1), data(0x91, *[0x20] * 11, time=2)], [2, 1]),
+    "a list without end": ([data(0x82, 9, time=0, size=200)] * (2 * MOST + 3), [MOST, MOST, 3]),
+    "no fields, and shared ones alone": ([first(), first("d5 0000000000000001"), first()], [1, 1, 1]),
+    **{f"clock {clock[:2]}": ([first(clock, "01 00"), first(clock, "02 00")], [2])
+       for clock in ("d3 0000000000000000 0000 0000", "d5 0000000000000005", "d7 0000000000000005 0000")},
+}  # fmt: skip
 
 
-def test_a_full_packet_that_is_repeated_is_not_continued() -> None:
-    stream = [data(0x82, *FULL)] * 3
-    assert list(samples(stream)) == [[p] for p in stream]
-
-
-def test_the_same_timestamp_tells_what_belongs_together() -> None:
-    stream = [data(0x82, 1, 2, time=5), data(0x82, 3, time=5), data(0x82, 4, time=5), data(0x82, 1, 2, time=6)]
-    assert list(samples(stream)) == [stream[:3], stream[3:]]
-    full = [data(0x82, *FULL[:-1], time=5), data(0x82, 20, time=6)]  # it looks like a continuation, but is later
-    assert list(samples(full)) == [[p] for p in full]
-
-
-def test_a_clock_that_stands_still() -> None:
-    """As before a fix: samples are separated by the fields that repeat."""
-    stream = [data(0x82, 1, 2, time=0), data(0x82, 3, time=0)] * 3
-    assert list(samples(stream)) == [stream[:2]] * 3
-    full = [data(0x82, *FULL[:-1], time=0)] * 3
-    assert list(samples(full)) == [[p] for p in full]
-
-
-def test_shared_fields_that_tell_no_time() -> None:
-    source = [Packet(packet(0x82, "d0 01", f"{d:02x} 00")) for d in (1, 2, 1)]
-    assert list(samples(source)) == [[p] for p in source]
-    other = [Packet(packet(0x82, "d0 01", *(f"{d:02x} {'00' * 20}" for d in FULL))),
-             Packet(packet(0x82, "d0 02", f"20 {'00' * 20}"))]  # fmt: skip
-    assert list(samples(other)) == [[p] for p in other]
-
-
-@pytest.mark.parametrize("field", ["d3 0000000000000000 0000 0000", "d5 0000000000000005", "d7 0000000000000005 0000"])
-def test_each_clock_tells_what_belongs_together(field: str) -> None:
-    stream = [Packet(packet(0x82, field, "01 00")), Packet(packet(0x82, field, "02 00"))]
-    assert list(samples(stream)) == [stream]
-
-
-def test_a_list_goes_on_in_the_next_packet() -> None:
-    """Such as one field for each satellite."""
-    stream = [data(0x91, *[0x20] * 11, time=1), data(0x91, *[0x20] * 3, time=1), data(0x91, *[0x20] * 11, time=2)]
-    assert list(samples(stream)) == [stream[:2], stream[2:]]
+@pytest.mark.parametrize("name", STREAMS)
+def test_packets_of_one_sample(name: str) -> None:
+    stream, sizes = STREAMS[name]
+    found = list(samples(stream))
+    assert [len(group) for group in found] == sizes and [p for group in found for p in group] == stream
 
 
 def test_sets_do_not_disturb_each_other_nor_do_answers() -> None:
@@ -155,17 +137,6 @@ def test_sets_do_not_disturb_each_other_nor_do_answers() -> None:
     answer = Packet(packet(0x01, "f1 01 00"))
     found = list(samples([a[0], b[0], answer, a[1], b[1], answer]))
     assert found == [[answer], [answer], a, b]
-
-
-def test_malformed_fields_and_packets_of_shared_fields_alone() -> None:
-    odd = [Packet(packet(0x82)), Packet(packet(0x82, "d5 0000000000000001")), Packet(packet(0x82))]
-    odd.append(Packet(bytes.fromhex("756582030904008ad9")[:-2] + mip.checksum(bytes.fromhex("75658203090400"))))
-    assert list(samples(odd)) == [[p] for p in odd]
-
-
-def test_a_list_without_end_is_given_out() -> None:
-    stream = [data(0x82, 9, time=0, size=200)] * (2 * MOST + 3)
-    assert [len(s) for s in samples(stream)] == [MOST, MOST, 3]
 
 
 def test_the_push_form_takes_anything_with_a_packet() -> None:
