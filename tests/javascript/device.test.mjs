@@ -376,20 +376,6 @@ test("a WebSocket", async () => {
     await assert.rejects(openWebSocket("ws://none", { WebSocket: null }), { kind: "websocket" });
 });
 
-test("a WebSocket that the other end closes says why", async () => {
-    let opened;
-    class Closing extends fakeSocket(acknowledging()) {
-        constructor(url) {
-            super(url);
-            opened = this;
-        }
-    }
-    const device = await openWebSocket("ws://localhost:1", { WebSocket: Closing });
-    opened.dispatchEvent(Object.assign(new Event("close"), { reason: "the cable is pulled" }));
-    await assert.rejects(device.request(new Ping()), /the port is lost: the cable is pulled/);
-    await assert.rejects(device.next(), /the port is lost: the cable is pulled/);
-});
-
 test("a TCP connection that the other end closes", async () => {
     const server = net.createServer((socket) => {
         socket.write(DATA);
@@ -402,34 +388,6 @@ test("a TCP connection that the other end closes", async () => {
     await assert.rejects(device.next({ timeout: 5 }), (error) => error instanceof MipError && error.kind === "closed");
     server.close();
     await assert.rejects(openTcp("localhost", 1), { code: "ECONNREFUSED" });
-});
-
-test("a device behind TCP that goes away and comes back", async (t) => {
-    const sockets = new Set();
-    const reply = acknowledging();
-    const listening = (port) => {
-        const server = net.createServer((socket) => {
-            sockets.add(socket);
-            socket.on("data", (bytes) => socket.write(reply(bytes)));
-        });
-        return new Promise((resolve) => server.listen(port, "localhost", () => resolve(server)));
-    };
-    const first = await listening(0);
-    const { port } = first.address();
-    const device = await openTcp("localhost", port);
-    t.after(() => device.close());
-    await device.request(new Ping());
-    const loop = assert.rejects(device.next({ timeout: 5 }), { kind: "closed" });
-    for (const socket of sockets) socket.destroy(); // pulled out
-    first.close();
-    await loop;
-    await assert.rejects(device.reopen({ within: 0.2 }), { code: "ECONNREFUSED" });
-    const [second] = await Promise.all([
-        new Promise((resolve) => setTimeout(() => resolve(listening(port)), 250)),
-        device.reopen({ within: 5 }),
-    ]);
-    t.after(() => second.close());
-    assert.equal(await device.request(new Ping()), undefined);
 });
 
 /** A TCP server behind which a device answers. */

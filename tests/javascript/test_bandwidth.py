@@ -64,19 +64,6 @@ def test_the_example_of_the_manual(page: browser.Page) -> None:
     assert any("34000 Bd" in text for note in model("real").protocol.notes for text in note.text)
 
 
-def test_what_no_port_carries(page: browser.Page) -> None:
-    of = model("real")
-    device = of.device("3dm-gx5-15")
-    assert device is not None
-    base = next(r.hertz for r in device.base_rates if r.set.name == "sensor")
-    wanted = [["sensor", s.name, base] for s in device.supports if s.name.startswith("sensor.")]
-    assert page.run(f"choose({device.id!r}, {wanted})")["ports"]["UART 1"] == "none of its baud rates is sufficient"
-
-
-def test_nothing_chosen(page: browser.Page) -> None:
-    assert page.run("choose('', [])") == {"need": None, "ports": {}}
-
-
 @pytest.mark.parametrize("device", [d.id for d in model("real").devices if d.base_rates])
 def test_base_rates(page: browser.Page, device: str) -> None:
     """A rate of 0 is known: such a set is sent as it arrives."""

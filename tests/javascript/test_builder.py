@@ -135,13 +135,6 @@ def test_answers(page: browser.Page) -> None:
                 assert ack.hex(" ").upper() in found["answer"]
 
 
-def test_wrong_values_are_named(page: browser.Page) -> None:
-    f = model("real").field("3dm.uart_baud_rate")
-    assert f is not None
-    assert "does not fit" in built(page, f, 0x0C, {"function": 1, "baud": 1 << 40})["bytes"]
-    assert "is not a whole number" in built(page, f, 0x0C, {"function": 1, "baud": "fast"})["bytes"]
-
-
 # --------------------------------------------------------------------------- devices, several fields, addresses
 
 #: Puts a value into a control that is found by a selector.
@@ -253,20 +246,6 @@ def test_several_fields(own: browser.Page) -> None:
     assert not [name for name in offered if name.startswith("3dm")], "of another set"
 
 
-def test_what_is_built_is_in_the_address(own: browser.Page) -> None:
-    start(own, "3dm.message_format")
-    own.run("put('#mip-device', '3dm-cv7-gnss-ins')")
-    own.run("put('.mip-hex', '0x82')")
-    own.run("put('#mip-add', '3dm.get_base_rate')")
-    before, link = packet(own), address(own)
-    assert link == f"device=3dm-cv7-gnss-ins&packet={before.hex().upper()}"
-    start(own, link)
-    assert packet(own) == before and own.run("document.querySelector('#mip-device').value") == "3dm-cv7-gnss-ins"
-    start(own, "75 65 01 02 02 01 E0 C6")
-    assert own.run("document.querySelector('.mip-output h2').textContent") == "Ping (0x01,0x01)"
-    assert own.run("document.querySelector('#mip-device').value") == ""
-
-
 @pytest.mark.parametrize(
     ("fragment", "field"),
     [
@@ -338,23 +317,6 @@ def browsed(page: browser.Page) -> dict[str, str]:
     return shown
 
 
-def test_a_search_shows_first_what_the_device_has(own: browser.Page) -> None:
-    start(own, "device=3dm-gx5-15")
-    own.run(
-        "const search = document.querySelector('#mip-field'); search.value = 'pps';"
-        " search.dispatchEvent(new Event('input'))"
-    )
-    assert "Not supported by the 3DM-GX5-15:" in own.run("document.querySelector('.mip-hits').textContent")
-    own.run("put('#mip-device', '3dm-cv7-gnss-ins')")
-    assert own.run("document.querySelector('.mip-hits li').dataset.field") == "3dm.pps_source_control"
-    keys = "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {{ key: '{}', bubbles: true }}))"
-    own.run("document.querySelector('#mip-field').focus()")
-    own.run(keys.format("ArrowDown"))
-    assert own.run("document.activeElement.closest('li').dataset.field") == "3dm.pps_source_control"
-    own.run(keys.format("ArrowUp"))
-    assert own.run("document.activeElement.id") == "mip-field"
-
-
 def test_a_field_of_several_sets_is_built_into_the_named_one(own: browser.Page) -> None:
     start(own, "gnss_2.dop")
     assert packet(own)[2] == 0x92
@@ -403,32 +365,6 @@ def test_optional_parameters(own: browser.Page) -> None:
     for _ in range(6):
         own.run("document.querySelector('.mip-less').click()")
     assert packet(own) == least
-
-
-def test_numbers_without_a_name(own: browser.Page) -> None:
-    start(own, "filter.vehicle_dynamics_mode")
-    own.run("put('.mip-form > p:nth-of-type(3) select', 'other')")
-    own.run("put('.mip-form > p:nth-of-type(3) input', '0x21')")
-    assert packet(own)[-3] == 0x21
-    forms = (
-        "(enum mip_filter_dynamics_mode)33",
-        "static_cast<mip::filter::dynamics_mode>(33)",
-        "filter.DynamicsMode(33)",
-        "DynamicsMode(33)",
-        "{ mode: 33 }",
-    )
-    for text, wanted in zip(programs(own), forms, strict=True):
-        assert wanted in text
-
-
-def test_the_layout_of_the_answer(own: browser.Page) -> None:
-    of = model("real")
-    start(own, "3dm.get_base_rate")
-    r = of.field("3dm.get_base_rate_response")
-    assert r is not None
-    assert own.run("texts('.mip-output li td:first-child')") == [p.name for p in r.parameters]
-    shown = bytes.fromhex(own.run("document.querySelector('.mip-output li code').textContent"))
-    assert [d for d, _ in codec.split(of, shown)] == [0xF1, r.descriptor]
 
 
 def test_rates_in_hz_become_decimations(own: browser.Page) -> None:

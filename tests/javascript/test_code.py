@@ -21,7 +21,7 @@ from mipgen.targets.javascript import api as javascript
 from mipgen.targets.python import api as python
 from mipgen.targets.rust import api as rust
 from random_values import drawn
-from support import SPECS, heavy, model, need, small, uses
+from support import SPECS, heavy, model, need, rounds, small, uses
 from workbench import workbench
 
 #: It needs Node.
@@ -41,7 +41,7 @@ def programs(spec: str, calls: dict[str, Any], folder: Path) -> dict[str, dict[s
     return found
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
+@small("programs for many values")
 def test_typical_values_of_every_command_and_field(spec: str, tmp_path: Path) -> None:
     of = model(spec)
     samples = SampleValues(of)
@@ -134,14 +134,14 @@ def reserved(p: m.Parameter) -> Any:
 def test_other_values(spec: str, tmp_path: Path) -> None:
     """The same text as the generator writes, whose typical programs other tests compile; two languages are run here."""
     of, seen, bodies = model(spec), 0, []
-    for round_ in range(3):
+    for round_ in range(rounds(1, 3)):
         chosen = {f.full_name: (f, values) for f, values in others(of, 3 + round_)}
         found = programs(spec, {name: [values] for name, (_, values) in chosen.items()}, tmp_path)
         for name, (f, values) in chosen.items():
             assert found[name] == wanted(f, Given(of, values)), name
             bodies.append((f, values, found[name]))
             seen += 1
-    assert seen > (200 if spec == "real" else 20)
+    assert seen > (100 if spec == "real" else 10)
     run_python(spec, bodies)
     run_javascript(spec, bodies, tmp_path)
 
@@ -242,7 +242,7 @@ def spoiled(parameters: tuple[m.Parameter, ...], values: codec.Values) -> tuple[
     return None
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
+@small("programs for many values")
 def test_another_value_of_what_is_reserved(spec: str, tmp_path: Path) -> None:
     """Constructors set it: a program would send something other than the packet beside it."""
     commands = (f for f in model(spec).fields if f.role == m.COMMAND)
@@ -258,6 +258,7 @@ def test_another_value_of_what_is_reserved(spec: str, tmp_path: Path) -> None:
         }
 
 
+@heavy("programs for many values")
 def test_a_union_without_a_value(tmp_path: Path) -> None:
     """The type of the union has no name: C leaves it out of its structure, where {0} would lack braces."""
     of = model("real")

@@ -11,10 +11,9 @@ from pathlib import Path
 import pytest
 from mipgen import model as m
 from mipgen.targets.javascript import names
-from support import BUILD, ROOT, SPECS, model, need, simulated, uses
+from support import BUILD, ROOT, SPECS, heavy, model, need, simulated, small, uses
 
 pytestmark = uses("node")
-specs = pytest.mark.parametrize("spec", sorted(SPECS))
 GENERATED = ROOT / "generated/javascript"
 
 
@@ -26,7 +25,7 @@ def node(*arguments: str | Path, **environment: str) -> str:
     return done.stdout
 
 
-@specs
+@small("the real modules of JavaScript")
 def test_unit(spec: str) -> None:
     said = node("--test", ROOT / "tests/javascript/unit.test.mjs", FOLDER=str(SPECS[spec][1] / "javascript"))
     assert int(re.findall(r"^# pass (\d+)", said, re.M)[0]) > 0
@@ -55,6 +54,7 @@ def program(folder: Path, name: str) -> Path:
     return path
 
 
+@heavy("a virtual device for JavaScript")
 @pytest.mark.parametrize("device", ["3dm-cv7-gnss-ins", "3dm-gx5-15"])
 def test_a_program_talks_to_a_device(device: str, tmp_path: Path) -> None:
     """Devices of two generations with different commands; only the older one lacks the command that is rejected."""
@@ -102,7 +102,7 @@ def test_the_package_is_complete() -> None:
     assert (GENERATED / about["types"]).is_file()
 
 
-@specs
+@small("the real modules of JavaScript")
 def test_bits_have_their_masks(spec: str) -> None:
     """Of every bitfield, also of those with numbers of 64 bits, which are BigInts."""
     wanted: dict[str, dict[str, str]] = {}
@@ -124,7 +124,7 @@ def test_bits_have_their_masks(spec: str) -> None:
     assert json.loads(node("--input-type=module", "-e", code, FOLDER=folder, NAMES=json.dumps([*wanted]))) == wanted
 
 
-@specs
+@small("the real modules of JavaScript")
 def test_every_module_can_be_imported(spec: str) -> None:
     paths = sorted((SPECS[spec][1] / "javascript").rglob("*.mjs"))
     assert len(paths) > 5
@@ -140,17 +140,3 @@ def test_every_export_is_in_the_readme() -> None:
     assert len(names) > 10
     for name in names:
         assert re.search(rf"\b{name}\b", readme), name
-
-
-def test_the_package_exports_what_the_readme_names(tmp_path: Path) -> None:
-    """For programs that find modules by the name of the package."""
-    package = tmp_path / "node_modules/mip-protocol"
-    package.parent.mkdir()
-    package.symlink_to(GENERATED)
-    program = tmp_path / "use.mjs"
-    program.write_text(
-        "import { Protocol } from 'mip-protocol/tools'; import model from 'mip-protocol/model';"
-        " console.log(new Protocol(model).field('base.ping').title);",
-        "utf-8",
-    )
-    assert node(program) == "Ping\n"

@@ -7,16 +7,13 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
-import pytest
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.targets.javascript import blocks, members, names
 from mipgen.targets.javascript.docs import COMMENTS
-from support import SPECS, model
+from support import SPECS, model, small
 
 say = COMMENTS.say
-
-specs = pytest.mark.parametrize("spec", sorted(SPECS))
 
 
 @cache
@@ -41,7 +38,7 @@ def sentences(facts: Iterable[describe.Fact], where: str) -> list[str]:
     return [re.sub(r"\s+", " ", say(fact.sentence, where)) for fact in facts]
 
 
-@specs
+@small("declarations of the real modules")
 def test_every_fact_of_a_field_is_declared(spec: str) -> None:
     of, seen = model(spec), 0
     for f in of.fields:
@@ -60,7 +57,7 @@ def test_every_fact_of_a_field_is_declared(spec: str) -> None:
     assert seen > 100
 
 
-@specs
+@small("declarations of the real modules")
 def test_every_fact_of_a_type_is_declared(spec: str) -> None:
     of = model(spec)
     for t in (t for t in of.all_types if not isinstance(t, m.Vector)):

@@ -131,31 +131,6 @@ def test_identify_stream_and_see(page: browser.Page) -> None:
         page.run("press('Disconnect'); until(() => text('.mip-status') === 'Not connected.')")
 
 
-def test_all_forms_of_the_attitude_are_the_same(page: browser.Page) -> None:
-    """Angles, quaternions and matrices, of packets that the device sends while it turns."""
-    with served() as at:
-        connected(page, at)
-        page.run("press('Start'); until(() => document.querySelectorAll('.mip-reading').length > 5)")
-        page.run("press('Stop'); until(() => /idle/.test(document.querySelector('#tool').innerText))")
-        shown = page.run(
-            "Object.fromEntries([...document.querySelectorAll('.mip-each > .mip-reading')]"
-            ".map((one) => [one.dataset.field,"
-            " [...one.querySelectorAll('dd')].map((value) => Number.parseFloat(value.textContent))]))"
-        )
-        rotations = page.run(
-            "((shown) => { const of = new mip.Protocol(mip.model); const field = (name) => of.field(name);"
-            " const [roll, pitch, yaw] = shown['filter_data.euler_angles'];"
-            " return [mip.rotationOf(field('filter_data.euler_angles'), { roll, pitch, yaw }),"
-            " mip.rotationOf(field('filter_data.attitude_quaternion'),"
-            " { q: shown['filter_data.attitude_quaternion'] }),"
-            " mip.rotationOf(field('filter_data.attitude_dcm'), { dcm: shown['filter_data.attitude_dcm'] })]; })"
-            f"({json.dumps(shown)})"
-        )
-        for other in rotations[1:]:
-            for row, wanted in zip(other, rotations[0], strict=True):
-                assert row == pytest.approx(wanted, abs=1e-3)
-
-
 def test_commands_from_their_page(page: browser.Page) -> None:
     """One that is acknowledged, one with a response, and one that the device rejects."""
     with served() as at:
@@ -344,15 +319,6 @@ def test_a_device_that_loses_answers(page: browser.Page) -> None:
         page.run("press('Connect')")
         page.run("until(() => /was not identified: .*no answer/.test(text('.mip-status')))")
         page.run("fold('Commands'); press('Send'); until(() => /no answer/.test(text('.mip-outcome')))")
-
-
-def test_damaged_data_is_counted(page: browser.Page) -> None:
-    with served(faults="noise=0.2:16") as at:
-        opened(page, f"serve={at.server.address}&streams=sensor.scaled_accel@100")
-        page.run("press('Connect')")
-        page.run("until(() => /^Connected/.test(text('.mip-status')) && document.querySelector('.mip-actions button'))")
-        page.run("until(() => { press('Start'); return true; })")
-        page.run("until(() => /\\d+ packets, \\d+ bytes outside packets/.test(document.body.innerText))")
 
 
 def test_a_page_without_the_token_reaches_nothing(page: browser.Page) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from mipgen.targets.markdown.tools import TOOLS
-from support import ROOT, SPECS, need, small, tree, uses
+from support import ROOT, SPECS, need, small, uses
 from workbench import BUILD, workbench
 
 SOURCES = ROOT / "tools/workbench"
@@ -75,36 +75,3 @@ def test_what_cannot_be_bundled(statement: str, said: str, tmp_path: Path) -> No
     changed.write_text(f"{first}\n\n{statement}\n{rest}", "utf-8")
     done = build(SPECS["real"][1] / "javascript", tmp_path / "out", script=copy / "build.py")
     assert done.returncode == 1 and said in done.stderr, done.stderr
-
-
-def texts(*folders: str) -> dict[str, str]:
-    """The files below folders, without those that build tools leave there."""
-    found = {}
-    for folder in folders:
-        for path, data in tree(ROOT / folder).items():
-            if not {"target", "build", "dist"} & set(path.split("/")):
-                found[f"{folder}/{path}"] = data.decode("utf-8", "replace")
-    return found
-
-
-def holders(line: str, files: dict[str, str]) -> list[str]:
-    return [path for path, text in files.items() if line in text]
-
-
-def longest(text: str) -> str:
-    return max(text.splitlines(), key=len)
-
-
-def test_nothing_is_committed_twice() -> None:
-    """The longest line of each module and style sheet shows where it is."""
-    files = texts("generated", "runtime", "tests/invented/golden", "tools/workbench")
-    modules = [path for path in files if path.startswith("tools/") and path.endswith((".mjs", ".css"))]
-    assert len(modules) > 15
-    for module in modules:
-        assert holders(longest(files[module]), files) == [module]
-
-
-def test_the_model_is_committed_where_a_folder_needs_it() -> None:
-    files = texts("generated")
-    line = longest(files["generated/json/mip.json"])
-    assert holders(line, files) == ["generated/javascript/model.mjs", "generated/json/mip.json"]

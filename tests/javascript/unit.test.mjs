@@ -283,20 +283,6 @@ test("errors say where the wrong value is", () => {
     }
 });
 
-test("text is Latin-1", () => {
-    const { decode, encode } = single([{ kind: "text", member: "x", count: 3, capacity: 3 }]);
-    assert.deepEqual(decode("8041ff").values, { x: "\x80A\xff" });
-    assert.equal(encode({ x: "\x80A\xff" }), "8041ff");
-    assert.throws(() => encode({ x: "€uro".slice(0, 3) }), { kind: "range" });
-    assert.equal(encode({ x: "ab" }), "616220");
-    assert.throws(() => encode({ x: "abcd" }), { kind: "count" });
-});
-
-test("names of prototypes are not values", () => {
-    const { encode } = single([{ kind: "scalar", member: "constructor", scalar: "u8" }]);
-    assert.throws(() => encode({}), { kind: "missing" });
-});
-
 test("what is decoded says where its bytes are", () => {
     for (const example of model.examples) {
         const bytes = fromHex(example.packet);
@@ -318,25 +304,9 @@ test("what is decoded says where its bytes are", () => {
     }
 });
 
-test("units of elements", () => {
-    assert.deepEqual(
-        [0, 1, 2].map((i) => mip.unitOf({ units: ["m", "1", "deg"] }, i)),
-        ["m", "", "deg"],
-    );
-    assert.deepEqual(
-        [0, 2].map((i) => mip.unitOf({ units: ["m"] }, i)),
-        ["m", "m"],
-    );
-    assert.equal(mip.unitOf({}), "");
-});
-
 test("a model of another form is refused", () => {
     assert.throws(() => new Protocol({ ...model, format: "2.0" }), { kind: "format" });
     assert.throws(() => new Protocol(undefined), { kind: "format" });
-});
-
-test("no packet has the set of shared fields", () => {
-    assert.throws(() => buildPacket(protocol, 255, []), { kind: "set" });
 });
 
 test("what bytes consist of", () => {

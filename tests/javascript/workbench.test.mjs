@@ -144,8 +144,27 @@ test("bytes are read in the forms in which programs and tools write them", () =>
         String.raw`// "\x75\x65\x01\x02\x02\x01\xe0\xc6"`,
         "/* {0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xe0, 0xc6} */",
         "75:65:01:02:02:01:e0:c6",
+        "75h 65h 01h 02h 02h 01h E0h C6h",
+        "00000000: 7565 0102 0201 e0c6                      ue......",
+        "75 65 1 2 2 1 e0 c6",
+        "sent: 75 65 1 2 2 1 e0 c6\n",
+        "75 65 1 2 2 1 e0 c6 is a ping",
+        "{0x75,0x65,1,2,2,1,0xE0,0xC6}; // 3 ms",
+        "sent: 75 65 01 02 02\nthen: 01 e0 c6",
     ]) {
         assert.equal(toHex(bytesOfText(text).bytes), PING, text);
+    }
+});
+
+test("single digits are bytes between bytes, and at the end of a list, but not in words", () => {
+    for (const [text, wanted] of [
+        ["a b 75 65", "7565"],
+        ["75 65 a packet", "7565"],
+        ["3 4 5 packets: 75 65", "7565"],
+        ["75 65 1 2 2 1 b 5", "7565010202010b05"],
+        ["after 0.5 s: 75 65 1, 2", "75650102"],
+    ]) {
+        assert.equal(toHex(bytesOfText(text).bytes), wanted, text);
     }
 });
 
@@ -315,4 +334,17 @@ test("every setting of every device can be read, and written as it was read", { 
             for (const one of instances) assert.deepEqual(Object.keys(one), keysOf(field), `${device.id} ${field.name}`);
         }
     }
+});
+
+test("all forms of an attitude are the same rotation", { skip: !real && "of the real one" }, () => {
+    const [half, one] = [Math.SQRT1_2, Math.PI / 2]; // a quarter turn about z
+    const forms = {
+        euler_angles: { roll: 0, pitch: 0, yaw: one },
+        attitude_quaternion: { q: [half, 0, 0, half] },
+        attitude_dcm: { dcm: [0, 1, 0, -1, 0, 0, 0, 0, 1] },
+    };
+    const [wanted, ...others] = Object.entries(forms).map(([name, values]) =>
+        globalThis.mip.rotationOf(protocol.field(`filter_data.${name}`), values).flat(),
+    );
+    for (const other of others) for (const [i, x] of other.entries()) assert.ok(Math.abs(x - wanted[i]) < 1e-9, `${other} ${wanted}`);
 });
