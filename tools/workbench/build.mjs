@@ -4,6 +4,7 @@ import {
     buildPacket,
     FIRST_DATA_SET,
     fromHex,
+    isSame,
     nameIn,
     namedType,
     parameterOf,
@@ -109,7 +110,7 @@ export function initialValue(protocol, op, record, values) {
             return inner;
         }
         case "switch": {
-            const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
+            const selected = op.cases.find((one) => isSame(one.value, values[op.tag]))?.operation;
             return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
         }
         default:
@@ -120,7 +121,7 @@ export function initialValue(protocol, op, record, values) {
 function firstOf(protocol, parameter, values) {
     const type = namedType(protocol, parameter, values);
     if (type?.kind === "enum") return type.values[0].value;
-    return Math.max(0, parameter.minimum ?? 0);
+    return parameter.minimum > 0 ? parameter.minimum : 0;
 }
 
 /** Returns the number of a default, which may be the name of a value, or names of bits. */
@@ -128,9 +129,11 @@ function numberOf(protocol, parameter, given, values) {
     const type = namedType(protocol, parameter, values);
     if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
     if (Array.isArray(given)) {
-        return given.reduce((sum, name) => sum + 2 ** (type?.bits?.find((one) => one.name === name)?.first ?? 0), 0);
+        const bits = given.map((name) => BigInt(type?.bits?.find((one) => one.name === name)?.first ?? 0));
+        const sum = bits.reduce((all, bit) => all | (1n << bit), 0n);
+        return Number.isSafeInteger(Number(sum)) ? Number(sum) : sum;
     }
-    return Number(given);
+    return typeof given === "bigint" ? given : Number(given);
 }
 
 /** Returns the same values, with every counter set to the number of elements. */

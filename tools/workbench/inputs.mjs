@@ -1,6 +1,6 @@
 // Inputs for parameter values of every kind in the specification, which update the values as you type.
 
-import { bitsNumber, decimation, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } from "mip-protocol/tools";
+import { bitsNumber, decimation, enumValue, isSame, maskOf, measuredHere, namedType, parameterOf, unitOf } from "mip-protocol/tools";
 import { initialValue } from "./build.mjs";
 import { element } from "./dom.mjs";
 import { baseOf } from "./stream.mjs";
@@ -14,9 +14,9 @@ export function labelled(words, control, ...behind) {
 }
 
 export function select(options, value, set) {
-    const known = options.map(([number, words]) => element("option", { value: number, selected: number === Number(value) }, words));
+    const known = options.map(([number, words]) => element("option", { value: number, selected: isSame(number, value) }, words));
     const control = element("select", {}, known);
-    control.addEventListener("input", () => set(Number(control.value)));
+    control.addEventListener("input", () => set(numberOfText(control.value, "unsigned")));
     return control;
 }
 
@@ -54,7 +54,7 @@ export function input(context, op) {
             ];
         }
         case "switch": {
-            const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
+            const selected = op.cases.find((one) => isSame(one.value, values[op.tag]))?.operation;
             return selected ? [group(name, hint, input({ ...context, values: values[name] }, selected))] : [];
         }
         default:
@@ -97,7 +97,7 @@ function enumInput(type, value, set) {
         "select",
         {},
         [...known, ["other", "another number"]].map(([number, words]) =>
-            element("option", { value: number, selected: other === undefined ? number === Number(value) : number === "other" }, words),
+            element("option", { value: number, selected: other === undefined ? isSame(number, value) : number === "other" }, words),
         ),
     );
     const number = element("input", {
@@ -108,7 +108,7 @@ function enumInput(type, value, set) {
     });
     control.addEventListener("input", () => {
         number.hidden = control.value !== "other";
-        set(number.hidden ? Number(control.value) : numberOfText(number.value, "unsigned"));
+        set(numberOfText(number.hidden ? control.value : number.value, "unsigned"));
     });
     number.addEventListener("input", () => set(numberOfText(number.value, "unsigned")));
     return [control, " ", number];

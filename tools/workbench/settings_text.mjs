@@ -1,6 +1,6 @@
 // Settings of a device as a file of `mip config`: commands and values with the names of the specification.
 
-import { bitsOf, enumValue, maskOf, MipError, nameIn, parameterOf, readFloat, SHARED_SET, writeFloat } from "mip-protocol/tools";
+import { bitsOf, enumValue, isSame, maskOf, MipError, nameIn, parameterOf, readFloat, SHARED_SET, writeFloat } from "mip-protocol/tools";
 import { packetOf } from "./build.mjs";
 import { keysOf, parametersOf, settingsOf } from "./settings.mjs";
 import { decimal, hexByte, hexLiteral } from "./words.mjs";
@@ -12,7 +12,7 @@ const HEAD = `# Settings of a device. \`mip config push PORT FILE\` writes them 
 
 /** Returns a parameter as it is with some other values, and on a device. */
 export function here(protocol, parameter, beside, device) {
-    const holds = (one) => !one.member && (one.by === "device" ? one.key === device?.id : one.value === Number(beside[one.by] ?? NaN));
+    const holds = (one) => !one.member && (one.by === "device" ? one.key === device?.id : isSame(one.value, beside[one.by] ?? NaN));
     const { type, ...changed } = Object.assign({}, parameter, ...(parameter.variants ?? []).filter(holds));
     const known = protocol.types.get(type);
     return { ...changed, type, name: parameter.name, known, elements: changed.elements ?? known?.elements };

@@ -75,6 +75,9 @@ export function described(value) {
     return typeof value === "object" && value !== null ? "an object" : String(value);
 }
 
+/** Are a Number and a BigInt the same number? Above 2^53, a Number does not represent each whole number. */
+export const isSame = (a, b) => a <= b && a >= b;
+
 /** Encodes a whole number or a BigInt; rejects anything else. */
 export function writeInteger(value, size, signed, what) {
     if (typeof value !== "bigint" && !Number.isInteger(value))

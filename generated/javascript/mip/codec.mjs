@@ -6,7 +6,7 @@
 // form of mip.json: the specification's names, Booleans as numbers, counters, and NaNs with unusual bits as the text of
 // their bits, "0x7fe5bf7f".
 
-import { MipError, described, floatBits, isList, readFloat, readText, writeFloat, writeInteger, writeText } from "./bytes.mjs";
+import { MipError, described, floatBits, isList, isSame, readFloat, readText, writeFloat, writeInteger, writeText } from "./bytes.mjs";
 
 /** The largest number of data bytes in a field. */
 export const MAX_FIELD_DATA = 253;
@@ -136,7 +136,7 @@ class Enumeration extends Names {
     }
 
     nameOf(value) {
-        return Object.keys(this).find((name) => Number(this[name]) === Number(value));
+        return Object.keys(this).find((name) => isSame(this[name], value));
     }
 }
 
@@ -273,7 +273,7 @@ export const reserved = (of, initial) => Object.create(of, { initial: { value: i
 /** Creates a block for a union: an object with one member or none, selected by another parameter. `cases`: value, name, block. */
 export const union = (tag, cases) => {
     const found = cases.map(([value, name, of]) => [value, new Layout({ [name]: of })]);
-    const selected = (key, values) => found.find(([value]) => value === Number(values[key]))?.[1];
+    const selected = (key, values) => found.find(([value]) => isSame(value, values[key]))?.[1];
     return {
         tag,
         read(r, values) {

@@ -4,7 +4,7 @@
 // bytes; floats are numbers, except for unusual NaNs (see readFloat); a bitfield in bytes is an array of bytes; a union is
 // an object with one member or none.
 
-import { MipError, bytesOf, described, fromHex } from "./bytes.mjs";
+import { MipError, bytesOf, described, fromHex, isSame } from "./bytes.mjs";
 import {
     array,
     bool,
@@ -138,7 +138,7 @@ export function partsOf(protocol, field, values) {
                 record(protocol.type(op.struct).operations, value, path);
                 return;
             case "switch": {
-                const selected = op.cases.find((one) => one.value === Number(beside[op.tag]))?.operation;
+                const selected = op.cases.find((one) => isSame(one.value, beside[op.tag]))?.operation;
                 if (selected) record([selected], value, path);
                 return;
             }

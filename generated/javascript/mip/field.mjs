@@ -1,6 +1,6 @@
 // The base of all fields, and the functions that create their classes.
 
-import { MipError, bytesOf } from "./bytes.mjs";
+import { MipError, bytesOf, isSame } from "./bytes.mjs";
 import { encoded, Layout, memberName, Reader } from "./codec.mjs";
 import { Packet } from "./packet.mjs";
 
@@ -121,7 +121,7 @@ export class Command extends Field {
 /** Does a member have this value? For a Boolean, everything except 0 is true. */
 function holds([name, value, boolean], values) {
     const held = values[memberName(name)];
-    return boolean && held !== undefined ? Boolean(held) === Boolean(value) : held !== undefined && Number(held) === value;
+    return boolean && held !== undefined ? Boolean(held) === Boolean(value) : isSame(held, value);
 }
 
 /** Makes a packet with these fields. Each must occur in the set, which may be omitted if one of them occurs in no other. */

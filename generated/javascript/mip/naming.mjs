@@ -1,5 +1,7 @@
 // Names of values and bits, units, and types that depend on another value.
 
+import { isSame } from "./bytes.mjs";
+
 /** Finds a parameter of a field or a structure by its name. */
 export function parameterOf(record, name) {
     return record.parameters.find((parameter) => parameter.name === name) ?? caseOf(record, name);
@@ -54,13 +56,13 @@ export function measuredHere(protocol, parameter, siblings = {}, device = undefi
 
 /** Returns an attribute of a parameter, if it differs with these siblings or on this device. */
 function differing(parameter, siblings, device, attribute) {
-    const holds = (one) => (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by]));
+    const holds = (one) => (one.by === "device" ? one.key === device : isSame(one.value, siblings?.[one.by]));
     return (parameter.variants ?? []).find((one) => one[attribute] && !one.member && holds(one))?.[attribute];
 }
 
 /** Finds the value of an enumeration with this number, if it has a name. */
 export function enumValue(type, number) {
-    return type.values.find((value) => value.value === Number(number));
+    return type.values.find((value) => isSame(value.value, number));
 }
 
 /** Returns the number of a bitfield as a BigInt; bytes are combined with the least significant first. */

@@ -153,11 +153,18 @@ def magnitude(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | No
         return None, None
     given = node["magnitude"]
     low, high = given.plain()
+    for entry in given:
+        if entry.value is not None and isinstance(p.element, m.Vector):
+            _fits(entry, p.element.scalar, f"a bound of the magnitude of '{p.name}'", problem)
     if not isinstance(p.element, m.Vector) or p.length is not None or isinstance(node.scalar("unit"), list):
         problem(node.keys["magnitude"], f"'{p.name}' is not a vector of one unit, so it has no magnitude; remove it")
     elif (low or 0) < 0 or (high is not None and high <= (low or 0)):
         problem(given.position, f"no vector has the magnitude of '{p.name}'; write two numbers from 0, smaller first")
     return low, high
+
+
+#: The largest number that becomes a finite float, which is 3.4028235e38, when it is rounded.
+_LARGEST_FLOAT = math.nextafter(2.0**128 - 2.0**103, 0)
 
 
 def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
@@ -171,7 +178,8 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
         case "signed":
             return -(1 << (bits - 1)), (1 << (bits - 1)) - 1
         case "float":
-            return -math.inf, math.inf
+            largest = _LARGEST_FLOAT if scalar.size == 4 else math.inf
+            return -largest, largest
         case "bool":
             return 0, 1
         case _:
@@ -367,7 +375,8 @@ def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
         problem(node.position, f"{what} is {value}, but {scalar.name} can only be a whole number")
         return False
     if not low <= value <= high:
-        problem(node.position, f"{what} is {value}, but {scalar.name} has the range {low} to {high}")
+        span = "-3.4028235e+38 to 3.4028235e+38" if scalar.kind == "float" else f"{low} to {high}"
+        problem(node.position, f"{what} is {value}, but {scalar.name} has the range {span}")
         return False
     return True
 

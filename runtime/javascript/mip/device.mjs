@@ -6,7 +6,7 @@
 
 import { AckCode, FunctionSelector } from "../protocol.mjs";
 import { session } from "../session.mjs";
-import { MipError } from "./bytes.mjs";
+import { isSame, MipError } from "./bytes.mjs";
 import { Client, checkSeconds } from "./client.mjs";
 import { memberName } from "./codec.mjs";
 import { stream } from "./streaming.mjs";
@@ -143,7 +143,7 @@ export class Device {
     }
 
     #isSilenced(command) {
-        const holds = ([setting, name, value]) => Number(this.#settings.get(setting())?.[memberName(name)]) === value;
+        const holds = ([setting, name, value]) => isSame(this.#settings.get(setting())?.[memberName(name)], value);
         return command.constructor.SILENCED_BY.some(holds);
     }
 

@@ -27,6 +27,8 @@ export declare const SHARED_SET: 255;
 export declare const FIRST_DATA_SET: 128;
 /** May a packet have this descriptor set? */
 export declare function isSet(number: number): boolean;
+/** Are a Number and a BigInt the same number? */
+export declare function isSame(a: unknown, b: unknown): boolean;
 export declare function sameBytes(a: Uint8Array, b: Uint8Array): boolean;
 /** Decodes a float; a NaN with unusual bits becomes the text of its bits, "0x7fe5bf7f". */
 export declare function readFloat(bytes: Uint8Array): number | string;

@@ -1,6 +1,6 @@
 // The interface for tools, without classes: the protocol's model, and values by their names in the specification.
 
-export { checksum, fromHex, MipError, readFloat, sameBytes, toHex, writeFloat } from "./bytes.mjs";
+export { checksum, fromHex, isSame, MipError, readFloat, sameBytes, toHex, writeFloat } from "./bytes.mjs";
 export { memberName } from "./codec.mjs";
 export { buildPacket, decodeData, decodePacket, encodeData, partsOf } from "./data.mjs";
 export { nameIn, placesOf, Protocol } from "./model.mjs";

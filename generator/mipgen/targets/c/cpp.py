@@ -214,7 +214,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     """Yields every name that the C++ headers define in a namespace."""
     used = {*names.LANGUAGE["cpp_used"], *names.LANGUAGE["scalars"].values()} - _KEYWORDS
     yield Identifier("namespace mip", "mip", "the package", None)
-    for name in sorted(used | runtime.in_namespace()):
+    for name in sorted(used | runtime.in_namespace() | {name for name in runtime.names() if name.islower()}):
         yield Identifier("namespace mip", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
         yield from _of_type(t, "namespace mip")

@@ -15,7 +15,8 @@ _SCALARS: dict[str, str] = LANGUAGE["scalars"]
 #: Identifiers of C99 that differ only after their first 63 characters may be the same.
 GRAMMAR = Grammar(r"[A-Za-z_]\w*", _KEYWORDS, longest=63)
 
-member = Escape(_KEYWORDS | frozenset(LANGUAGE["members"]), digit_prefix="n")
+#: C++ does not allow a member that has the name of a type which its structure uses.
+member = Escape(_KEYWORDS | frozenset(LANGUAGE["members"]) | frozenset(_SCALARS.values()), digit_prefix="n")
 module = Escape(runtime.modules(), digit_prefix="")
 macro = upper
 _argument = Escape(frozenset(LANGUAGE["arguments"]), digit_prefix="n")

@@ -52,7 +52,7 @@ def files(model: m.Model) -> Iterator[File]:
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
     return {
-        "document": json.text,
+        "document": lambda model: blocks.exact(json.text(model)),
         # identifiers
         "class": names.class_name,
         "constant": names.constant,

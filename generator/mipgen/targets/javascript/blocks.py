@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 
 from mipgen import model as m
 
 from .names import class_name, constant, home, namespace, reference
 
+#: Texts of JSON, which stay as they are, or whole numbers of at least 16 digits.
+_LARGE = re.compile(r'"(?:[^"\\]|\\.)*"|(?<![\d.eE+-])(-?\d{16,})(?![\d.eE])')
+
 
 def block(p: m.Parameter, record: m.Record) -> str:
     """Writes the block that decodes and encodes a parameter."""
     match p.kind:
         case "constant":
-            return call("constant", _scalar(p), str(p.constant))
+            return call("constant", _scalar(p), whole(p.constant or 0))
         case "counter":
             return call("counter", _scalar(p), json.dumps(p.counts))
         case "switch":
-            cases = (f"[{c.tag.value}, {json.dumps(c.parameter.name)}, {block(c.parameter, record)}]"
+            cases = (f"[{whole(c.tag.value)}, {json.dumps(c.parameter.name)}, {block(c.parameter, record)}]"
                      for c in p.cases if c.parameter)  # fmt: skip
             return call("union", json.dumps(p.tag), f"[{', '.join(cases)}]")
     way = _several(p, record) if p.several and not p.vector else _one(p, record)
@@ -49,6 +53,24 @@ def _one(p: m.Parameter, record: m.Record) -> str:
 
 def _scalar(p: m.Parameter) -> str:
     return f"codec.{p.scalar.name}"
+
+
+def whole(value: int) -> str:
+    """Writes a whole number: as a BigInt, if no Number is the same.
+
+    >>> whole(9007199254740992), whole(9007199254740993)
+    ('9007199254740992', '9007199254740993n')
+    """
+    return str(value) if int(float(value)) == value else f"{value}n"
+
+
+def exact(document: str) -> str:
+    """Returns a JSON document as an expression with the same numbers.
+
+    >>> exact('{"a":9007199254740993,"b":"9007199254740993","c":0.9007199254740993,"d":1e30}')
+    '{"a":9007199254740993n,"b":"9007199254740993","c":0.9007199254740993,"d":1e30}'
+    """
+    return _LARGE.sub(lambda match: match[0] if match[1] is None else whole(int(match[1])), document)
 
 
 def _initial(p: m.Parameter) -> str:
@@ -109,7 +131,7 @@ def _more(f: m.Field, model: m.Model) -> Iterator[str]:
         yield f"TIMEOUT: {f.timeout:g}"
     settings = list(_silenced_by(f, model))
     if settings:
-        silencers = (f"[() => {_elsewhere(s, f)}, {json.dumps(c.parameter)}, {c.value}]" for c, s in settings)
+        silencers = (f"[() => {_elsewhere(s, f)}, {json.dumps(c.parameter)}, {whole(c.value)}]" for c, s in settings)
         yield f"SILENCED_BY: [{', '.join(silencers)}]"
 
 
@@ -138,5 +160,5 @@ def _reply(r: m.Reply, f: m.Field) -> str:
 
 
 def _conditions(conditions: tuple[m.Condition, ...]) -> str:
-    rows = (f"[{json.dumps(c.parameter)}, {c.value}, {json.dumps(c.boolean)}]" for c in conditions)
+    rows = (f"[{json.dumps(c.parameter)}, {whole(c.value)}, {json.dumps(c.boolean)}]" for c in conditions)
     return f"[{', '.join(rows)}]"
