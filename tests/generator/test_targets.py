@@ -49,20 +49,6 @@ def test_the_syntax_of_the_oldest_python() -> None:
     parse_as("3.10", ROOT / "generator/mipgen")
 
 
-def test_stale_files_go_and_others_stay(tmp_path: Path) -> None:
-    options = (*SPEC, "--out", tmp_path, "--target", "json")
-    folder = Path(shutil.copytree(OUTPUT / "json", tmp_path / "json"))
-    (folder / "old.json").write_text("gone\n")
-    manifest = folder / resources.MANIFEST
-    manifest.write_text(manifest.read_text() + "old.json\n")
-    (folder / "mine.txt").write_text("kept\n")
-    done = mipgen("check", *options)
-    assert done.returncode == 1
-    assert "old.json: error: stale" in done.stderr and "mine.txt: error: untracked" in done.stderr
-    assert mipgen("generate", *options).returncode == 0
-    assert not (folder / "old.json").exists() and (folder / "mine.txt").read_text() == "kept\n"
-
-
 def test_the_snapshot_is_what_the_invented_specification_gives(tmp_path: Path) -> None:
     """`make check` compares the output for the real one."""
     made = golden.snapshot()
