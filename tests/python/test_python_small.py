@@ -93,7 +93,7 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_it_is_small(own: Path) -> None:
     lines = sum(len(p.read_text("utf-8").splitlines()) for p in own.rglob("*.py"))
-    assert 3000 < lines < 6000
+    assert 3000 < lines < 6200
     texts = "".join(p.read_text("utf-8") for p in own.rglob("*.py"))
     assert not re.search(r"argparse|numpy|pyarrow|simulator", texts)
 

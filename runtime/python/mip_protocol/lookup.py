@@ -137,7 +137,9 @@ def only_named(name: str) -> UnknownName | None:
     """Returns the error for a device of which only the names are known; None for any other."""
     for id, (like, *names) in NAMED.items():
         if _joined(name) in map(_joined, (id, *names)):
-            text = f"only the name of the {names[0]} is known; choose {like}, the device most like it"
+            text = (
+                f"only the name of the {names[0]} is known; choose {like}, the device most like it"
+            )
             return UnknownName("unknown_name", text, (like,))
     return None
 
