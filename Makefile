@@ -205,8 +205,8 @@ pictures: docs $(VENV)/all.stamp ## make the pictures of the README anew, and in
 	@cp $(BUILD)/pictures/field.png docs/pictures/field.png
 
 .PHONY: bench
-bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the tables of the READMEs, PEER=FOLDER compares with the vendor's SDK
-	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme) $(if $(PEER),--peer $(PEER))
+bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the tables of the READMEs, PART=generate measures the generator only, PEER=FOLDER compares with the vendor's SDK
+	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme) $(addprefix --part ,$(PART)) $(if $(PEER),--peer $(PEER))
 
 .PHONY: interop
 interop: $(VENV)/development.stamp ## run the vendor's example programs on virtual devices: make interop PEER=FOLDER

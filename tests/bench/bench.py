@@ -11,6 +11,7 @@ from pathlib import Path
 
 import bench_c
 import bench_c_peer
+import bench_generate
 import bench_rust
 
 ROOT = Path(__file__).parents[2]
@@ -18,11 +19,19 @@ HERE = Path(__file__).parent
 ROUNDS = 7
 
 
+#: Parts with a table of their own: name -> the function that prints it.
+PARTS = {"generate": bench_generate.report}
+
+
 def main() -> None:
     arguments = argparse.ArgumentParser()
     arguments.add_argument("--readme", action="store_true")
+    arguments.add_argument("--part", choices=PARTS, help="this part only")
     arguments.add_argument("--peer", type=Path, help="a folder of the vendor's SDK: this comparison only")
     given = arguments.parse_args()
+    if given.part:
+        PARTS[given.part]()
+        return
     if given.peer:
         text = bench_c_peer.report(given.peer)
         print(text)

@@ -11,13 +11,17 @@ import re
 from collections.abc import Callable
 
 #: Names in source: `mip_parser`, `MIP_OK`, `-DMIP_SHARED`, `mip_protocol`, `mip-protocol`, `mip/core.h`. The programs
-#: in tools/ work with any package and keep their names.
+#: in tools/ work with any package and keep their names. Each alternative begins with a letter, for which `re` searches
+#: ten times as fast as for a condition on what is before it.
 _NAMES = (
-    r"(?:\b|(?<=-D))(?:mip_(?!tools\b)|MIP_(?!PACKAGE\b|WORKBENCH\b)|mip-(?=protocol\b)|mip(?=/\w+\.h\b|::mip\b)"
-    r"|(?<=mip::)mip\b)"
+    r"m(?:(?<=\bm)|(?<=-Dm))ip(?:_(?!tools\b)|-(?=protocol\b)|(?=/\w+\.h\b|::mip\b))|m(?<=mip::m)ip\b"
+    r"|M(?:(?<=\bM)|(?<=-DM))IP_(?!PACKAGE\b|WORKBENCH\b)"
 )
 #: The name alone as the name of a library or a module: `-lmip`, `libmip`, `mipConfig.cmake`, `CONFIG_MIP`.
-_ALONE = r"(?:\b|(?<=-I)|(?<=-l)|(?<=\blib))mip(?!-tools\b)(?=\b|Config|Targets)|\bMip\b|(?<=CONFIG_)MIP\b"
+_ALONE = (
+    r"m(?:(?<=\bm)|(?<=-Im)|(?<=-lm)|(?<=\blibm))ip(?!-tools\b)(?=\b|Config|Targets)"
+    r"|M(?<=\bM)ip\b|M(?<=CONFIG_M)IP\b"
+)
 
 _IN_SOURCE = re.compile(_NAMES)
 _EVERYWHERE = re.compile(f"{_NAMES}|{_ALONE}")

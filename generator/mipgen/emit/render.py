@@ -50,7 +50,6 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     target, place = source.load(), f"target {source.name}"
     templates = Templates(source, target.filters(model), {"model": model, "version": model.protocol.version})
     made = {"LICENSE": (resources.root() / "LICENSE").read_bytes(), **target.runtime(_runtime(source), model)}
-    final: set[str] = set()
     rename = target.renaming(model.protocol.package)
     if rename is not None:  # paths also contain the name
         made = {rename(path): rename(data.decode("utf-8")).encode("utf-8") for path, data in made.items()}
@@ -61,10 +60,8 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
         output.admit(path, made, place)
         text = templates.render(file.template, file.context, file.path)
         made[path] = (text if rename is None else rename(text)).encode("utf-8")
-        if file.final and rename is None:  # another name has another length
-            final.add(path)
     if target.formatter is not None:
-        made = formatting.formatted(target.formatter, made, final)
+        made = formatting.formatted(target.formatter, made)
     return output.finished(made, place)
 
 

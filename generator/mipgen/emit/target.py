@@ -33,8 +33,6 @@ class File:
     template: str
     context: Mapping[str, Any] = field(default_factory=dict)
     of: Family | Set | Field | Struct | Device | Guide | None = None
-    #: True if the template writes the layout of the target's formatter, which then need not run on it.
-    final: bool = False
 
 
 def _no_filters(_: Model) -> Mapping[str, Callable[..., Any]]:

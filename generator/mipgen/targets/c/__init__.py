@@ -67,9 +67,8 @@ def code(model: m.Model) -> Iterator[File]:
     )
     for name in ("names", "profiles", "protocol", "types"):
         yield File(f"src/mip/{name}.h", f"{name}.h.j2")
-    for name in ("names", "profiles", "protocol", "registry"):
+    for name in ("names", "profiles", "protocol", "reflection", "registry"):
         yield File(f"src/mip/{name}.c", f"{name}.c.j2")
-    yield File("src/mip/reflection.c", "reflection.c.j2", final=True)
     if session := calls.session(model):
         for end in ("h", "c"):
             yield File(f"src/mip/connect.{end}", f"connect.{end}.j2", {"session": session})
@@ -149,6 +148,8 @@ def in_order(family: m.Family) -> Iterator[m.Field]:
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
     docs = Comments(model)
+    renamed = model.protocol.package != m.OWN_PACKAGE
+    length = (lambda text: len(package.everywhere(text, model.protocol.package))) if renamed else len
     return {
         # names
         "module": names.module,
@@ -208,10 +209,11 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "layouts": lambda f: len(model.layouts(f)) > 1,
         # tables
         "required": tables.required,
+        "entry": tables.entry,
         "entries": lambda of: list(tables.entries(of)),
         "sets": lambda of: list(tables.sets(of)),
         "names": tables.names,
-        "array": tables.array,
+        "array": lambda declaration, rows: tables.array(declaration, rows, length),
         "parameters": lambda r: [tables.parameter(p, r) for p in r.parameters],
         "alternatives": lambda p, r: [tables.parameter(a, r, p) for a in p.alternatives],
         "cases": tables.cases,

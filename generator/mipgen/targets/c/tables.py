@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from mipgen import model as m
+from mipgen.emit.formatting import CLANG_FORMAT
 from mipgen.emit.naming import upper
 from mipgen.lower.memory import members
 
@@ -41,6 +42,20 @@ def _ordered(model: m.Model) -> list[m.Field]:
     """Returns the acknowledge, then all fields by family, descriptor and order in the specification."""
     families = (sorted(x.fields, key=lambda f: f.descriptor) for x in model.families)
     return [model.protocol.acknowledge, *(f for fields in families for f in fields)]
+
+
+def entry(e: Entry) -> list[str]:
+    """Returns the members of struct mip_entry."""
+    name = field_name(e.field)
+    return [
+        literals.hexadecimal(e.field.descriptor),
+        f"MIP_{upper(e.field.role)}",
+        str(len(e.links)),
+        str(e.first_link),
+        literals.string(e.field.name),
+        f"&{name}_codec",
+        f"&{name}_command" if e.field.role == m.COMMAND else "NULL",
+    ]
 
 
 def sets(model: m.Model) -> Iterator[SetEntry]:
@@ -87,11 +102,13 @@ def numbers(t: m.Enum) -> str:
     return ", ".join(literals.number(v.value, t.scalar.size) for v in t.values)
 
 
-def array(declaration: str, rows: Iterable[Sequence[str]]) -> str:
-    """Defines an array of structures in the layout of clang-format, which would take long for such tables.
+def array(declaration: str, rows: Iterable[Sequence[str]], length: Callable[[str], int] = len) -> str:
+    """Defines an array of structures in its final layout: that of clang-format, which takes long, and much memory, for
+    such tables. `length` is that of a text in which the package is renamed later.
 
     >>> a, b, c = "a" * 60, "b" * 30, "c" * 60
     >>> print(array("static const struct pair pairs[]", [[a, b, "1"], [b, f"f({a}, {c})", "2"]]))
+    // final: begin
     static const struct pair pairs[] = {
         {aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, bbbbbbbbbbbbbbbbbbbbbbbbbbbbbb,
          1},
@@ -100,23 +117,28 @@ def array(declaration: str, rows: Iterable[Sequence[str]]) -> str:
            cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc),
          2},
     };
+    // final: end
     """
-    begin, indent = (" = {", 4) if len(declaration) + len(" = {") <= _WIDTH else (" =\n    {", 8)
-    lines = [line for row in rows for line in _row(row, " " * indent)]
-    return "\n".join([declaration + begin, *lines, "};"])
+    begin, indent = (" = {", 4) if length(declaration) + len(" = {") <= _WIDTH else (" =\n    {", 8)
+    lines = [line for row in rows for line in _row(row, " " * indent, length)]
+    return CLANG_FORMAT.final("\n".join([declaration + begin, *lines, "};"]))
 
 
-def _row(members: Sequence[str], indent: str) -> list[str]:
+def _row(members: Sequence[str], indent: str, length: Callable[[str], int]) -> list[str]:
     """Returns the lines of a structure: as many members on a line as fit, and a call on two lines if it is too long."""
-    lines = [f"{indent}{{{members[0]},"]
+    lines, end = [f"{indent}{{{members[0]},"], len(indent) + length(members[0]) + 2
     for text in (*(f"{each}," for each in members[1:-1]), f"{members[-1]}}},"):
-        if len(lines[-1]) + 1 + len(text) <= _WIDTH:
+        size = 1 + length(text)
+        if end + size <= _WIDTH:
             lines[-1] += f" {text}"
-        elif len(indent) + 1 + len(text) <= _WIDTH or ", " not in text:
+            end += size
+        elif len(indent) + size <= _WIDTH or ", " not in text:
             lines.append(f"{indent} {text}")
+            end = len(indent) + size
         else:
             call, _, rest = text.partition(", ")
-            lines += [f"{indent} {call},", " " * (len(indent) + 2 + call.index("(")) + rest, indent]
+            lines += [f"{indent} {call},", " " * (len(indent) + 2 + length(call[: call.index("(")])) + rest, indent]
+            end = len(indent)
     return [line for line in lines if line.strip()]
 
 
