@@ -23,12 +23,8 @@ def machine(tmp_path: Path) -> dict[str, str]:
 
 def clone(folder: Path, machine: dict[str, str]) -> None:
     """A repository with the files as they are now, and the Python packages that make installs first."""
-    listed = subprocess.run(
-        ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-    )
+    command = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     for name in filter(None, listed.stdout.split("\0")):
         if (ROOT / name).is_file():
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -64,9 +60,10 @@ def test_commands_with_python_and_a_c_compiler(tmp_path: Path, machine: dict[str
     code, lines = make(folder, machine, "test", f"TESTS={TESTS}")
     assert code == 0, lines
     assert re.search(r"left out, because it is missing: what uses cargo \(curl .*\), g\+\+ \(apt-get .*\)", lines[-1])
-    code, lines = make(folder, machine, "test", f"TESTS={TESTS}", "STRICT=1")
+    code, lines = make(folder, machine, "test", "TESTS=tests/json tests/rust/test_rust_docs.py", "STRICT=1")
     assert code != 0 and "an error with STRICT=1: what uses cargo" in "\n".join(lines)
 
     code, lines = make(folder, machine, "check")
     assert code == 0 and "left out: rustfmt (rustup component add rustfmt) biome (" in lines[-1], lines
-    assert make(folder, machine, "check", "STRICT=1")[0] != 0
+    code, lines = make(folder, machine, "-n", "check", "STRICT=1")
+    assert lines[-1].startswith('test -z "rustfmt ')
