@@ -118,9 +118,13 @@ class Model:
     def replies(self, command: Field) -> tuple[Reply, ...]:
         """Returns the responses to a command, and their conditions on the parameters of the command that owns a
         response; another command that has the same response is always answered with it."""
-        functions = tuple(f for f in command.functions if f.responds)
-        layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
-        return tuple(Reply(fields, functions, when) for when, fields in layouts.items())
+        known = self._replies.get(command.full_name)
+        if known is None or known[0] is not command:
+            functions = tuple(f for f in command.functions if f.responds)
+            layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
+            replies = tuple(Reply(fields, functions, when) for when, fields in layouts.items())
+            known = self._replies[command.full_name] = command, replies
+        return known[1]
 
     def answers(self, command: Field, device: str) -> tuple[Field, ...]:
         """Returns the responses that one device sends: of a response with several layouts, the device's own, or else
@@ -187,6 +191,11 @@ class Model:
 
     @cached_property
     def _derived(self) -> dict[Callable[[Model], Any], Any]:
+        return {}
+
+    @cached_property
+    def _replies(self) -> dict[str, tuple[Field, tuple[Reply, ...]]]:
+        """By the full name of a command, with the command: another one may have the same name."""
         return {}
 
     @cached_property
