@@ -1,0 +1,166 @@
+"""Every word of the runtimes and templates, as a name of a specification: what `validate` accepts, compiles."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+from mipgen import model as m
+from mipgen.emit import build, discovery, output, render
+from mipgen.read.problems import SpecError
+from mipgen.resolve.load import load_model
+from support import ROOT, heavy, need, uses
+
+ENDS = (".c", ".h", ".hpp", ".rs", ".py", ".mjs", ".mts", ".lua", ".j2")
+SOURCES = "sources: [{manual: guide, section: Ping}]"
+
+
+@cache
+def words() -> list[str]:
+    """The identifiers in the runtimes and templates, as a specification writes them: without prefix, in lower case."""
+    found = set()
+    for path in (p for folder in ("runtime", "templates") for p in (ROOT / folder).rglob("*") if p.suffix in ENDS):
+        for name in re.findall(r"[A-Za-z_]\w*", path.read_text("utf-8")):
+            bare = re.sub(r"^(mip_|MIP_)", "", name).strip("_")
+            snake = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", bare).lower()
+            found.add(re.sub(r"_+", "_", snake))
+    return sorted(w for w in found if re.fullmatch(r"[a-z0-9]+(_[a-z0-9]+)*", w))
+
+
+@cache
+def files_and_namespaces() -> list[str]:
+    """The words that are names of files, and what C++ has beside the namespaces of sets, of which there are few."""
+    from mipgen.targets.c import runtime
+
+    stems = {p.name.partition(".")[0].lower() for p in (ROOT / "runtime").rglob("*") if p.is_file()}
+    return sorted((stems | runtime.in_namespace() | {"mip", "con", "std", "uint8_t"}) & {*words(), "con"})
+
+
+def groups(names: list[str], size: int) -> Iterator[tuple[int, list[str]]]:
+    return ((at // size, names[at : at + size]) for at in range(0, len(names), size))
+
+
+def in_set(number: int, name: str, text: str) -> str:
+    return f'set: {number}\nname: "{name}"\ntitle: T {name}\ndescription: D.\n{text}\n'
+
+
+def data(number: int, name: str, parameters: str = "{name: v, type: u8, description: D.}") -> str:
+    head = f'{{data: {number}, name: "{name}", title: "T {name}", description: D., {SOURCES}, parameters: [\n'
+    return f"  - {head}{parameters}\n  ]}}"
+
+
+FIELD = "fields:\n" + data(1, "go")
+
+
+def types_of_a_set(body: str) -> Callable[[list[str]], dict[str, str]]:
+    def made(names: list[str]) -> dict[str, str]:
+        rows = "\n".join(f'  "{n}": {body}' for n in names)
+        return {"sets/own.yaml": in_set(0x81, "own", f"types:\n{rows}\n{FIELD}")}
+
+    return made
+
+
+def values(names: list[str]) -> dict[str, str]:
+    rows = "\n".join(f'      "{n}": {i}' for i, n in enumerate(names))
+    return {"types/own.yaml": f"types:\n  own:\n    enum: u16\n    description: D.\n    values:\n{rows}"}
+
+
+def members(names: list[str]) -> dict[str, str]:
+    text = "types:"
+    for number, some in groups(names, 100):
+        rows = "\n".join(f'      - {{name: "{n}", type: u16, description: D.}}' for n in some)
+        text += f"\n  own{number}:\n    description: D.\n    struct:\n{rows}"
+    return {"types/own.yaml": text}
+
+
+def fields(names: list[str]) -> dict[str, str]:
+    return {
+        f"sets/own{i}.yaml": in_set(
+            0x81 + i, f"own{i}", "fields:\n" + "\n".join(data(n + 1, w) for n, w in enumerate(some))
+        )
+        for i, some in groups(names, 200)
+    }
+
+
+def sets(names: list[str]) -> dict[str, str]:
+    return {f"sets/own{i}.yaml": in_set(0x81 + i, n, FIELD) for i, n in enumerate(names)}
+
+
+#: What a word names -> the files that have all of these words.
+KINDS: dict[str, Callable[[list[str]], dict[str, str]]] = {
+    "enum of a set": types_of_a_set("{enum: u8, description: D., values: {one: 1}}"),
+    "struct of a set": types_of_a_set("{description: D., struct: [{name: a, type: u8, description: D.}]}"),
+    "value": values,
+    "parameter": members,
+    "field": fields,
+    "set": sets,
+}
+
+
+def accepted(kind: str, target: str, folder: Path) -> tuple[m.Model, int]:
+    """The specification with all words that are not refused, each at a line that names it; and how many are refused."""
+    names = files_and_namespaces() if kind == "set" else words()
+    refused = 0
+    for _ in range(6):
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(ROOT / "tests/bad_specs/base", folder)
+        for path, text in KINDS[kind](names).items():
+            (folder / path).write_text(text, "utf-8")
+        try:
+            model = load_model(folder)
+            build.check_names(model, [discovery.sources()[target]])
+            return model, refused
+        except SpecError as error:
+            bad = set()
+            for p in error.problems:
+                if not Path(p.file).name.startswith("own"):  # a type of the base that is defined again
+                    bad.add(re.findall(r"'(\w+)'", p.message)[0])
+                    continue
+                lines = Path(p.file).read_text("utf-8").splitlines()
+                text = next(x for x in (lines[p.line - 1], *lines[1:2]) if '"' in x)
+                bad.add(re.findall(r'"(\w+)"', text)[0])
+            names = [n for n in names if n not in bad]
+            refused += len(bad)
+    raise AssertionError(f"{kind}: each turn refuses others")
+
+
+def run(*command: str | Path, cwd: Path | None = None) -> None:
+    done = subprocess.run([str(c) for c in command], cwd=cwd, capture_output=True, text=True)
+    errors = [line for line in done.stderr.splitlines() if "rror" in line]
+    assert done.returncode == 0, "\n".join(errors[:20]) or done.stderr[-2000:]
+
+
+def compile_c(made: Path) -> None:
+    for source in sorted((made / "src/mip").glob("*.c")):
+        run(need("cc"), "-std=c99", "-fsyntax-only", f"-I{made}/src", source)
+    for name, end, compiler in (("all.c", ".h", ["cc", "-std=c99"]), ("all.cpp", ".hpp", ["g++", "-std=c++17"])):
+        inner = {"checksum.h", "export.h", "program.h"}
+        headers = sorted(p.name for p in (made / "src/mip").glob(f"*{end}") if p.name not in inner)
+        (made / name).write_text("".join(f'#include "mip/{h}"\n' for h in headers) + "int unused;\n")
+        run(need(compiler[0]), *compiler[1:], "-fsyntax-only", f"-I{made}/src", made / name)
+
+
+def import_javascript(made: Path) -> None:
+    modules = [p.name for p in sorted(made.glob("*.mjs")) if p.name != "quickstart.mjs"]
+    run(need("node"), "--input-type=module", "-e", "".join(f'import "{made}/{name}";\n' for name in modules), cwd=made)
+
+
+CHECKS = {"c": compile_c, "javascript": import_javascript}
+
+
+@heavy("each word of the runtimes as a name")
+@uses("g++", "node")
+@pytest.mark.parametrize("target", CHECKS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_accepted_names_compile(kind: str, target: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(render.formatting, "formatted", lambda _, made, *__: dict(made))  # a compiler needs no layout
+    assert len(words()) > 3000
+    model, refused = accepted(kind, target, tmp_path / "spec")
+    assert refused < 400
+    output.write(render.render(target, model), tmp_path / target)
+    CHECKS[target](tmp_path / target)
