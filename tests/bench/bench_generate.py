@@ -26,7 +26,11 @@ OWN, IN_ONE_SET = (1_000, 5_000, 20_000), 200
 
 #: A description, and an enum with its values, that edits change.
 DESCRIPTION = ("sets/base.yaml", "Ends idle mode and returns", "Ends the idle mode and returns")
-ENUM = ("types/events.yaml", "    values:\n", "    values:\n      another: {value: 77, description: Another one.}\n")
+ENUM = (
+    "sets/filter_data.yaml",
+    "    values:\n",
+    "    values:\n      another: {value: 77, description: Another one.}\n",
+)
 
 
 class Run(NamedTuple):
