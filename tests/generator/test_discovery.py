@@ -9,7 +9,7 @@ from bad_spec_files import BASE
 from mipgen import cli
 from mipgen.emit import output, render
 from mipgen.resolve.load import load_model
-from support import tree
+from support import ROOT, tree
 
 SPEC = BASE
 TARGET = """\
@@ -114,6 +114,16 @@ def test_templates_and_runtime_of_ours_are_replaced_and_joined(tmp_path: Path) -
     assert plain.keys() == there.keys() - {"Makefile"}
     assert made(folder, "c/README.md") == "C of MIP\n"
     assert made(folder, "c/src/mip/error.c") == "int error;\n"
+
+
+def test_a_file_of_the_runtime_that_a_template_includes_is_replaced(tmp_path: Path) -> None:
+    folder = tmp_path / "targets"
+    write(folder / "wireshark/runtime/tree.lua", "-- another tree\n")
+    assert generate(folder, "--target", "wireshark") == 0
+    text = made(folder, "wireshark/mip.lua")
+    assert "-- another tree\n" in text
+    assert (ROOT / "runtime/wireshark/decode.lua").read_text("utf-8") in text
+    assert (ROOT / "runtime/wireshark/tree.lua").read_text("utf-8") not in text
 
 
 def test_the_module_of_ours_is_replaced(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from mipgen.resolve.load import load_model
 from mipgen.targets import wireshark
 from support import ROOT, SPECS, generated, model
 
-PARTS = sorted((ROOT / "templates/wireshark").glob("*.lua"))
+PARTS = sorted((ROOT / "runtime/wireshark").glob("*.lua"))
 
 SET = """
 set: 0x70
@@ -56,7 +56,7 @@ def test_collisions_are_reported(name: str, collides: bool, tmp_path: Path) -> N
 
 
 def test_the_parts_are_plain_lua() -> None:
-    """They are templates too, and must not contain template syntax."""
+    """A template includes them, so that they must not contain template syntax."""
     assert {p.stem for p in PARTS} == set(wireshark.names.LANGUAGE["parts"])
     for part in PARTS:
         text = part.read_text("utf-8")

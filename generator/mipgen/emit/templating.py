@@ -12,7 +12,7 @@ import jinja2
 from mipgen.base import cache
 from mipgen.base.errors import Failure
 
-from .discovery import Source
+from .discovery import RUNTIME, Source
 
 SETTINGS: dict[str, Any] = {
     "trim_blocks": True,
@@ -50,8 +50,10 @@ class Templates:
             raise Failure(f"{error.message} (for {path})", self._place(error)) from None
 
     def _load(self, name: str) -> tuple[str, str, Callable[[], bool]] | None:
-        for folder in self.source.folders:
-            path = folder / name
+        """Finds a template; `runtime/NAME` is one of the files that are copied, of which a template can be made up."""
+        inner = name.removeprefix(f"{RUNTIME}/")
+        for folder in self.source.folders if inner == name else self.source.runtimes:
+            path = folder / inner
             if path.is_file():
                 return path.read_text("utf-8"), str(path), lambda: True
         return None

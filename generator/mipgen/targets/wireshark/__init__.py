@@ -41,6 +41,7 @@ TARGET = Target(
     title="Wireshark dissector, Lua",
     files=files,
     filters=filters,
+    runtime=lambda _files, _model: {},  # mip.lua includes them
     identifiers=identifiers,
     rename=package.everywhere,
     grammar=names.GRAMMAR,
