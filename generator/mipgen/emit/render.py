@@ -71,7 +71,10 @@ def paths(source: Source, model: Model) -> Iterator[Identifier]:
     if source.program is not None:
         return
     files = [file for file in target.files(model) if isinstance(file, File)]
+    made: set[str] = set()
     for path in ("LICENSE", *target.runtime(_runtime(source), model), *(f.path for f in files if f.of is None)):
+        output.admit(path, made, f"target {source.name}")
+        made.add(path)
         yield Identifier("files", path, f"{path} of every package", whole, word=False)
     for file in files:
         if file.of is not None:
