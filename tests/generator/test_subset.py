@@ -210,9 +210,12 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
         (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
         (Selection(certain=True), "--certain requires a device; add --device"),
         (Selection(sets=("0x7E",)), f"no set has the number 0x7E; known: {NUMBERS}"),
-        (
-            Selection(devices=("3dm-gx5-10",)),
-            "only the name of the 3DM-GX5-10 is known; choose 3dm-cx5-10, the device most like it",
+        *(
+            (
+                Selection(devices=(name,)),
+                "only the name of the 3DM-GX5-10 is known; choose 3dm-cx5-10, the device most like it",
+            )
+            for name in ("3dm-gx5-10", "3DM-GX5-10", "gx5-10", "3dm_gx5_imu", "6255")
         ),
         (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
         (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),

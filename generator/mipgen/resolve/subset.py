@@ -73,10 +73,11 @@ def _check(model: m.Model, selection: Selection) -> None:
     }
     for what, (asked, names) in known.items():
         for name in asked:
-            if what == "device" and (named := next((d for d in model.named if name in (d.id, d.title)), None)):
-                raise Failure(named.sentence)
             if name not in names:
-                meant = " or ".join(f"'{d}'" for d in _meant(model, name)) if what == "device" else ""
+                similar = _meant(model, name) if what == "device" else []
+                if len(similar) == 1 and isinstance(similar[0], m.NamedDevice):
+                    raise Failure(similar[0].sentence)
+                meant = " or ".join(f"'{d.id}'" for d in similar if isinstance(d, m.Device))
                 near = f", did you mean {meant}?" if meant else nearest(name.casefold(), names)
                 raise Failure(f"unknown {what} '{name}'{near}")
     for what, asked in (("set", selection.sets), ("field", selection.fields)) if selection.devices else ():
@@ -103,19 +104,20 @@ def _places(model: m.Model, what: str, name: str) -> Iterator[tuple[m.Field, int
                 yield f, o.set
 
 
-def _meant(model: m.Model, word: str) -> list[str]:
+def _meant(model: m.Model, word: str) -> list[m.Device | m.NamedDevice]:
     """Returns the devices that a user may mean by another name, a part of a name, or the model number."""
 
     def plain(name: str) -> str:
         return "".join(c for c in name.casefold() if c.isalnum())
 
+    devices: tuple[m.Device | m.NamedDevice, ...] = (*model.devices, *model.named)
     near = []
-    for d in model.devices:
+    for d in devices:
         names = [plain(name) for name in (d.id, d.title, *d.also)]
         if plain(word) in (*names, str(d.model_number)):
-            return [d.id]
+            return [d]
         if plain(word) and any(plain(word) in name for name in names):
-            near.append(d.id)
+            near.append(d)
     return near
 
 
