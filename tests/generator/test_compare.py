@@ -133,6 +133,24 @@ def test_a_field_less_and_a_field_more() -> None:
     assert "payload.lamp" in {c["subject"] for c in compare(more, real).plain()["changes"]}
 
 
+def test_a_device_of_which_only_the_name_is_known(tmp_path: Path) -> None:
+    texts = {
+        "known": (BASE / "devices/spare.yaml").read_text().replace("spare", "other").replace("Spare", "Other"),
+        "named": "named: [{device: other, title: Other, like: model-a}]",
+        "called": "named: [{device: other, title: Other, also: [O], like: model-a}]",
+    }
+    for name, text in texts.items():
+        shutil.copytree(BASE, tmp_path / name)
+        (tmp_path / name / "devices/other.yaml").write_text(text)
+    known, named, called = (load_model(tmp_path / name) for name in texts)
+    changes = [compare(*pair).changes for pair in ((known, named), (named, known), (named, called))]
+    assert [str(c) for each in changes for c in each] == [
+        "source     profile       other: profile removed: only the name is known",
+        "compatible profile       other: profile added: only the name was known",
+        "compatible profile       other: other names, or another device is most like it",
+    ]
+
+
 def test_the_worst_comes_first() -> None:
     report = compare(model("real"), model("invented"))
     order = ["wire", "source", "compatible", "same"]

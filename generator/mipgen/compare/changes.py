@@ -484,15 +484,25 @@ def _shown(number: object) -> str:
 
 
 def _devices(old: m.Model, new: m.Model) -> Iterator[Change]:
-    theirs, ours = ({d.id: d for d in model.devices} for model in (old, new))
+    def by_id(model: m.Model) -> dict[str, m.Device | m.NamedDevice]:
+        return {d.id: d for d in model.devices} | {d.id: d for d in model.named}
+
+    theirs, ours = by_id(old), by_id(new)
     for name in theirs.keys() - ours.keys():
         yield Change("source", "removed", name, "removed")
     for name, d in ours.items():
         before = theirs.get(name)
         if before is None:
             yield Change("compatible", "added", name, "added")
-        elif _profiles(before, d):
-            yield Change("compatible", "profile", name, f"profile differs: {', '.join(_profiles(before, d))}")
+        elif isinstance(before, m.Device) and isinstance(d, m.Device):
+            if _profiles(before, d):
+                yield Change("compatible", "profile", name, f"profile differs: {', '.join(_profiles(before, d))}")
+        elif isinstance(before, m.Device):
+            yield Change("source", "profile", name, "profile removed: only the name is known")
+        elif isinstance(d, m.Device):
+            yield Change("compatible", "profile", name, "profile added: only the name was known")
+        elif before != d:
+            yield Change("compatible", "profile", name, "other names, or another device is most like it")
 
 
 def _profiles(old: m.Device, new: m.Device) -> list[str]:
