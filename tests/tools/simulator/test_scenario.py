@@ -98,6 +98,11 @@ MISTAKES = [
         "1:54: 'field' needs three numbers in gauss",
         True,
     ),
+    (
+        "events: [{at: 1, event: magnetic_disturbance, field: [1, 200, 3]}]",
+        "1:54: 'field' needs three numbers in gauss, [x, y, z], of less than 100",
+        True,
+    ),
     ("events: [{at: 1, at: 2, event: restart}]", "1:18: 'at' is already on line 1; remove one", False),
     ("events: [", "1:10: not YAML: ", False),
 ]
