@@ -7,7 +7,7 @@ import re
 import pytest
 from mipgen import model as m
 from mipgen.facts import describe
-from reference import Manual, heading, limited, number, prose, seen, tables, words
+from reference import Manual, heading, number, seen, tables, words
 from support import model
 from test_reference_things import letters
 
@@ -100,35 +100,6 @@ def test_what_is_not_known_is_not_denied() -> None:
     assert [expected(d, poll, poll.set, known_of(d)) for d in (gnss, attitude)] == ["no", "?"]
 
 
-def test_units_of_data(manual: Manual) -> None:
-    for row in (row for t in tables(manual.page("compare/data.md")) for row in t):
-        f = manual.model.field(FIELD.findall(row.get("Field", ""))[0]) if "Field" in row else None
-        if f is not None:
-            own = {u for p in f.parameters for u in p.units}
-            assert own <= set(words(row.get("Units", "")).split(", ")) | {""}, f.full_name
-
-
-def test_overview(manual: Manual) -> None:
-    page = manual.page("compare/overview.md")
-    found = []
-    for part in page.split("\n## ")[1:]:
-        title = part.partition("\n")[0]
-        for row in (row for t in tables(part) for row in t):
-            d = manual.model.device(DEVICE.findall(row["Device"])[0])
-            assert d is not None
-            assert title == (f"Generation {d.generation}" if d.generation is not None else "Generation not known")
-            roles = [s.field.role for s in d.certain]
-            known = "by name" if not roles else "in part" if d.incomplete else "whole"
-            said = {key: words(cell) for key, cell in row.items()}
-            assert said["Known"] == known and said.get("Also called", "") == ", ".join(d.also)
-            assert said.get("Model number", "") == str(d.model_number or "")
-            counts = [roles.count(m.COMMAND), roles.count(m.DATA), len(d.supports) - len(roles)]
-            assert [int(said[key]) for key in ("Commands", "Data fields", "Probable")] == counts
-            assert said["Acknowledge codes"] == (", ".join(map(str, d.ack_codes)) or "?")
-            found.append(d.id)
-    assert sorted(found) == sorted(d.id for d in manual.model.devices)
-
-
 def test_rates(manual: Manual) -> None:
     rows = matrix(manual, "compare/rates.md", "Base rates")
     sets = [s for s in manual.model.sets if s.kind == "data"]
@@ -156,18 +127,6 @@ def test_ports(manual: Manual) -> None:
             assert row[d.id] == (number_ + (", ".join([*p.sends, *only]) or "?") if p else absent)
         for baud, row in bauds.items():
             assert row[d.id] == (", ".join(p.name for p in d.ports if int(baud) in p.baud_rates) or absent)
-
-
-def test_limits(manual: Manual) -> None:
-    rows = matrix(manual, "compare/rates.md", "Limits")
-    named = {text.rpartition("(")[2].rstrip(")"): row for text, row in rows.items()}
-    assert set(named) == {x.name for d in compared(manual) for x in d.limits}
-    told = {prose(x.description.rstrip("."), manual.model) for d in compared(manual) for x in d.limits}
-    assert {text.rpartition(" (")[0] for text in rows} <= told
-    for name, row in named.items():
-        for d in compared(manual):
-            said = [limited(x) for x in d.limits if x.name == name]
-            assert row[d.id] == (said[0] if said else "?" if d.incomplete else "–")
 
 
 def test_meanings(manual: Manual) -> None:

@@ -26,7 +26,6 @@ from reference import (
     table_with,
     words,
 )
-from support import model
 
 #: Facts about a field that have sections of their own, with a line each.
 RELATIONS = ("affects", "may_affect", "affected", "flags")
@@ -79,27 +78,6 @@ def test_every_fact_of_a_field(manual: Manual) -> None:
 def listed(page: str, title: str) -> list[str]:
     """The lines of a section; none if it is missing."""
     return bullets(page.partition(f"\n## {title}\n")[2].partition("\n## ")[0])
-
-
-def test_layouts_of_other_devices_are_not_listed() -> None:
-    """The page of a layout names only the devices that send it, and only their pages list it."""
-    manual = manual_of("real")
-    gq4 = manual.model.field("3dm.device_status_diagnostic_gq4_45_response")
-    assert gq4 is not None
-    assert "Supported by 3DM-GQ4-45." in bullets(manual.field(gq4))
-    page = manual.pages["docs/devices/3dm-gx5-15.md"]
-    (row,) = (line for line in page.splitlines() if "[Device Status]" in line and line.startswith("| `0x64`"))
-    assert re.findall(r"#3dm\.device_status_(\w+)_response", row) == ["basic", "diagnostic"]
-
-
-def test_fields_without_a_manual_mention_none() -> None:
-    """A field that is known only from source code mentions no manual."""
-    of = model("real")
-    kinds = {x.id: x.kind for x in of.protocol.manuals}
-    fields = [f for f in of.fields if {kinds[s.manual] for s in f.sources} == {"sdk"}]
-    assert fields
-    texts = [(f.full_name, text) for f in fields for text in (f.description, *f.notes)]
-    assert not [x for x in texts if "manual does not say" in x[1]]
 
 
 def test_sources_of_a_field(manual: Manual) -> None:
@@ -254,24 +232,6 @@ def told(description: str, manual: Manual) -> list[str]:
 
 
 # --------------------------------------------------------------------------- what was said badly once
-
-
-@pytest.mark.parametrize("name", ["ecef_position", "true_heading", "pressure"])
-def test_an_acknowledge_that_depends_on_another_command(name: str) -> None:
-    f = model("real").field(f"aiding.{name}")
-    assert f is not None
-    section = words(manual_of("real").field(f))
-    assert "Not acknowledged if mode of Echo control (0x13,0x1F) is suppress_ack (0)." in section
-    assert "| acknowledge or none |" in section and "alone" not in section
-
-
-def test_a_response_of_two_commands(manual: Manual) -> None:
-    shared = [f for f in manual.model.fields if len(manual.model.commands(f)) > 1]
-    assert shared
-    for f in shared:
-        first, second = manual.model.commands(f)
-        said = f"Response to {first.title} {number(first)} and {second.title} {number(second)}."
-        assert words(manual.field(f)).count(said) == 1
 
 
 # --------------------------------------------------------------------------- these tests see

@@ -82,17 +82,6 @@ def test_tables_of_bytes_are_whole(manual: Manual) -> None:
             assert " ".join(bytes_) == packet
 
 
-def test_question_answer_and_sources(manual: Manual) -> None:
-    for guide in manual.model.guides:
-        text = words(page_of(manual, guide))
-        for said in (guide.question, guide.answer, *guide.before, *guide.notes):
-            assert prose(said, manual.model) in text, said
-        for q in guide.questions:
-            assert words(q.question) in text and prose(q.answer, manual.model) in text, q.question
-        for source in guide.sources:
-            assert f"{source.manual}: {source.section}" in text
-
-
 def test_the_contents_begin_with_the_guides(manual: Manual) -> None:
     for start in ("README.md", "docs/index.md"):
         section = manual.pages[start].partition("\n## I want to …\n\n")[2].partition("\n\n")[0]

@@ -22,7 +22,6 @@ from reference import (
     ANCHOR,
     LINK,
     Manual,
-    bullets,
     cells,
     made,
     manual_of,
@@ -163,15 +162,6 @@ def test_descriptors_in_quotations_are_links() -> None:
     assert f"- Published: {quoted}\n- Correct: {quoted}\n" in page
     reason = "The text refers to [Ping (0x01,0x01)](../../fields/tools/ping.md#tools.ping) by (0x01,0x01)."
     assert f"- Reason: {reason}" in page
-
-
-def test_what_is_said_of_the_protocol(manual: Manual) -> None:
-    page = manual.page("packets.md")
-    for note in manual.model.protocol.notes:
-        section = page.partition(f"\n## {note.title}\n")[2].partition("\n## ")[0]
-        cited = [f"{s.manual}: {s.section}" for s in note.sources]
-        assert bullets(section) == [*(prose(text, manual.model) for text in note.text), *cited]
-    assert manual.model.protocol.notes
 
 
 def test_every_page_can_be_reached(manual: Manual) -> None:

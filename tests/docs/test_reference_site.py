@@ -24,9 +24,9 @@ from mipgen.base.cache import key as cache_key
 from mipgen.emit import output
 from random_values import chance
 from reference import REAL, manual_of, navigation, real_site
-from searches import FIELDS, WORDS
+from searches import FIELDS, QUESTIONS, TASKS, WORDS
 from searches import PAGES as WANTED_PAGES
-from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, nightly, rounds, tree, uses
+from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, nightly, rounds, tree
 from workbench import workbench
 
 pytestmark = pytest.mark.xdist_group("site")  # which is built once
@@ -34,7 +34,7 @@ Test = TypeVar("Test", bound=Callable[..., None])
 each_spec = pytest.mark.parametrize("spec", ["invented", REAL])
 
 
-with_node, in_browser = uses("node"), heavy("Chromium")
+in_browser = heavy("Chromium")
 
 #: One page of each kind, and those with the widest tables.
 PAGES = (
@@ -172,19 +172,6 @@ def test_tools_have_pages(spec: str, name: str) -> None:
     assert f'href="tools/{name}.html"' in (site / "index.html").read_text("utf-8")
 
 
-@with_node
-def test_what_people_type_in_the_index() -> None:
-    """With the script of the site, without a browser."""
-    program = (
-        "require(process.argv[1]); const index = mip.indexOf(new mip.Protocol(mip.model));"
-        " const searches = JSON.parse(process.argv[2]);"
-        " console.log(JSON.stringify(searches.map((text) => mip.find(index, text, 1)[0]?.field.name)));"
-    )
-    command = [need("node"), "-e", program, workbench("real") / "workbench.js", json.dumps(list(FIELDS))]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    assert dict(zip(FIELDS, json.loads(done.stdout), strict=True)) == FIELDS
-
-
 #: Bytes that a page loads for its first search.
 FIRST_SEARCH = 800_000
 
@@ -213,21 +200,39 @@ def searched(queries: list[str]) -> dict[str, list[str]]:
 
 @real_site
 def test_what_people_type_leads_to_the_page() -> None:
-    """95 % of the searches list the intended page first, including those with typing errors and users' questions."""
-    wanted = {query: [page_of(field)] for query, field in FIELDS.items()}
-    wanted |= {query: [page] for query, page in WANTED_PAGES.items()} | WORDS
+    """First: that of a field, a page, a task or a user's question always, that of other words in 95 % of searches."""
+    exact = {query: page_of(field) for query, field in FIELDS.items()} | WANTED_PAGES
+    exact |= {query: page for query, page, _ in TASKS.values()} | {
+        query: page for query, (page, _) in QUESTIONS.items()
+    }
+    wanted = {query: [page] for query, page in exact.items()} | WORDS
     assert len(wanted) > 200
     found = searched(list(wanted))
     first = {query: (found[query] or ["nothing"])[0] for query in wanted}
     missed = {
         query: (first[query], pages)
         for query, pages in wanted.items()
-        if first[query] not in pages and first[query].partition("#")[0] not in pages
+        if first[query] not in pages and re.split("[#?]", first[query])[0] not in pages
     }
-    assert len(missed) <= len(wanted) / 20, missed
+    assert missed.keys() <= WORDS.keys() and len(missed) <= len(wanted) / 20, missed
     for page, _, anchor in {page.partition("#") for pages in wanted.values() for page in pages}:
         assert not anchor or f'id="{anchor}"' in (built("real") / page).read_text("utf-8"), (page, anchor)
         assert (built("real") / page.partition("?")[0]).is_file(), page
+
+
+@real_site
+def test_text_of_pages_is_found_and_collections_come_last() -> None:
+    wanted = {
+        "big-endian": "packets.html#numbers",
+        "units and frames": "units.html",
+        "3DM-CV7-GNSS/INS": "devices/3dm-cv7-gnss-ins.html",
+        "cv7-pps-disabled": "errata/3dm-cv7-gnss-ins/meaning.html#erratum.cv7-pps-disabled",
+    }
+    found = searched([*wanted, "checksum", "event trigger", "baud rate", "gnss"])
+    assert {query: page for query, page in wanted.items() if page not in found.pop(query)} == {}
+    for query, addresses in found.items():
+        collected = [address.startswith(("errata/", "examples/")) for address in addresses]
+        assert addresses and collected == sorted(collected), query
 
 
 def test_keywords_find_their_fields_first() -> None:
@@ -292,59 +297,12 @@ def results(page: browser.Page) -> list[str]:
 
 
 @in_browser
-def test_what_people_type(page: browser.Page) -> None:
-    """In the header of a page, from disk: the first result is the page of the field."""
-    go(page, "fields/base/ping.html")
-    first = {}
-    for query in FIELDS:
-        typed(page, query)
-        first[query] = next(iter(results(page)), "nothing")
-    assert first == {query: page_of(field) for query, field in FIELDS.items()}
-
-
-@in_browser
-def test_what_people_type_for_pages(page: browser.Page) -> None:
-    """Pages and sections that the words name come before fields that have the words."""
-    go(page, "fields/base/ping.html")
-    first = {}
-    for query in WANTED_PAGES:
-        typed(page, query)
-        first[query] = next(iter(results(page)), "nothing")
-    assert first == WANTED_PAGES
-
-
-@in_browser
-def test_collections_come_last(page: browser.Page) -> None:
-    go(page, "index.html")
-    for query in ("checksum", "event trigger", "baud rate", "gnss"):
-        typed(page, query)
-        collected = [address.startswith(("errata/", "examples/")) for address in results(page)]
-        assert collected == sorted(collected), query
-
-
-@in_browser
 @pytest.mark.parametrize("address", PAGES)
 def test_every_page_has_the_search(page: browser.Page, address: str) -> None:
     go(page, address)
     assert page.run("document.querySelectorAll('header .mip-search input').length") == 1
     typed(page, "0x0D13")
     assert results(page)[0] == "fields/filter/antenna_offset.html#filter.antenna_offset"
-
-
-@in_browser
-@pytest.mark.parametrize(
-    ("text", "wanted"),
-    [
-        ("big-endian", "packets.html#numbers"),
-        ("units and frames", "units.html"),
-        ("3DM-CV7-GNSS/INS", "devices/3dm-cv7-gnss-ins.html"),
-        ("cv7-pps-disabled", "errata/3dm-cv7-gnss-ins/meaning.html#erratum.cv7-pps-disabled"),
-    ],
-)
-def test_text_of_pages_is_found(page: browser.Page, text: str, wanted: str) -> None:
-    go(page, "index.html")
-    typed(page, text)
-    assert wanted in results(page)
 
 
 @in_browser

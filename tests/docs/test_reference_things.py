@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import pytest
 from mipgen import model as m
@@ -13,11 +13,7 @@ from reference import (
     ANCHOR,
     Manual,
     bullets,
-    cells,
-    family,
     heading,
-    limited,
-    manual_of,
     number,
     path_of,
     prose,
@@ -30,76 +26,119 @@ from reference import (
 from support import model
 
 
-def asked(s: m.Set, of: m.Model) -> list[m.Field]:
-    return [f for f in of.fields_in(s) if f.role != m.RESPONSE]
-
-
 def letters(functions: tuple[m.Function, ...]) -> str:
     return "".join(x.letter for x in functions)
 
 
-# --------------------------------------------------------------------------- contents and sets
+# --------------------------------------------------------------------------- texts, sets, devices, errata
 
 
-def test_contents(manual: Manual) -> None:
+def texts_by_place(manual: Manual) -> Iterator[tuple[str, object]]:
+    """The text in which readers look for a thing, and the thing; facts of fields and types have tests of their own."""
+    of, protocol = manual.model, manual.model.protocol
+    for x in of.families:
+        yield from ((manual.page(f"sets/{s.name}.md"), thing) for s in x.sets for thing in (s, s if s.title else x))
+    yield from ((manual.type(t), t) for t in of.all_types)
+    for d in of.devices:
+        things = (d, *d.limits, *d.notes, *(s for s in d.supports if s.deprecated))
+        yield from ((manual.page(f"devices/{d.id}.md"), thing) for thing in things)
+    yield from ((manual.section(f"errata/{e.manual}/{e.severity}.md", f"erratum.{e.id}"), e) for e in of.errata)
+    for word in (*protocol.units, *protocol.frames):
+        yield from ((manual.page("units.md"), thing) for thing in (word, *word.conversions))
+    yield from ((manual.page("packets.md"), thing) for thing in (*protocol.notes, *protocol.functions))
+    for g in of.guides:
+        yield from ((manual.page(f"guides/{g.name}.md"), thing) for thing in (g, *g.questions))
+
+
+#: The attributes that are prose; `text` is that of a chapter.
+PROSE = (
+    "description", "uncertain", "incomplete", "notes", "printed", "right", "reason", "origin", "deprecated", "text",
+    "question", "answer", "before",
+)  # fmt: skip
+
+
+def test_every_text_of_the_specification_is_in_its_place(manual: Manual) -> None:
+    seen_ = set()
+    for place, thing in texts_by_place(manual):
+        text = words(place)
+        for attribute in PROSE:
+            value = getattr(thing, attribute, None) or ()
+            for said in (value,) if isinstance(value, str) else value:
+                if isinstance(said, str):
+                    said = prose(said, manual.model).removesuffix("." if isinstance(thing, m.Limit) else "")
+                    assert said in text, (attribute, said)
+                    seen_.add(attribute)
+        for cited in () if place == manual.page("units.md") else getattr(thing, "sources", ()):
+            assert f"{cited.manual}: {cited.section}" in text
+    assert seen_ >= {*PROSE} - {"before"}
+
+
+def test_every_set_lists_its_fields(manual: Manual) -> None:
+    """With their sizes; those that no known device has come last."""
     of = manual.model
-    for path in ("README.md", "docs/index.md"):
-        rows = rows_of(manual.pages[path])
-        for s in of.sets:
-            assert [f"0x{s.number:02X}", s.title, str(len(asked(s, of))), prose(s.description, of)] in rows, s.name
-        for d in of.devices:
-            row = [d.title, *d.also, str(d.model_number or "")]
-            if not d.certain and d.incomplete:
-                found = [
-                    line
-                    for line in bullets(manual.pages[path])
-                    if re.search(rf"[ ,]{re.escape(d.title)}[ ,(]|{re.escape(d.title)}$", line)
-                ]
-                assert found and all(part in found[0] for part in row), d.id
-                continue
-            row = [d.title, ", ".join(d.also), str(d.model_number or ""), str(len(d.certain))]
-            row += [str(len(d.probable))] * bool(d.incomplete) + [prose(d.description, of)]
-            assert [cell for cell in row if cell] in [[cell for cell in found if cell] for found in rows], d.id
-        for x in of.protocol.manuals:
-            errata = sum(e.manual == x.id for e in of.errata)
-            examples = sum(e.manual == x.id for e in of.examples)
-            lengths = seen(describe.lengths(x, of))
-            assert [x.id, x.title, x.document, lengths, str(errata), str(examples)] in rows, x.id
-
-
-def test_every_set_has_its_page(manual: Manual) -> None:
-    for s in manual.model.sets:
-        page, fields = manual.page(f"sets/{s.name}.md"), asked(s, manual.model)
-        assert page.startswith(f"# {heading(s)}\n")
-        assert prose(s.description, manual.model) in words(page)
-        assert [line for line in bullets(page.partition("\n## ")[0]) if "hanged by" in line] == [
-            seen(x.sentence) for x in describe.changed(s, manual.model)
-        ]
-        assert ("\n## Contents\n" in page) == bool(fields)
+    for s in of.sets:
+        page = manual.page(f"sets/{s.name}.md")
         known, _, others = page.partition("\n## Contents\n")[2].partition("\n### On no known device\n")
-        listed = {
-            f.full_name
-            for f in fields
-            for c in (True, False)
-            if manual.model.devices_of(f, c, s.number) or not manual.model.devices
-        }
-        contents = table_with(known, "Descriptor") + table_with(others.partition("\n## ")[0], "Descriptor")
-        assert len(contents) == len(fields)
-        assert len(table_with(known, "Descriptor")) == len(listed)
-        fields = sorted(fields, key=lambda f: f.full_name not in listed)
-        for f, row in zip(fields, contents, strict=True):
-            marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
-            cells = {key: words(value) for key, value in row.items()}
-            assert cells["Descriptor"] == f"0x{f.descriptor:02X}" and f"../{path_of(f)}#{f.full_name})" in row["Field"]
-            assert cells["Field"] == f.title + (f" ({', '.join(marks)})" if marks else "")
-            assert cells.get("Functions", "") == letters(f.functions)
+        rows = table_with(known, "Descriptor") + table_with(others.partition("\n## ")[0], "Descriptor")
+        fields = [f for f in of.fields_in(s) if f.role != m.RESPONSE]
+        fields.sort(key=lambda f: bool(of.devices) and not any(of.devices_of(f, c, s.number) for c in (True, False)))
+        assert len(rows) == len(fields)
+        for f, row in zip(fields, rows, strict=True):
+            assert (
+                f"../{path_of(f)}#{f.full_name})" in row["Field"]
+                and words(row["Descriptor"]) == f"0x{f.descriptor:02X}"
+            )
             assert re.findall(r"#([\w.]+)", row.get("Responses", "")) == [f"{f.family}.{name}" for name in f.responses]
             short = sizes(f)
-            assert cells["Field length"] == (f"{short[0]} to {short[1]}" if short[0] != short[1] else f"{short[0]}")
-            assert cells["Description"] and prose(f.description, manual.model).startswith(cells["Description"])
-            assert cells.get("Supported by", "") == ", ".join(
-                d.title for d in manual.model.devices_of(f, number=s.number)
+            assert words(row["Field length"]) == (
+                f"{short[0]} to {short[1]}" if short[0] != short[1] else f"{short[0]}"
             )
+
+
+@pytest.mark.parametrize(
+    ("title", "wanted_of"),
+    [
+        ("Supported fields", lambda d: d.certain),
+        ("Fields probably supported", lambda d: [s for s in d.supports if not s.certain]),
+        ("Fields not supported", lambda d: d.refuses),
+    ],
+)
+def test_what_a_device_supports_or_refuses(
+    manual: Manual, title: str, wanted_of: Callable[[m.Device], list[m.Support]]
+) -> None:
+    """Each field, its functions there and its responses; where it is not certain, the evidence above its table."""
+    of = manual.model
+    for d in of.devices:
+        page = manual.page(f"devices/{d.id}.md").partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+        rows = [row for t in tables(page) for row in t]
+        wanted = wanted_of(d)
+        assert sorted(re.findall(r"#([\w.]+)\)", row["Field"])[0] for row in rows) == sorted(
+            s.field.full_name for s in wanted
+        )
+        for s, row in zip(wanted, rows, strict=True) if title == "Supported fields" else ():
+            assert f"#{s.field.full_name})" in row["Field"] and words(row.get("Functions", "")) == letters(s.functions)
+            answers = of.answers(s.field, d.id) if s.responds else ()
+            assert re.findall(r"#([\w.]+)\)", row.get("Responses", "")) == [r.full_name for r in answers]
+        for s in wanted:
+            assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
+            assert s.certain or seen(describe.evidence(s.evidence, of)) in words(page)
+
+
+def test_errata_and_what_they_are_about_lead_to_each_other(manual: Manual) -> None:
+    of = manual.model
+    for e in of.errata:
+        section = manual.section(f"errata/{e.manual}/{e.severity}.md", f"erratum.{e.id}")
+        for c in e.claims:
+            f = of.field(c.subject)
+            shown = next((x for x in of.examples if c.kind == "example" and x.id == c.subject), None)
+            assert f"#{'example.' if shown else ''}{c.subject})" in section or c.subject in words(section)
+            if f is not None and c.kind == "length":
+                assert f"#{c.subject})" in section and f"#erratum.{e.id})" in manual.field(f)
+            if shown:
+                assert f"#erratum.{e.id})" in manual.example(shown)
+
+
+# --------------------------------------------------------------------------- packets and replies
 
 
 def test_responses_are_with_their_command(manual: Manual) -> None:
@@ -161,35 +200,6 @@ def test_packets_byte_by_byte(manual: Manual) -> None:
             if row and isinstance(value, int) and not isinstance(value, bool):
                 said = words(row["Example"])
                 assert re.search(rf"(?<!\w)-?{abs(value)}\b|0x0*{value:X}\b", said), (f.full_name, p.name, said)
-
-
-def test_where_the_specification_says_it(manual: Manual) -> None:
-    for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
-        assert f.position is not None
-        said = f" In the specification: {'/'.join(f.position.file.split('/')[-2:])}, name: {f.name}\n"
-        assert words(manual.page(path_of(f))).endswith(said)
-
-
-def test_descriptors_without_a_layout(manual: Manual) -> None:
-    for s in manual.model.sets:
-        rows = rows_of(manual.page(f"sets/{s.name}.md").partition("\n## Descriptors without a layout\n")[2])
-        for x in family(s, manual.model).named:
-            role = [x.role] if s.kind == "command" else []
-            cited = "; ".join(f"{c.manual}: {c.section}" for c in x.sources)
-            assert [f"0x{x.descriptor:02X}", x.title, f"{s.name}.{x.name}", *role, cited] in rows, x.name
-
-
-def test_what_is_uncertain_of_sets_and_types(manual: Manual) -> None:
-    """For fields, parameters, values and bits, this is among their facts."""
-    of = manual.model
-    pages: list[tuple[str, list[m.Family | m.Set | m.Type]]] = [(manual.type(t), [t]) for t in of.all_types]
-    for x in of.families:
-        several = len(x.sets) > 1
-        pages += [(manual.page(f"sets/{s.name}.md"), [x, s] if several else [x]) for s in x.sets]
-    for text, things in pages:
-        said = [seen(f.sentence) for thing in things for f in describe.uncertain(thing, of)]
-        found = [b for b in bullets(text.partition("\n## Contents")[0]) if b.startswith("Uncertain: ")]
-        assert found == said, things[-1].name
 
 
 # --------------------------------------------------------------------------- forms of commands
@@ -262,28 +272,6 @@ def test_packets(manual: Manual) -> None:
         assert [str(x.value), x.letter, x.name, prose(x.description, manual.model), answer] in rows
 
 
-# --------------------------------------------------------------------------- types
-
-
-def test_every_type_has_its_section(manual: Manual) -> None:
-    for t in manual.model.all_types:
-        section = manual.type(t)
-        seen_ = words(section)
-        assert f"## {t.name}\n" in seen_ and prose(t.description, manual.model) in seen_, t.name
-        if isinstance(t, m.Vector):
-            assert [row[1] for row in rows_of(section)[2:]] == list(t.elements)
-        for cited in describe.sources(t) if not isinstance(t, m.Vector) else ():
-            assert cited in bullets(section), t.name
-
-
-def test_every_type_names_its_users(manual: Manual) -> None:
-    for f in manual.fields:
-        for p in f.parameters:
-            for t in (p.element, *(v.type for v in p.readings)):
-                if isinstance(t, (m.Enum, m.Bitfield, m.Struct)) and not p.selector:
-                    assert f"#{f.full_name})" in manual.type(t).partition("Used by ")[2], f"{f.full_name}.{p.name}"
-
-
 # --------------------------------------------------------------------------- devices
 
 
@@ -292,96 +280,6 @@ def test_nothing_is_ready_to_be_sent_that_no_device_takes(manual: Manual) -> Non
         taken = {x.name for _, s in manual.model.supports(f) for x in s.functions} or {x.name for x in f.functions}
         rows = [row for row in table_with(manual.field(f), "Packet", "Function") if row["Packet"].startswith("`")]
         assert {words(row["Function"]).partition(" ")[0] for row in rows} == taken, f.full_name
-
-
-def test_every_device_has_its_page(manual: Manual) -> None:
-    of = manual.model
-    for d in of.devices:
-        page = manual.page(f"devices/{d.id}.md")
-        text, rows = words(page), rows_of(page)
-        assert page.startswith(f"# {d.title}\n") and prose(d.description, of) in text
-        assert [d.ack_codes] * bool(d.ack_codes) == [
-            tuple(map(int, row[1].partition(" (")[0].split(", "))) for row in rows if row[0] == "Acknowledge codes"
-        ]
-        facts = describe.device(d, of)
-        assert [seen(x.sentence) for x in describe.topics(facts, "incomplete", "uncertain")] == [
-            b for b in bullets(page) if b.startswith(("This profile is incomplete: ", "Uncertain: "))
-        ]
-        properties = {row[0]: row[1] for row in rows if len(row) == 2}
-        assert properties.get("Also called", "") == ", ".join(d.also)
-        assert properties.get("Generation") == (str(d.generation) if d.generation is not None else None)
-        assert properties.get("Similar to") == (of.device(d.like).title if d.like else None)  # type: ignore[union-attr]
-        assert (properties["Manual"] == "none known") == (d.manual is None)
-        assert properties.get("Sources", "") == "; ".join(describe.sources(d))
-        for port in d.ports:
-            later = {f.protocol: f" (firmware {f.versions})" for f in port.firmware}
-            receives, sends = (", ".join(x + later.get(x, "") for x in names) for names in (port.receives, port.sends))
-            wanted = {port.name, ", ".join(map(str, port.baud_rates)), receives, sends}
-            wanted |= {f"0x{port.id:02X}"} if port.id is not None else set()
-            assert any(wanted <= {*row, ""} for row in rows), port.name
-        for limit in d.limits:
-            assert [prose(limit.description.rstrip("."), of), limit.name, limited(limit)] in rows
-        for note in d.notes:
-            assert f"### {note.title}" in text and prose(note.description, of) in text
-            for line in note.rows:
-                assert any(found[: len(line)] == list(line) for found in rows), note.name
-
-
-def test_what_a_device_supports(manual: Manual) -> None:
-    for d in manual.model.devices:
-        page = manual.page(f"devices/{d.id}.md").partition("\n## Supported fields\n")[2].partition("\n## ")[0]
-        rows = [row for t in tables(page) for row in t]
-        assert len(rows) == len(d.certain)
-        for s, row in zip(d.certain, rows, strict=True):
-            assert f"#{s.field.full_name})" in row["Field"] and words(row["Field"]).startswith(s.field.title)
-            assert words(row.get("Functions", "")) == letters(s.functions)
-            answers = manual.model.answers(s.field, d.id) if s.responds else ()
-            assert re.findall(r"#([\w.]+)\)", row.get("Responses", "")) == [r.full_name for r in answers]
-            assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
-
-
-@pytest.mark.parametrize(
-    ("heading_", "wanted_of"),
-    [
-        ("Fields probably supported", lambda d: [s for s in d.supports if not s.certain]),
-        ("Fields not supported", lambda d: d.refuses),
-    ],
-)
-def test_what_a_device_probably_supports_or_refuses(
-    manual: Manual, heading_: str, wanted_of: Callable[[m.Device], list[m.Support]]
-) -> None:
-    for d in manual.model.devices:
-        page = manual.page(f"devices/{d.id}.md").partition(f"\n## {heading_}\n")[2].partition("\n## ")[0]
-        wanted = wanted_of(d)
-        rows = [row for t in tables(page) for row in t]
-        assert len(rows) == len(wanted)
-        for s in wanted:
-            of = manual.model.set(s.set)
-            assert of is not None
-            (line,) = [x for x in page.splitlines() if f"(../sets/{of.name}.md)" in x and f"#{s.field.full_name})" in x]
-            assert words(cells(line)[0]) == heading(of)
-            before = page[: page.index(line)].strip().split("\n\n")
-            why = words(next(x for x in before[::-1] if x[0] != "|"))
-            assert why == seen(describe.evidence(s.evidence, manual.model))
-            assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
-
-
-def test_what_differs_on_a_device(manual: Manual) -> None:
-    for d in manual.model.devices:
-        rows = rows_of(manual.page(f"devices/{d.id}.md"))
-        functions = [s for s in d.supports if s.differs]
-        wanted = [
-            [f"{s.field.title} {number(s.field)}", letters(s.functions), letters(s.field.functions)] for s in functions
-        ]
-        assert [row for row in rows if row[0] == "Command"][:1] == (
-            [["Command", "Functions on this device", "All functions"]] if wanted else []
-        )
-        assert all(row in rows for row in wanted)
-        for v in d.variants:
-            said = describe.difference(v.variant, v.parameter, v.field, manual.model)
-            assert [f"{v.field.title} {number(v.field)}", v.parameter.name, seen(said)] in rows, v.path
-        for s in (s for s in d.supports if s.deprecated):
-            assert [f"{s.field.title} {number(s.field)}", prose(s.deprecated or "", manual.model)] in rows
 
 
 def test_base_rates(manual: Manual) -> None:
@@ -399,35 +297,6 @@ def test_base_rates(manual: Manual) -> None:
 # --------------------------------------------------------------------------- errata, units
 
 
-def test_every_erratum_has_its_section(manual: Manual) -> None:
-    """On the page of its manual and severity, which the list of all leads to."""
-    of, lists = manual.model, manual.page("errata.md")
-    for e in of.errata:
-        path = f"errata/{e.manual}/{e.severity}.md"
-        section = manual.section(path, f"erratum.{e.id}")
-        text = words(section)
-        assert f"## {e.id}\n" in text and bullets(section)[0] == f"Section: {e.section}", e.id
-        listed = [
-            f"{key}: {prose(value, of)}"
-            for key, value in (("Published", e.printed), ("Correct", e.right), ("Reason", e.reason))
-        ]
-        assert bullets(section)[1:4] == listed, e.id
-        title = next(x.title for x in of.protocol.manuals if x.id == e.manual)
-        count = sum((x.manual, x.severity) == (e.manual, e.severity) for x in of.errata)
-        assert [title, e.severity.capitalize(), str(count)] in rows_of(lists) and f"]({path})" in lists
-        assert re.search(rf"^Mistakes .*, in {re.escape(title)}\.", words(manual.page(path)), re.M)
-        for c in e.claims:
-            if c.kind == "length":
-                f = of.field(c.subject)
-                assert f is not None and f"#{c.subject})" in section and f"#erratum.{e.id})" in manual.field(f)
-            elif c.kind == "example":
-                assert f"#example.{c.subject})" in section
-                shown = next(x for x in of.examples if x.id == c.subject)
-                assert f"#erratum.{e.id})" in manual.example(shown)
-            else:
-                assert c.subject in text
-
-
 def test_errata_that_name_a_field(manual: Manual) -> None:
     """Its page links to them, whatever section of the manual they are in."""
     for e in manual.model.errata:
@@ -435,25 +304,6 @@ def test_errata_that_name_a_field(manual: Manual) -> None:
             f = manual.model.field(name)
             if f is not None and f.set and f.role != m.RESPONSE:
                 assert f"#erratum.{e.id})" in manual.page(path_of(f)), (e.id, name)
-
-
-def test_mean_motion_is_wrong_for_all_systems() -> None:
-    for name in ("gnss_1.galileo_ephemeris", "gnss_1.beidou_ephemeris", "gnss_2.galileo_ephemeris"):
-        f = model("real").field(name)
-        assert f is not None
-        assert "#erratum.cv7-ephemeris-delta-mean-motion)" in manual_of("real").page(path_of(f))
-
-
-def test_every_unit_and_frame_has_its_row(manual: Manual) -> None:
-    rows, of = rows_of(manual.page("units.md")), manual.model
-    for word in of.protocol.units:
-        assert [word.symbol, word.title, prose(word.description, of)] in rows
-    for word in of.protocol.frames:
-        axes = ", ".join(word.axes).replace("_", " ")
-        assert [word.symbol, word.title, axes, prose(word.origin, of), prose(word.description, of)] in rows
-        for c in word.conversions:
-            axes, values = ", ".join(c.axes).replace("_", " "), ", ".join(c.values)
-            assert [word.symbol, c.title, axes, values, prose(c.description, of)] in rows
 
 
 def test_vectors_become_those_of_other_software() -> None:
