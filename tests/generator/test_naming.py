@@ -5,12 +5,15 @@ from __future__ import annotations
 import doctest
 import importlib
 import pkgutil
+from collections.abc import Callable
 
 import mipgen
 import pytest
 from mipgen.emit.naming import Escape, Grammar, Identifier, collisions, judge, pascal, upper
 from mipgen.read.position import Position
 from mipgen.read.problems import Problems
+from mipgen.targets.javascript import names as javascript
+from mipgen.targets.python import names as python
 
 MODULES = [m.name for m in pkgutil.walk_packages(mipgen.__path__, "mipgen.") if m.name != "mipgen.__main__"]
 
@@ -43,6 +46,20 @@ def test_pascal_keeps_numbers_apart() -> None:
 def test_escape() -> None:
     escape = Escape(frozenset({"class", "n3"}), suffix="_", digit_prefix="n")
     assert [escape(n) for n in ("class", "classes", "3d", "3")] == ["class_", "classes", "n3d", "n3_"]
+
+
+@pytest.mark.parametrize(
+    ("legal", "taken", "free"),
+    [
+        # a module of the runtime, a function of the package, a name where all sets are imported
+        (python.module, ["streaming", "checksum", "bytes", "class"], ["filter", "sensor"]),
+        (javascript.module, ["registry", "tcp", "session"], ["class", "sensor"]),
+        (javascript.namespace, ["registry", "class"], ["sensor"]),
+    ],
+)
+def test_names_of_the_runtime_are_escaped(legal: Callable[[str], str], taken: list[str], free: list[str]) -> None:
+    assert [legal(name) for name in taken] == [f"{name}_" for name in taken]
+    assert [legal(name) for name in free] == free
 
 
 def test_collisions_name_both_and_point_at_the_second() -> None:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import builtins
+import re
 
+from mipgen.base import resources
 from mipgen.emit.classes import Classes
 from mipgen.emit.naming import Escape, Grammar, upper
 from mipgen.emit.render import language
@@ -21,8 +23,18 @@ SCALARS: dict[str, tuple[str, str]] = {name: (row[0], row[1]) for name, row in _
 
 _constant = Escape(frozenset(), digit_prefix="N")
 
+
+def _taken() -> set[str]:
+    """Returns the modules that every package has, the functions that can be imported from it, and the names that are
+    beside the modules of sets where those are imported."""
+    files = (path.rpartition("/")[2] for path, _ in resources.files(resources.root() / "runtime/python/mip_protocol"))
+    exported = (resources.root() / "templates/python/__init__.py.j2").read_text("utf-8").partition("__all__ = [")[2]
+    modules = {name.removesuffix(".py") for name in files if name.endswith(".py")}
+    return {"devices", "protocol", "types", *modules, *_LANGUAGE["devices"], *re.findall(r'"([a-z]\w*)"', exported)}
+
+
 #: A descriptor set -> its module.
-module = Escape(_KEYWORDS | frozenset(_LANGUAGE["modules"]), digit_prefix="mip_")
+module = Escape(_KEYWORDS | _taken(), digit_prefix="mip_")
 
 _classes = Classes(module, Escape(_KEYWORDS | frozenset(_LANGUAGE["classes"]), digit_prefix="Mip"))
 class_name, home, qualified, reference = _classes.name, _classes.home, _classes.qualified, _classes.reference
