@@ -130,6 +130,7 @@ _DEVICES = {"aux", "con", "nul", "prn", *(f"{port}{n}" for port in ("com", "lpt"
 def judge_paths(target: str, paths: Iterable[Identifier], problems: Problems) -> None:
     """Reports files that get the same path, on any system, and paths that Windows does not allow."""
     seen: dict[str, Identifier] = {}
+    reserved: set[str] = set()  # the parts that have been reported: a folder can have many files
     for i in paths:
         other = seen.setdefault(i.name.casefold(), i)
         if other is not i:
@@ -138,7 +139,8 @@ def judge_paths(target: str, paths: Iterable[Identifier], problems: Problems) ->
             how = same if i.name == other.name else f"{differ}where case makes no difference"
             problems.add(i.position, f"'{i.what}' and '{other.what}' {how}; rename one")
         for part in i.name.split("/"):
-            if part.partition(".")[0].casefold() in _DEVICES:
+            if part.partition(".")[0].casefold() in _DEVICES and part not in reserved:
+                reserved.add(part)
                 problems.add(
                     i.position,
                     f"'{i.what}' becomes {i.name} in the files of the target {target}, but Windows reserves {part}; "

@@ -213,7 +213,8 @@ def _passed(p: m.Parameter, arrays: dict[str, m.Parameter]) -> list[str]:
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     """Yields every name that the C++ headers define in a namespace."""
     used = {*names.LANGUAGE["cpp_used"], *names.LANGUAGE["scalars"].values()} - _KEYWORDS
-    yield Identifier("namespace mip", "mip", "the package", None)
+    place = model.protocol.position
+    yield Identifier("namespace mip", "mip", "the package", place, word=False)
     for name in sorted(used | runtime.in_namespace() | {name for name in runtime.names() if name.islower()}):
         yield Identifier("namespace mip", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
@@ -225,7 +226,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     for x in model.families:
         yield Identifier("namespace mip", namespace(x.name), f"set {x.name}", x.position)
         scope = f"namespace mip::{namespace(x.name)}"
-        yield Identifier(scope, "mip", "the package", None)
+        yield Identifier(scope, "mip", "the package", place, word=False)
         for name in sorted(used):
             yield Identifier(scope, name, f"{name}, which the headers use", None)
         for t in x.types:

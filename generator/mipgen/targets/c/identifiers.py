@@ -8,7 +8,7 @@ from mipgen import model as m
 from mipgen.emit.naming import Identifier
 from mipgen.lower.memory import members
 
-from . import calls, cpp, runtime, tables
+from . import calls, cpp, names, runtime, tables
 from .direct import direct
 from .members import constructors, has_accessor, last_present
 from .names import (  # fmt: skip
@@ -42,6 +42,15 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     for d in model.devices:
         yield Identifier("C", f"mip_profile_{d.name}", f"device {d.id}", d.position)
     yield from cpp.identifiers(model)
+    yield from package(model)
+
+
+def package(model: m.Model) -> Iterator[Identifier]:
+    """Yields the name of the package, which `rename` puts in the place of `mip`, and those that it cannot have."""
+    for place, taken in names.LANGUAGE["packages"].items():
+        for name in taken:
+            yield Identifier(place, name, f"{name} of {place}", None, word=False)
+        yield Identifier(place, "mip", "the package", model.protocol.position, word=place == "C++")
 
 
 def of_type(t: m.Type) -> Iterator[Identifier]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -161,6 +162,10 @@ def about(name: str, record: m.Record, model: m.Model) -> str:
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
+    for name in sorted(sys.stdlib_module_names | names.RESERVED):  # a module beside a program hides one of Python
+        what = "a module of Python" if name in sys.stdlib_module_names else "a word of a language"
+        yield Identifier("the modules", name, f"{name}, {what}", None, word=False)
+    yield Identifier("the modules", "mip", "the package", model.protocol.position, word=False)
     for scope, name, what, position in _names(model):
         yield Identifier(scope, names.joined(name), what, position)
 

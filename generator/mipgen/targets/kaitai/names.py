@@ -7,18 +7,18 @@ from mipgen.emit.naming import Escape, Grammar
 from mipgen.emit.render import language
 
 _LANGUAGE = language("kaitai")
-_RESERVED = frozenset(str(word) for word in _LANGUAGE["reserved"])
+RESERVED = frozenset(str(word) for word in _LANGUAGE["reserved"])
 
 #: Scalar -> its type.
 SCALARS: dict[str, str] = _LANGUAGE["scalars"]
 
 #: A parameter, a bit, or an element of a vector -> the attribute that holds it.
-member = Escape(_RESERVED | frozenset(_LANGUAGE["members"]), suffix="_value", digit_prefix="n")
+member = Escape(RESERVED | frozenset(_LANGUAGE["members"]), suffix="_value", digit_prefix="n")
 
 #: A value of an enumeration.
-value = Escape(_RESERVED | frozenset(_LANGUAGE["values"]), suffix="_value", digit_prefix="n")
+value = Escape(RESERVED | frozenset(_LANGUAGE["values"]), suffix="_value", digit_prefix="n")
 
-_type = Escape(_RESERVED | frozenset(_LANGUAGE["types"]), suffix="_type", digit_prefix="mip_")
+_type = Escape(RESERVED | frozenset(_LANGUAGE["types"]), suffix="_type", digit_prefix="mip_")
 
 
 def type_name(thing: m.Type | m.Field) -> str:
@@ -52,4 +52,4 @@ def cases(union: str) -> str:
 
 
 #: Identifiers as `joined` writes them.
-GRAMMAR = Grammar(r"[a-z][A-Za-z0-9]*", frozenset(map(joined, _RESERVED)))
+GRAMMAR = Grammar(r"[a-z][A-Za-z0-9]*", frozenset(map(joined, RESERVED)))

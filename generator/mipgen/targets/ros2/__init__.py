@@ -40,6 +40,9 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
+    for name in names.PACKAGES:
+        yield Identifier("the packages", name, f"{name} of ROS 2", None)
+    yield Identifier("the packages", "mip_msgs", "the package", model.protocol.position)
     data = fields(model)
     records: list[m.Field | m.Struct] = [*members.nested(data), *data]
     for record in records:

@@ -12,6 +12,9 @@ _LANGUAGE = language("ros2")
 _RESERVED = frozenset(str(word) for word in _LANGUAGE["reserved"])
 _member = Escape(_RESERVED, suffix="_value", digit_prefix="n")
 
+#: Packages that ROS 2 has.
+PACKAGES: list[str] = _LANGUAGE["packages"]
+
 #: Scalar -> its type.
 SCALARS: dict[str, str] = _LANGUAGE["scalars"]
 

@@ -50,6 +50,9 @@ def examples(model: m.Model) -> list[str]:
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
+    for name in LANGUAGE["protocols"]:
+        yield Identifier("the protocols", name, f"{name} of Wireshark", None)
+    yield Identifier("the protocols", PREFIX, "the package", model.protocol.position)
     for name in LANGUAGE["fields"]:
         yield _filter(f"{PREFIX}.{name}", f"{name} of the dissector", None)
     for f in (model.protocol.acknowledge, *model.fields):
