@@ -218,4 +218,3 @@ def test_reserved_names_are_those_of_the_generator() -> None:
     language = yaml.safe_load((ROOT / "templates/python/language.yaml").read_text("utf-8"))
     assert {*language["members"]} == document.MEMBERS
     assert ({*language["bits"]}, {*language["elements"]}) == (document.BITS, document.ELEMENTS)
-    assert {name: row[0] for name, row in language["scalars"].items()} == document.LETTERS

@@ -132,6 +132,7 @@ def data(file: str) -> dict[str, Any]:
 _USED = {
     "_clocks": "CLOCKS LEAP_SECONDS",
     "_index": "FAMILIES FIELDS SETS",
+    "_scalars": "SCALARS",
     "_session": "session",
     "client": "Answer TimedOut",
     "codec": "OpenEnum single_from_bits single_to_bits",
@@ -163,6 +164,7 @@ if TYPE_CHECKING:
     from mip_protocol import lookup, reflection, registry, timestamps, wire
     from mip_protocol._clocks import CLOCKS, LEAP_SECONDS
     from mip_protocol._index import FAMILIES, FIELDS, SETS
+    from mip_protocol._scalars import SCALARS
     from mip_protocol._session import session
     from mip_protocol.client import Answer, TimedOut
     from mip_protocol.codec import OpenEnum, single_from_bits, single_to_bits

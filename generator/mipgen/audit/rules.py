@@ -13,9 +13,6 @@ from typing import Any
 
 from mipgen import model as m
 
-#: Classes of scalars that rules can name.
-_CLASSES = {"unsigned": ("u8", "u16", "u32", "u64"), "float": ("float", "double")}
-
 
 @dataclass(frozen=True)
 class Finding:
@@ -62,7 +59,7 @@ def _about(rule: dict[str, Any], at: str, p: m.Parameter) -> bool:
         and _any(rule.get("names"), p.name)
         and _any(rule.get("fields"), at)
         and not ("not_fields" in rule and _any(rule["not_fields"], at))
-        and ("of" not in rule or scalar in _CLASSES[rule["of"]])
+        and ("of" not in rule or (bool(scalar) and m.SCALARS[scalar].kind == rule["of"]))
         and ("units_are" not in rule or (bool(p.units) and {*p.units} <= {*rule["units_are"]}))
     )
 
@@ -120,7 +117,7 @@ def _type(said: str, p: m.Parameter, _: object) -> str | None:
     scalar = _scalar(p)
     if not scalar:
         return None
-    return "" if scalar in _CLASSES[said] else f"type {scalar}, a rule has {said}"
+    return "" if m.SCALARS[scalar].kind == said else f"type {scalar}, a rule has {said}"
 
 
 def _default(said: list[str | float], p: m.Parameter, _: object) -> str | None:

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from mipgen import model as m
 from mipgen.base.errors import Failure
 
 from . import tables
@@ -22,8 +23,10 @@ from . import tables
 NAME = "sdk"
 DEFINITIONS = Path("src/cpp/mip/definitions")
 
-_SCALARS = {f"{u}int{n}_t": f"{u or 's'}{n}" for u in ("u", "") for n in (8, 16, 32, 64)} | {
-    word: word for word in ("float", "double", "bool", "char")
+#: The name of each scalar in C++ -> our own.
+_SCALARS = {
+    {"unsigned": f"uint{8 * s.size}_t", "signed": f"int{8 * s.size}_t"}.get(s.kind, s.name): s.name
+    for s in m.SCALARS.values()
 }
 _VECTORS = {
     "Vector3f": ["float", "xyz"],

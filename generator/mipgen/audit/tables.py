@@ -15,6 +15,8 @@ from math import pi
 from pathlib import Path
 from typing import Any
 
+from mipgen import model as m
+
 Layout = dict[str, Any]
 Rows = list[list[str]]
 
@@ -65,23 +67,9 @@ _HEX = "[0-9A-Fa-f]{2}"
 _HEADING = re.compile(rf"^(?:#+ |\d+\.\d+\.\d+ )(?:\*\*)?(.*?)\s*\(0x({_HEX}), ?0x({_HEX})\)")
 _OTHER_HEADING = re.compile(r"^#+ |^\d+\.\d+(\.\d+)? [A-Z]")
 _TYPE = re.compile(
-    r"^(u8|u16|u32|u64|s8|s16|s32|s64|float|double|bool|char|Vector[34][fd]|Quatf|Matrix3[fd]|[A-Z]\w+)"
+    rf"^({'|'.join(m.SCALARS)}|Vector[34][fd]|Quatf|Matrix3[fd]|[A-Z]\w+)"
     r"(?:\[(\w*)\])?(?: (enum|bitfield))?$"
 )
-_SCALARS = {"u8", "u16", "u32", "u64", "s8", "s16", "s32", "s64", "float", "double", "bool", "char"}
-_SIZES = {
-    "u8": 1,
-    "s8": 1,
-    "bool": 1,
-    "char": 1,
-    "u16": 2,
-    "s16": 2,
-    "u32": 4,
-    "s32": 4,
-    "float": 4,
-    "u64": 8,
-    "double": 8,
-}
 _CELL = re.compile(r"<tr>\s*<td>([^<]*)</td>\s*<td>([^<]*)</td>")
 _NUMBER = r"-?\d+(?:\.\d+)?"
 
@@ -274,9 +262,9 @@ def _parameter(name: str, kind: str, text: str, about: str) -> dict[str, Any] | 
     if match is None:
         return None
     element, count, meaning = match.groups()
-    if element in _SCALARS or re.match("Vector|Quat|Matrix", element):
+    if element in m.SCALARS or re.match("Vector|Quat|Matrix", element):
         p["type"] = element
-        if element not in _SCALARS:
+        if element not in m.SCALARS:
             size = 9 if element.startswith("Matrix") else int(element[6]) if element.startswith("V") else 4
             p |= {"type": "double" if element.endswith("d") else "float", "count": size, "of": element}
     else:
@@ -387,7 +375,7 @@ def _command(title: str, number: int, descriptor: int, rows: Rows, about: str) -
         items = list(zip(parts[1::2], parts[2::2], strict=True))
         selector = bool(items) and "unction selector" in items[0][1].lower().replace("function", "unction")
         parameters = [_item(kind.lower(), words, about) for kind, words in items[selector:]]
-        size = 2 + selector + sum(_SIZES[p["type"]] for p in parameters)
+        size = 2 + selector + sum(m.SCALARS[p["type"]].size for p in parameters)
         if size != codes[0]:
             continue  # the cell is broken
         layout: Layout = {
@@ -423,7 +411,7 @@ def _offsets(title: str, number: int, descriptor: int, rows: Rows, about: str) -
         if len(codes) == 2:
             descriptor = codes[1] if number < 0x80 else descriptor
         match cells[-4:]:
-            case [offset, name, kind, unit] if _OFFSET.fullmatch(offset) and kind.lower() in _SIZES:
+            case [offset, name, kind, unit] if _OFFSET.fullmatch(offset) and kind.lower() in m.SCALARS:
                 if int(offset) == 0:
                     role = "response" if number < 0x80 else "data"
                     layout = {"key": f"0x{number:02X},0x{descriptor:02X}", "role": role, "name": title}
@@ -444,5 +432,5 @@ def _offsets(title: str, number: int, descriptor: int, rows: Rows, about: str) -
                 if printed:
                     p["unit"] = printed
                 layout["parameters"].append(p)
-                size += _SIZES[kind.lower()]
+                size += m.SCALARS[kind.lower()].size
     yield from layouts

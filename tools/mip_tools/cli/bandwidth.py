@@ -6,7 +6,7 @@ import argparse
 import math
 from typing import Any, NamedTuple
 
-from ..binding import MAX_PAYLOAD, OVERHEAD, Data, Field, Structure, info
+from ..binding import MAX_PAYLOAD, OVERHEAD, SCALARS, Data, Field, Structure, info
 from ..errors import Failure, Misuse
 from . import show
 from .arguments import hertz
@@ -129,13 +129,10 @@ def size_of(kind: type[Field], elements: int) -> int | None:
     return total
 
 
-_SCALARS = {"u8": 1, "s8": 1, "bool": 1, "char": 1, "u16": 2, "s16": 2, "u32": 4, "s32": 4}
-
-
 def _size(p: Any, elements: int) -> int | None:
     if p.kind == "switch":
         return None
-    one = p.size or _SCALARS.get(p.scalar, 4 if p.scalar == "float" else 8)
+    one = SCALARS[p.scalar].size if p.scalar in SCALARS else p.size
     if isinstance(p.type, type) and issubclass(p.type, Structure):
         inner = [_size(q, elements) for q in info(p.type).parameters]
         if None in inner:

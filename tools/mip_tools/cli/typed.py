@@ -10,11 +10,20 @@ from difflib import get_close_matches
 from enum import IntEnum, IntFlag
 from typing import Any
 
-from ..binding import SETS, Command, EncodeError, FunctionSelector, Parameter, Structure, info, lookup, registry
+from ..binding import (
+    SCALARS,
+    SETS,
+    Command,
+    EncodeError,
+    FunctionSelector,
+    Parameter,
+    Structure,
+    info,
+    lookup,
+    registry,
+)
 from ..errors import Failure, Misuse
 from .selection import fields, keys, near
-
-_INTEGERS = ("u8", "u16", "u32", "u64", "s8", "s16", "s32", "s64")
 
 
 def command(kind: type[Command], words: Sequence[str]) -> Command:
@@ -189,7 +198,7 @@ def scalar(p: Parameter, text: str, set: int | None = None) -> Any:
         return _named_value(p, kind, text)
     if p.scalar == "bool":
         return _truth(p, text)
-    if p.scalar in _INTEGERS or p.kind == "bits":
+    if p.kind == "bits" or (p.scalar in SCALARS and SCALARS[p.scalar].kind != "float"):
         return _whole(p, text, set)
     try:
         return float(text)

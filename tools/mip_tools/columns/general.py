@@ -7,14 +7,11 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from ..binding import Parameter, info, single_to_bits
+from ..binding import SCALARS, Parameter, info, single_to_bits
 from .scan import Array
 
-#: The NumPy types of the scalars in the specification. A bool is a byte, which need not be 0 or 1.
-SCALARS = {
-    "u8": "u1", "u16": "u2", "u32": "u4", "u64": "u8", "s8": "i1", "s16": "i2", "s32": "i4", "s64": "i8",
-    "float": "f4", "double": "f8", "bool": "u1", "char": "u1",
-}  # fmt: skip
+#: Kind of scalar -> that of its NumPy type. A bool is a byte, which need not be 0 or 1.
+_KINDS = {"unsigned": "u", "signed": "i", "float": "f", "bool": "u", "char": "u"}
 
 
 class Ragged(NamedTuple):
@@ -116,8 +113,8 @@ def _numbers(p: Parameter, values: Sequence[Any]) -> Array:
     if p.scalar == "bits":
         octets = b"".join(int(v or 0).to_bytes(p.size, "little") for v in values)
         return np.frombuffer(octets, np.uint8).reshape(len(values), p.size).copy()
-    width = len(p.elements)
-    dtype = np.dtype(SCALARS[p.scalar])
+    width, scalar = len(p.elements), SCALARS[p.scalar]
+    dtype = np.dtype(f"{_KINDS[scalar.kind]}{scalar.size}")
     if width:
         items = [x for v in values for x in ([0] * width if v is None else v)]
     else:

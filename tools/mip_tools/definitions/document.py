@@ -22,12 +22,6 @@ BITS = frozenset(
 )
 ELEMENTS = frozenset(("count", "index", "rows"))
 
-#: Scalar -> its letter in `struct`.
-LETTERS = {
-    "u8": "B", "u16": "H", "u32": "I", "u64": "Q", "s8": "b", "s16": "h", "s32": "i", "s64": "q",
-    "float": "f", "double": "d", "bool": "B", "char": "B",
-}  # fmt: skip
-
 Item = dict[str, Any]
 
 

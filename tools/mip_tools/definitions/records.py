@@ -9,7 +9,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-from .document import BITS, ELEMENTS, LETTERS, Document, Item
+from .document import BITS, ELEMENTS, Document, Item
 
 
 def doc(thing: Item, title: str = "") -> str:
@@ -27,6 +27,7 @@ class Records:
         self.codec = import_module(f"{document.package}.codec")
         self.wire = import_module(f"{document.package}.wire")
         self.field = import_module(f"{document.package}.field")
+        self.scalars = import_module(f"{document.package}._scalars").SCALARS
 
     def add(self, name: str, bases: tuple[type, ...], content: dict[str, Any]) -> type:
         """Adds a class to the module."""
@@ -159,7 +160,7 @@ class Records:
                 what = int(o["value"])
             elif kind == "counter":
                 what = wire.Counts(self.document.member(o["array"]), self.capacities[o["array"]])
-            return name, LETTERS[o["scalar"]], what
+            return name, self.scalars[o["scalar"]].letter, what
         if kind == "bits":
             return name, "B" * o["size"], wire.Bits(self.convert(o))
         if kind == "struct":
@@ -177,9 +178,9 @@ class Records:
         if item["kind"] == "struct":
             return name, "", wire.Items(self.document.get(item["struct"]), length, o["capacity"])
         if item["kind"] == "array":  # an array of vectors
-            letters = LETTERS[item["item"]["scalar"]] * item["count"]
+            letters = self.scalars[item["item"]["scalar"]].letter * item["count"]
             return name, letters, wire.Items(self.document.get(item["vector"]), length, o["capacity"])
-        letter, kind = LETTERS[item["scalar"]], self.convert(item)
+        letter, kind = self.scalars[item["scalar"]].letter, self.convert(item)
         if not isinstance(length, int):
             return name, letter, wire.Items(kind, length, o["capacity"])
         if "vector" in o:

@@ -8,7 +8,7 @@ from enum import IntEnum, IntFlag
 from functools import cache
 from typing import Any
 
-from ..binding import Device, Field, Parameter, reflection, registry
+from ..binding import SCALARS, Device, Field, Parameter, reflection, registry
 from .facts import FieldValues, Value, shown
 from .names import named
 from .quantities import INTERVALS, MEANS, QUANTITIES, Function
@@ -19,11 +19,6 @@ from .world import Output, World
 #: Returns the numbers of one parameter of an item.
 Reader = Callable[[Any], "tuple[Any, ...]"]
 Encoder = Callable[[], "list[bytes]"]
-
-_LETTERS = {
-    "u8": "B", "s8": "b", "u16": "H", "s16": "h", "u32": "I", "s32": "i", "u64": "Q", "s64": "q",
-    "float": "f", "double": "d", "bool": "B", "char": "B",
-}  # fmt: skip
 
 #: The largest float of four bytes.
 LARGEST = (2 - 2**-23) * 2.0**127
@@ -80,7 +75,7 @@ def receiver_of(number: int) -> int:
 def _packs(p: Parameter) -> bool:
     """Does the parameter consist of a fixed number of numbers?"""
     known = p.kind in ("scalar", "constant", "array") and isinstance(p.length, (int, type(None)))
-    return known and p.scalar in _LETTERS
+    return known and p.scalar in SCALARS
 
 
 def _defaults(kind: type[Field]) -> bytes:
@@ -166,7 +161,7 @@ def _readers(kind: type[Field], profile: Device, world: World, source: FieldValu
     layout = ""
     for p, path in _flat(kind):
         count = (p.length if isinstance(p.length, int) else 1) * (len(p.elements) or 1)
-        letter = _LETTERS[p.scalar]
+        letter = SCALARS[p.scalar].letter
         layout += letter * count
         type_ = profile.readings.get(f"{kind.NAME}.{path}") or p.type
         read = _reader(p, source.parameters.get(path), letter, count, type_, world)

@@ -37,6 +37,8 @@ def files(model: m.Model) -> Iterator[File]:
     yield File(f"{PACKAGE}/__init__.py", "__init__.py.j2", without)
     for name in ("_clocks", "_index", "_sets", "types", "protocol", "devices"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
+    scalars = [(s, names.SCALARS[s.name]) for s in m.SCALARS.values()]
+    yield File(f"{PACKAGE}/_scalars.py", "_scalars.py.j2", {"scalars": scalars})
     yield File(f"{PACKAGE}/_session.py", "_session.py.j2", {"session": session.of(model)})
     protocol = model.protocol
     yield _meaning("types", model.types)

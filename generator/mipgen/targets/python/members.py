@@ -9,7 +9,7 @@ from mipgen.lower import calls
 from mipgen.lower.calls import constructors, members
 from mipgen.lower.runs import run
 
-from .names import SCALARS, constant, home, member, reference
+from .names import ANNOTATIONS, SCALARS, constant, home, member, reference
 
 
 def held(record: m.Record) -> tuple[str, ...]:
@@ -52,7 +52,7 @@ def few_elements(p: m.Parameter) -> int:
 def _one(p: m.Parameter, record: m.Record) -> str:
     match p.element:
         case m.Scalar() as scalar:
-            return "str" if scalar.kind == "char" and p.length is not None else SCALARS[scalar.name][1]
+            return "str" if scalar.kind == "char" and p.length is not None else ANNOTATIONS[scalar.kind]
         case None:
             kinds = [annotation(c.parameter, record) for c in p.cases if c.parameter is not None]
             return " | ".join([*dict.fromkeys(kinds), "None"])
@@ -169,7 +169,7 @@ def _row(p: m.Parameter, record: m.Record) -> tuple[str, str, str]:
     name, where = member(p.name), home(record)
     numbers = None if p.kind == "text" else run(p)
     if numbers:
-        letters = SCALARS[numbers.scalar.name][0] * (numbers.count or 1)
+        letters = SCALARS[numbers.scalar.name] * (numbers.count or 1)
         return name, letters, _made(p, numbers.count is not None, record, where)
     if p.struct:
         return name, "", reference(p.struct, where)
@@ -182,10 +182,10 @@ def _row(p: m.Parameter, record: m.Record) -> tuple[str, str, str]:
     if item.struct:
         return name, "", f"wire.Items({reference(item.struct, where)}, {length}, {p.capacity})"
     if item.vector:
-        letters = SCALARS[item.scalar.name][0] * item.capacity
+        letters = SCALARS[item.scalar.name] * item.capacity
         return name, letters, f"wire.Items({reference(item.vector, where)}, {length}, {p.capacity})"
     if p.kind == "array":
-        letters = SCALARS[item.scalar.name][0]
+        letters = SCALARS[item.scalar.name]
         return name, letters, f"wire.Items({_convert(item, where)}, {length}, {p.capacity})"
     return name, "", f"wire.Text({length}, {p.capacity})"
 

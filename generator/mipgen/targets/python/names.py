@@ -19,7 +19,10 @@ NEEDS: dict[str, str] = dict(_LANGUAGE["needs"])
 GRAMMAR = Grammar(r"[A-Za-z_]\w*", _KEYWORDS)
 
 #: Scalar -> its letter in a `struct` format, and its type in Python.
-SCALARS: dict[str, tuple[str, str]] = {name: (row[0], row[1]) for name, row in _LANGUAGE["scalars"].items()}
+#: Scalar -> its letters for `struct`.
+SCALARS: dict[str, str] = _LANGUAGE["scalars"]
+#: Kind of scalar -> the type of its values.
+ANNOTATIONS: dict[str, str] = _LANGUAGE["annotations"]
 
 _constant = Escape(frozenset(), digit_prefix="N")
 
