@@ -130,7 +130,7 @@ def data(file: str) -> dict[str, Any]:
 
 #: Module of a generated package -> the names that the tools use from it.
 _USED = {
-    "_clocks": "CLOCKS LEAP_SECONDS",
+    "_clocks": "CLOCKS LEAP_SECONDS UNIT_KEYS",
     "_index": "FAMILIES FIELDS SETS",
     "_scalars": "SCALARS",
     "_session": "session",
@@ -162,7 +162,7 @@ _HOMES = {name: home for home, names in _USED.items() for name in names.split()}
 # Type checkers take this package for any generated one.
 if TYPE_CHECKING:
     from mip_protocol import lookup, reflection, registry, timestamps, wire
-    from mip_protocol._clocks import CLOCKS, LEAP_SECONDS
+    from mip_protocol._clocks import CLOCKS, LEAP_SECONDS, UNIT_KEYS
     from mip_protocol._index import FAMILIES, FIELDS, SETS
     from mip_protocol._scalars import SCALARS
     from mip_protocol._session import session

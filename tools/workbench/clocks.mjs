@@ -73,13 +73,14 @@ export class Clocks {
 }
 
 function sourceOf(protocol, field, place) {
-    const timed = field.parameters.filter(({ units }) => units?.length === 1 && units[0] in UNITS);
+    const keyOf = (unit) => protocol.model.units.find(({ symbol }) => symbol === unit)?.key ?? unit;
+    const timed = field.parameters.filter(({ units }) => units?.length === 1 && keyOf(units[0]) in UNITS);
     const flags = [...new Set(timed.flatMap(({ valid }) => valid ?? []))].map((path) => {
         const [name, bit] = path.split(".");
         const type = protocol.type(field.parameters.find((one) => one.name === name).type);
         return { name, bit: type.bits.find((one) => one.name === bit).first };
     });
-    return { field, place, flags, parts: timed.map(({ name, units }) => ({ name, scale: UNITS[units[0]] })) };
+    return { field, place, flags, parts: timed.map(({ name, units }) => ({ name, scale: UNITS[keyOf(units[0])] })) };
 }
 
 /**

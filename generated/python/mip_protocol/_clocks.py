@@ -19,6 +19,9 @@ TIMESTAMPS: dict[tuple[int, int], str] = {
     (0xFF, 0xD5): "reference",
 }
 
+#: Symbol of a unit -> its key, if that differs.
+UNIT_KEYS: dict[str, str] = {}
+
 #: Day -> the seconds by which clocks with an epoch are ahead of UTC, from 00:00 UTC on that day.
 LEAP_SECONDS: tuple[tuple[str, int], ...] = (
     ("1981-07-01", 1),

@@ -8,7 +8,7 @@ from functools import cache, lru_cache
 from typing import NamedTuple
 
 from . import registry
-from ._clocks import CLOCKS, LEAP_SECONDS, TIMESTAMPS
+from ._clocks import CLOCKS, LEAP_SECONDS, TIMESTAMPS, UNIT_KEYS
 from .errors import DecodeError
 from .field import Field
 from .packet import Packet
@@ -29,7 +29,10 @@ _UNIX = datetime(1970, 1, 1)
 def scale(parameter: Parameter) -> int | None:
     """Returns the nanoseconds in the parameter's unit; None if it is not a unit of time. A
     timestamp is the sum of all parameters with one."""
-    return _UNITS.get(parameter.units[0]) if len(parameter.units) == 1 else None
+    if len(parameter.units) != 1:
+        return None
+    unit = parameter.units[0]
+    return _UNITS.get(UNIT_KEYS.get(unit, unit))
 
 
 @cache

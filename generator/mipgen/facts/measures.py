@@ -16,7 +16,7 @@ def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Ite
     if elements:
         yield fact("elements", (", ".join(elements),), "Elements: {}.")
     if of.units:
-        yield fact("unit", (", ".join(of.units),), "Unit: {}." if len(of.units) == 1 else "Units: {}.")
+        yield fact("unit", (", ".join(m.unit_symbols(of.units)),), "Unit: {}." if len(of.units) == 1 else "Units: {}.")
     if of.frame:
         word = next(w for w in model.protocol.frames if w.symbol == of.frame)
         yield fact("frame", (Ref(word, word.symbol),), "Frame: {}.")

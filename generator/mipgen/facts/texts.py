@@ -115,8 +115,8 @@ def number(value: object) -> str:
 
 def measured(number: str, unit: str | None, model: m.Model) -> str:
     """Adds the unit to a number or a list of numbers: 3 m, week 2412, 253 bytes."""
-    word = next((w for w in model.protocol.units if w.symbol == unit), None)
-    if word is None or word.symbol == "1":
+    word = next((w for w in model.protocol.units if w.key == unit), None)
+    if word is None or word.key == "1":
         return number
     if word.numbered:
         return f"{word.symbol} {number}"

@@ -62,9 +62,11 @@ from .types import (
     Source,
     Struct,
     Type,
+    Unit,
     Vector,
     letters,
     structs,
+    unit_symbols,
 )
 
 __all__ = [
@@ -132,6 +134,7 @@ __all__ = [
     "Support",
     "Type",
     "Union",
+    "Unit",
     "Usage",
     "Variant",
     "Vector",
@@ -140,4 +143,5 @@ __all__ = [
     "letters",
     "strength",
     "structs",
+    "unit_symbols",
 ]

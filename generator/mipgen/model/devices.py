@@ -9,7 +9,7 @@ from mipgen.read.position import Position
 
 from .fields import Field, Set
 from .parameters import Parameter, Variant
-from .types import Function, Source
+from .types import Function, Source, Unit
 
 #: Answers to whether a device supports a field; without a source, that is unknown.
 Answer = Literal["yes", "probable", "no", "unknown"]
@@ -54,7 +54,7 @@ class Port:
 class Limit:
     name: str
     value: float | int
-    unit: str | None
+    unit: Unit | None
     description: str
     firmware: str | None = None  # ">= 1.0.04": the versions with this limit; None if all
 

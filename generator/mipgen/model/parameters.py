@@ -9,7 +9,7 @@ from typing import Final, Literal
 
 from mipgen.read.position import Position
 
-from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, Struct, Type, Vector
+from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, Struct, Type, Unit, Vector
 
 #: The meaning of a number in hexadecimal: a plain number, a descriptor set, or a field descriptor.
 Shown = Literal["hex", "set", "field"]
@@ -61,7 +61,7 @@ class Variant:
     member: str = ""  # of a structure: the member that differs, instead of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
     elements: tuple[str, ...] = ()  # of a vector, in its frame
-    units: tuple[str, ...] = ()
+    units: tuple[Unit, ...] = ()
     frame: str | None = None
     minimum: float | int | None = None
     maximum: float | int | None = None
@@ -91,7 +91,7 @@ class Parameter:
     element: Scalar | Enum | Bitfield | Vector | Struct | None  # None: a union
     length: int | str | None
     description: str = ""
-    units: tuple[str, ...] = ()  # one for all elements, or one for each
+    units: tuple[Unit, ...] = ()  # one for all elements, or one for each
     any_unit: bool = False  # the unit cannot be stated: another value determines it, or it is unknown
     frame: str | None = None
     minimum: float | int | None = None

@@ -39,6 +39,7 @@ class Word:
     origin: str = ""  # of a frame: the location of its origin
     conversions: tuple[Conversion, ...] = ()  # of a frame: to the frames of other software
     sources: tuple[Source, ...] = ()  # of a frame
+    key: str = ""  # of a unit: what fields of the specification state
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from . import Field
+    from . import Field, Unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +18,7 @@ class Quantity:
     """A quantity of the simulation, in one unit: a number, several numbers, a text, or a list."""
 
     name: str
-    unit: str | None
+    unit: Unit | None
     elements: int
     description: str
     typical: Any = None  # a typical value: a number, several numbers, a text, or a list

@@ -44,6 +44,21 @@ SCALARS: dict[str, Scalar] = {
 }
 
 
+class Unit(str):
+    """The key of a unit, which fields of the specification state, with the symbol that is shown for it."""
+
+    symbol: str
+
+    def __new__(cls, key: str, symbol: str = "") -> Unit:
+        unit = super().__new__(cls, key)
+        unit.symbol = symbol or key
+        return unit
+
+
+def unit_symbols(units: Iterable[Unit]) -> tuple[str, ...]:
+    return tuple(unit.symbol for unit in units)
+
+
 @dataclass(frozen=True, slots=True)
 class EnumValue:
     name: str

@@ -452,11 +452,11 @@ class _Device:
 
     def limit(self, node: Node) -> m.Limit:
         unit = node.scalar("unit")
-        known = [u.symbol for u in self.model.protocol.units]
+        known = {u.key: m.Unit(u.key, u.symbol) for u in self.model.protocol.units}
         if unit is not None and unit not in known:
             self.problems.add(node["unit"].position, meaning.unknown_unit(unit, known))
         return m.Limit(
-            node["name"].value, node["value"].value, unit, node["description"].value, node.scalar("firmware")
+            node["name"].value, node["value"].value, known.get(unit), node["description"].value, node.scalar("firmware")
         )
 
     def codes(self) -> tuple[int, ...]:

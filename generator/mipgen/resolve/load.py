@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -78,7 +78,7 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
     functions = _functions(root["functions"], problems)
     manuals = _manuals(roots["manual"], problems)
     words = Vocabulary(
-        units=list(root["units"].value),
+        units=_units(root["units"], problems),
         frames={name: _names(n.get("elements")) for name, n in root["frames"].items()},
         manuals={x.id: x for x in manuals},
         devices={d["device"].value for d in roots["device"]},
@@ -164,7 +164,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         acknowledge=acknowledge,
         ack_code=codes[0],
         function_selector=types.vocabulary.selector,
-        units=_words(root["units"]),
+        units=_words(root["units"], types.vocabulary.units),
         frames=frames.resolve(root["frames"], types.vocabulary, problems),
         manuals=tuple(types.vocabulary.manuals.values()),
         notes=tuple(
@@ -237,16 +237,30 @@ def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:
     return tuple(m.Usage(word, tuple(x.plain()), node.keys[word]) for word, x in node.items()) if node else ()
 
 
-def _words(node: Node) -> tuple[m.Word, ...]:
+def _units(node: Node, problems: Problems) -> dict[str, m.Unit]:
+    """Returns the units by key. Output shows their symbols only, which therefore must differ."""
+    units: dict[str, m.Unit] = {}
+    keys: dict[str, str] = {}
+    for key, n in node.items():
+        units[key] = m.Unit(key, n.scalar("symbol", key))
+        other = keys.setdefault(units[key].symbol, key)
+        if other != key:
+            position = (n.get("symbol") or n).position
+            problems.add(position, f"'{units[key].symbol}' is also the symbol of the unit '{other}'; write another")
+    return units
+
+
+def _words(node: Node, units: Mapping[str, m.Unit]) -> tuple[m.Word, ...]:
     return tuple(
         m.Word(
-            symbol=symbol,
+            symbol=units[key].symbol,
             title=n["title"].value,
             description=n.scalar("description", ""),
             plural=n.scalar("plural", ""),
             numbered=n.scalar("numbered", False),
+            key=key,
         )
-        for symbol, n in node.items()
+        for key, n in node.items()
     )
 
 

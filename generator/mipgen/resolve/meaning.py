@@ -68,7 +68,7 @@ def _plain(heading: str) -> str:
 _WITHOUT_UNIT = {"bool": "true or false", "char": "a text"}
 
 
-def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
+def units(node: Node, p: m.Parameter, known: Mapping[str, m.Unit], problem: Problem) -> tuple[m.Unit, ...]:
     """Resolves `unit`: one unit for all elements, or one for each."""
     given = node.get("unit")
     if given is None or given.value is None:
@@ -85,7 +85,7 @@ def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) 
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
     if isinstance(given.value, list) and len(entries) != width:
         problem(given.position, f"'{p.name}' has {len(entries)} units; write one, or one for each element")
-    return tuple(entry.value for entry in entries)
+    return tuple(known.get(entry.value, m.Unit(entry.value)) for entry in entries)
 
 
 def frame(node: Node, known: Collection[str], problem: Problem) -> str | None:

@@ -74,11 +74,14 @@ def _quantity(name: str, node: Node, units: Node, problems: Problems) -> Quantit
     return Quantity(name, _unit(node, units, problems), elements, node["description"].value, value, noise)
 
 
-def _unit(node: Node, units: Node, problems: Problems) -> str | None:
+def _unit(node: Node, units: Node, problems: Problems) -> m.Unit | None:
     unit: str | None = node.scalar("unit")
-    if unit is not None and unit not in units:
+    if unit is None:
+        return None
+    if unit not in units:
         problems.add(node["unit"].position, meaning.unknown_unit(unit, units.value))
-    return unit
+        return m.Unit(unit)
+    return m.Unit(unit, units[unit].scalar("symbol", ""))
 
 
 def _field(name: str, roles: Collection[str], at: m.Position, model: m.Model, problems: Problems) -> m.Field | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from dataclasses import dataclass
 
 from mipgen import model as m
@@ -16,7 +15,7 @@ from . import meaning
 class Vocabulary:
     """Units, frames, manuals, devices and function selectors."""
 
-    units: Collection[str]
+    units: dict[str, m.Unit]
     frames: dict[str, tuple[str, ...]]  # frame -> the elements of its vectors, if not x, y, z
     manuals: dict[str, m.Manual]
     devices: set[str]

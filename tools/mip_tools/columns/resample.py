@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..binding import UNIT_KEYS
 from . import tables, times
 from .column import Column
 from .scan import Array
@@ -150,7 +151,8 @@ def _between(group: list[Series], a: list[Array], b: list[Array], weight: Array,
         return [np.where(exact, x, m / np.where(exact, 1.0, size)) for x, m in zip(a, mixed)]
     found: list[Array] = []
     for one, x, y, values in zip(group, a, b, every):
-        circle = _CIRCLES.get(one.facts.get("unit", ""), 0.0)
+        unit = one.facts.get("unit", "")
+        circle = _CIRCLES.get(UNIT_KEYS.get(unit, unit), 0.0)
         low = _lowest(values, circle)
         if low is None:
             found.append(x + weight * (y - x))

@@ -57,6 +57,7 @@ def clocks(document: Document, module: Any) -> None:
         module,
         CLOCKS={c["name"]: c.get("epoch") for c in found},
         TIMESTAMPS={(set, f["descriptor"]): name for (set, f), name in stamps},
+        UNIT_KEYS={u["symbol"]: u["key"] for u in document.content["units"] if "key" in u},
         LEAP_SECONDS=tuple(document.content["leap_seconds"].items()),
     )
 

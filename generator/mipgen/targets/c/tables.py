@@ -152,7 +152,7 @@ def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None
     readings = () if union else p.readings
     return [
         literals.string(p.name),
-        literals.string(", ".join(p.units)),
+        literals.string(", ".join(m.unit_symbols(p.units))),
         f"MIP_KIND_{_KINDS.get(item.kind, upper(item.kind))}",
         f"MIP_SCALAR_{scalar}",
         f"MIP_LENGTH_{length}",

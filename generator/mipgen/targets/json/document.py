@@ -173,6 +173,7 @@ _PLAIN: dict[type, Callable[[Any], Any]] = {
     **dict.fromkeys((m.Function, m.Set), attrgetter("name")),
     m.Union: attrgetter("tag"),
     m.Device: attrgetter("id"),
+    m.Unit: attrgetter("symbol"),
     simulation.Source: _source,
     bytes: bytes.hex,
     dict: lambda values: {key: plain(v) for key, v in values.items()},
@@ -214,6 +215,10 @@ def _said(value: Any, default: Any) -> bool:
 
 def _variant(v: m.Variant, attributes: dict[str, Any]) -> dict[str, Any]:
     return {**attributes, "only": [x.name for x in v.only]} if v.only else attributes
+
+
+def _word(w: m.Word, attributes: dict[str, Any]) -> dict[str, Any]:
+    return attributes if w.key != w.symbol else {name: value for name, value in attributes.items() if name != "key"}
 
 
 def _vector(t: m.Vector, attributes: dict[str, Any]) -> dict[str, Any]:
@@ -259,6 +264,7 @@ def _field(f: m.Field, attributes: dict[str, Any]) -> dict[str, Any]:
 
 #: Class -> the function that adds attributes to those of an object.
 _MORE: dict[type, Callable[[Any, dict[str, Any]], dict[str, Any]]] = {
+    m.Word: _word,
     m.Parameter: _parameter,
     m.Field: _field,
     m.Variant: _variant,

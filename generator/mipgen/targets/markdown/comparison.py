@@ -130,8 +130,8 @@ def missing(d: m.Device) -> str:
 
 
 def units(f: m.Field) -> list[str]:
-    """Returns the units of a field's values."""
-    symbols = (u for row in layout(f) if row.parameter for u in row.parameter.units)
+    """Returns the symbols of the units of a field's values."""
+    symbols = (u.symbol for row in layout(f) if row.parameter for u in row.parameter.units)
     return list(dict.fromkeys(symbols))
 
 

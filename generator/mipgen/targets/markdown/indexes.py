@@ -103,30 +103,30 @@ def lettered(rows: Iterable[tuple[str, Sequence[str]]], headings: Sequence[str])
 
 def units(page: Page) -> list[Section]:
     """Lists, for each unit, the parameters that use it, also on single devices."""
-    by_unit: dict[str, list[list[str]]] = {u.symbol: [] for u in page.model.protocol.units}
+    by_unit: dict[str, list[list[str]]] = {u.key: [] for u in page.model.protocol.units}
     for f in (page.model.protocol.acknowledge, *page.model.fields):
         of_field: dict[str, dict[str, None]] = {}
-        for symbol, link in _measured(page, f):
-            of_field.setdefault(symbol, {})[link] = None
-        for symbol, links in of_field.items():
-            by_unit[symbol].append([page.link(f), ", ".join(links)])
-    titles = {u.symbol: u for u in page.model.protocol.units}
+        for key, link in _measured(page, f):
+            of_field.setdefault(key, {})[link] = None
+        for key, links in of_field.items():
+            by_unit[key].append([page.link(f), ", ".join(links)])
+    titles = {u.key: u for u in page.model.protocol.units}
     return [
-        Section(f"{inline(symbol)}: {inline(titles[symbol].title)}", table(rows, ["Field", "Parameters"]))
-        for symbol, rows in by_unit.items()
+        Section(f"{inline(titles[key].symbol)}: {inline(titles[key].title)}", table(rows, ["Field", "Parameters"]))
+        for key, rows in by_unit.items()
         if rows
     ]
 
 
 def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
-    """Yields the units in a field, each with a link to a parameter that uses it."""
+    """Yields the keys of the units in a field, each with a link to a parameter that uses it."""
     for row in layout(f):
         if row.parameter is None:
             continue
         link = f"[{code(row.name)}]({page.url(f).partition('#')[0]}#{parameter_anchor(f, row)})"
         own = (u for v in row.parameter.variants for u in v.units)
-        for symbol in dict.fromkeys((*row.parameter.units, *own)):
-            yield symbol, link
+        for key in dict.fromkeys((*row.parameter.units, *own)):
+            yield key, link
 
 
 # --------------------------------------------------------------------------- by symbol

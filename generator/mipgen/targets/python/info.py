@@ -84,7 +84,7 @@ def of_parameter(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
         "constant": p.constant,
         "counts": p.counts and member(p.counts),
         "tag": p.tag and member(p.tag),
-        "units": p.units,
+        "units": m.unit_symbols(p.units),
         "valid": p.valid,
         "minimum": p.minimum,
         "maximum": p.maximum,
@@ -148,7 +148,7 @@ def _changes(v: m.Variant, p: m.Parameter, record: m.Record) -> Row:
         p = next(q for q in p.element.parameters if q.name == v.member)
     changes: dict[str, object] = {
         "elements": v.elements or None,
-        "units": v.units or None,
+        "units": m.unit_symbols(v.units) or None,
         "frame": v.frame,
         "minimum": v.minimum,
         "maximum": v.maximum,

@@ -57,7 +57,7 @@ def described(parameters: Iterable[m.Parameter]) -> tuple[Described, ...]:
     """Describes the parameters that are members of types: all that do not follow from others."""
     return tuple(
         Described(
-            p.name, p.elements, p.units, p.frame,
+            p.name, p.elements, m.unit_symbols(p.units), p.frame,
             described(_inside(p)),
         )
         for p in parameters

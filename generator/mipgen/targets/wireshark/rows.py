@@ -11,7 +11,7 @@ Named = m.Enum | m.Bitfield
 
 def units(p: m.Parameter) -> tuple[str, ...]:
     """Returns the units that are shown after values; none for plain numbers."""
-    return tuple("" if unit == "1" else unit for unit in p.units) if set(p.units) - {"1"} else ()
+    return tuple("" if unit == "1" else unit.symbol for unit in p.units) if set(p.units) - {"1"} else ()
 
 
 # --------------------------------------------------------------------------- bits
