@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import pytest
 from mipgen import cli
@@ -27,6 +27,7 @@ from mipgen.emit import discovery, stamp
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
 
+T = TypeVar("T")
 ROOT = Path(__file__).parents[1]
 BUILD = ROOT / "build"
 
@@ -129,6 +130,12 @@ def generated(target: str, spec: str) -> dict[str, bytes]:
     folder = SPECS[spec][1] / target
     _, *paths = (folder / MANIFEST).read_text("utf-8").splitlines()
     return {path: (folder / path).read_bytes() for path in (*paths, MANIFEST)}
+
+
+def some(found: T | None) -> T:
+    """What was looked up, which must be there."""
+    assert found is not None
+    return found
 
 
 class later:

@@ -12,7 +12,7 @@ from typing import Any
 from mipgen import model as m
 from mipgen.resolve.load import load_model
 from reference import Manual, made, manual_of, path_of, prose, table_with, words
-from support import SPECS
+from support import SPECS, some
 
 
 def shown(e: m.Example) -> bytes:
@@ -52,8 +52,7 @@ def test_examples_are_with_their_fields(manual: Manual) -> None:
                 commands = [f for f in of.fields if f.role == m.COMMAND and (f.set, f.descriptor) == (e.set, x.data[0])]
                 about = [f.full_name for f in commands]
             for name in about:
-                f = of.field(name)
-                assert f is not None
+                f = some(of.field(name))
                 (line,) = re.findall(r"^- Examples in the manuals: (.*)$", manual.page(path_of(f)), re.M)
                 assert f"#example.{e.id})" in line and e.title in words(line)
 

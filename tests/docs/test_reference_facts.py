@@ -26,6 +26,7 @@ from reference import (
     table_with,
     words,
 )
+from support import some
 
 #: Facts about a field that have sections of their own, with a line each.
 RELATIONS = ("affects", "may_affect", "affected", "flags")
@@ -110,8 +111,8 @@ def test_sets_of_a_field(manual: Manual) -> None:
         rows = in_sets(manual.field(f))
         assert len(rows) == (len(f.occurrences) if f in several else 0)
         for o, row in zip(f.occurrences, rows, strict=False):
-            s = of.set(o.set)
-            assert s is not None and words(row["Set"]) == heading(s) and f"(../../sets/{s.name}.md)" in row["Set"]
+            s = some(of.set(o.set))
+            assert words(row["Set"]) == heading(s) and f"(../../sets/{s.name}.md)" in row["Set"]
             assert words(row["Name"]) == f"{s.name}.{f.name}"
             devices = ", ".join(d.title for d in of.devices_of(f, number=o.set))
             probable = ", ".join(d.title for d in of.devices_of(f, certain=False, number=o.set))

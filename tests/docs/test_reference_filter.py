@@ -12,7 +12,7 @@ import markdown  # comes with mkdocs
 import pytest
 from mipgen import model as m
 from reference import manual_of
-from support import ROOT, heavy, model
+from support import ROOT, heavy, model, some
 from test_reference_comparison import expected, known_of
 
 pytestmark = heavy("Chromium")
@@ -96,9 +96,7 @@ def commands() -> list[m.Field]:
 
 
 def device(id: str) -> m.Device:
-    found = model("real").device(id)
-    assert found is not None
-    return found
+    return some(model("real").device(id))
 
 
 def test_at_first_everything_is_shown(page: browser.Page, site: Path) -> None:

@@ -31,7 +31,7 @@ from reference import (
     without_code,
     words,
 )
-from support import ROOT, SPECS, model
+from support import ROOT, SPECS, model, some
 
 
 @pytest.fixture(params=sorted(SPECS))
@@ -243,8 +243,8 @@ def test_output_is_deterministic() -> None:
 
 def test_hooks_of_the_site() -> None:
     path = ROOT / "generated/markdown/hooks.py"
-    spec = importlib.util.spec_from_file_location("hooks", path)
-    assert spec is not None and spec.loader is not None
+    spec = some(importlib.util.spec_from_file_location("hooks", path))
+    assert spec.loader is not None
     hooks = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(hooks)
     done = doctest.testmod(hooks)

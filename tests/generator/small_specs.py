@@ -11,6 +11,7 @@ from bad_spec_files import BASE
 from mipgen import model as m
 from mipgen.resolve.load import load_model
 from spec_defaults import filled
+from support import some
 
 
 def load(text: str) -> m.Model:
@@ -44,6 +45,4 @@ def field(parameters: str, functions: str = "", types: str = "{}", role: str = "
             parameters: {parameters}
         """
     )
-    found = model.field("it.it")
-    assert found is not None
-    return found
+    return some(model.field("it.it"))

@@ -6,13 +6,11 @@ import dataclasses
 
 from mipgen import model as m
 from mipgen.facts import describe
-from support import model
+from support import model, some
 
 
 def field(of: m.Model, name: str) -> m.Field:
-    found = of.field(name)
-    assert found is not None
-    return found
+    return some(of.field(name))
 
 
 def said(of: m.Model, name: str, topic: str) -> list[str]:
@@ -41,19 +39,12 @@ def test_echo_control() -> None:
     assert all(said(model("real"), name, "silent") == wanted for name in silent)
 
 
-def test_a_response_says_once_what_it_answers() -> None:
-    assert said(model("invented"), "tools.bias_vector", "commands") == [
-        "Response to <tools.bias> and <tools.capture_bias>."
-    ]
-    assert field(model("invented"), "tools.bias_vector").description == ""
-
-
 def test_devices_that_send_a_response() -> None:
     """A device that supports no function with a response does not send the response."""
     names = {"write", "apply"}
     settings, response = field(model("invented"), "tools.settings"), field(model("invented"), "tools.settings_response")
-    some = tuple(f for f in settings.functions if f.name in names)
-    writes = m.Support(settings, settings.set, some, m.Evidence("documented"))
+    functions = tuple(f for f in settings.functions if f.name in names)
+    writes = m.Support(settings, settings.set, functions, m.Evidence("documented"))
     devices = tuple(
         dataclasses.replace(d, supports=tuple(writes if s.field is settings else s for s in d.supports))
         if d.id == "model-b"
@@ -108,21 +99,12 @@ def test_layouts_of_one_device_in_the_model() -> None:
     )
 
 
-def test_the_layouts_that_a_device_sends() -> None:
-    """Its own, else those of all devices; if there is none of these either, any."""
-    status = field(model("invented"), "tools.status")
-
-    def sent(of: m.Model, device: str) -> list[str]:
-        return [f.name for f in of.answers(status, device)]
-
-    assert sent(model("invented"), "model-a") == ["status_short", "status_old"]
-    assert sent(model("invented"), "model-c") == ["status_paged", "status_full"]
-    assert sent(model("invented"), "model-b") == ["status_short", "status_long"]
-
+def test_layouts_that_name_a_device_are_no_longer_those_of_all() -> None:
     def bound(f: m.Field) -> m.Field:
         return dataclasses.replace(f, devices=("model-a",)) if f.name == "status_long" else f
 
     families = tuple(dataclasses.replace(x, fields=tuple(map(bound, x.fields))) for x in model("invented").families)
-    assert sent(dataclasses.replace(model("invented"), families=families), "model-b") == [
+    of = dataclasses.replace(model("invented"), families=families)
+    assert [f.name for f in of.answers(field(of, "tools.status"), "model-b")] == [
         "status_short", "status_long", "status_old", "status_full"
     ]  # fmt: skip

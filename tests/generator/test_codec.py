@@ -8,15 +8,13 @@ import pytest
 from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.lower.codec import CodecError
-from support import model
+from support import model, some
 
 MODEL = model("invented")
 
 
 def field(name: str) -> m.Field:
-    found = MODEL.field(name)
-    assert found is not None
-    return found
+    return some(MODEL.field(name))
 
 
 GOOD: list[tuple[str, str, dict[str, Any], int]] = [

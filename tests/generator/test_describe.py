@@ -7,7 +7,7 @@ import dataclasses
 import pytest
 from mipgen import model as m
 from mipgen.facts import describe
-from support import model
+from support import model, some
 
 INVENTED, REAL = model("invented"), model("real")
 
@@ -19,8 +19,7 @@ def plain(text: describe.Text) -> str:
 def of(path: str, own: m.Model = INVENTED) -> dict[str, str]:
     """Topic -> sentence of a field, or of a parameter "set.field:parameter"."""
     name, _, parameter = path.partition(":")
-    f = own.field(name)
-    assert f is not None
+    f = some(own.field(name))
     if not parameter:
         return {x.topic: plain(x.sentence) for x in describe.field(f, own)}
     p = next(p for p in f.parameters if p.name == parameter)
@@ -225,8 +224,7 @@ def test_why_a_device_has_a_field(number: int, why: str) -> None:
 
 def variants(path: str, own: m.Model = INVENTED) -> list[str]:
     name, _, parameter = path.partition(":")
-    f = own.field(name)
-    assert f is not None
+    f = some(own.field(name))
     p = next(p for p in f.parameters if p.name == parameter)
     return [plain(x.sentence) for x in describe.parameter(p, f, own) if x.topic == "variant"]
 
@@ -271,8 +269,8 @@ def test_what_is_the_same_on_devices_is_told_once() -> None:
     ],
 )
 def test_devices(device: str, facts: list[str]) -> None:
-    d = INVENTED.device(device)
-    assert d is not None and [plain(x.sentence) for x in describe.device(d, INVENTED)] == facts
+    d = some(INVENTED.device(device))
+    assert [plain(x.sentence) for x in describe.device(d, INVENTED)] == facts
 
 
 def test_valid_by_device_is_a_bit_of_its_own_type() -> None:
@@ -289,15 +287,13 @@ def test_elements_of_a_vector_in_another_frame() -> None:
 
 
 def test_variants_by_value_are_told_one_by_one() -> None:
-    f = INVENTED.field("tools.pin")
-    assert f is not None
+    f = some(INVENTED.field("tools.pin"))
     said = [plain(x.sentence) for x in describe.parameter(f.parameters[2], f, INVENTED) if x.topic == "variant"]
     assert said == ["If <drive> is <pulse>: values of <pulse_use>.", "If <drive> is <serial>: values of <serial_use>."]
 
 
 def test_variants_of_a_member() -> None:
-    f = INVENTED.field("tools.readings_response")
-    assert f is not None
+    f = some(INVENTED.field("tools.readings_response"))
     *_, readings, last = f.parameters
     assert [plain(x.sentence) for x in describe.parameter(readings, f, INVENTED) if x.topic == "variant"] == [
         "If <drive> is <pulse>: <kind> has values of <pulse_use>. Seldom 2.",
@@ -311,8 +307,7 @@ def test_variants_of_a_member() -> None:
 
 
 def test_a_field_that_a_manual_describes_too_is_not_known_from_a_kit_only() -> None:
-    f = INVENTED.field("measurements.radio")
-    assert f is not None
+    f = some(INVENTED.field("measurements.radio"))
     cited = dataclasses.replace(f, sources=(*f.sources, m.Source("guide", "Radio")))
     uncited = dataclasses.replace(f, sources=())
     said = [[x for x in describe.field(g, INVENTED) if x.topic == "evidence"] for g in (f, cited, uncited)]
@@ -320,8 +315,7 @@ def test_a_field_that_a_manual_describes_too_is_not_known_from_a_kit_only() -> N
 
 
 def test_without_devices_nothing_is_said_of_them() -> None:
-    f = INVENTED.field("measurements.gust")
-    assert f is not None
+    f = some(INVENTED.field("measurements.gust"))
     assert "devices" not in {x.topic for x in describe.field(f, dataclasses.replace(INVENTED, devices=()))}
 
 
@@ -340,8 +334,7 @@ def test_what_is_usual_where_a_variant_differs() -> None:
     """For the other side of a migration: the facts without those about one device."""
 
     def said(field: str, parameter: str, key: str) -> str:
-        f = INVENTED.field(field)
-        assert f is not None
+        f = some(INVENTED.field(field))
         p = next(p for p in f.parameters if p.name == parameter)
         v = next(v for v in p.variants if v.key == key)
         return plain(describe.usual(v, p, f, INVENTED))
@@ -383,8 +376,7 @@ def test_numbers_with_units() -> None:
 
 def test_comments_in_code_leave_out_what_is_longer_than_all_else() -> None:
     def left_out(name: str) -> tuple[list[str], list[str]]:
-        f = INVENTED.field(name)
-        assert f is not None
+        f = some(INVENTED.field(name))
         whole, code = ([plain(x.sentence) for x in of(f, INVENTED)] for of in (describe.field, describe.in_code))
         return [x for x in whole if x not in code], [x for x in code if x not in whole]
 

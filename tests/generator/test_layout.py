@@ -6,17 +6,14 @@ from dataclasses import replace
 
 import pytest
 from mipgen import model as m
-from mipgen.resolve.layout import open_ended
 from small_specs import field, load
-from support import model
+from support import model, some
 
 INVENTED = model("invented")
 
 
 def invented(name: str) -> m.Field:
-    found = INVENTED.field(name)
-    assert found is not None
-    return found
+    return some(INVENTED.field(name))
 
 
 def kinds(f: m.Field) -> list[str]:
@@ -63,11 +60,6 @@ def test_capacities(parameters: str, capacity: int) -> None:
     assert p.several and p.capacity == capacity
 
 
-def test_the_selector_takes_a_byte_of_the_capacity() -> None:
-    f = field("[{name: a, type: u8, count: rest, for: W}]", functions="W")
-    assert f.parameters[1].kind == "array" and f.parameters[1].capacity == 252
-
-
 def test_an_open_array_in_a_case_has_the_room_that_is_left() -> None:
     f = field("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u16, count: rest}}}]")
     (open_array,) = f.parameters[1].alternatives
@@ -105,12 +97,6 @@ def test_groups_keep_what_stands_between_a_counter_and_its_array() -> None:
     assert [(g.first, g.last) for g in f.groups] == [(1, 4), (5, 5)]
 
 
-def test_optional_without_selector() -> None:
-    f = invented("measurements.growing")
-    assert kinds(f) == ["scalar", "group", "group"] and f.required() == 1 and f.functions == ()
-    assert [(g.first, g.last) for g in f.groups] == [(2, 2), (3, 3)]
-
-
 def test_constants_have_offsets() -> None:
     f = invented("tools.status_long")
     assert f.signature == ((0, (4711).to_bytes(2, "big")), (2, b"\x02"))
@@ -118,44 +104,12 @@ def test_constants_have_offsets() -> None:
     assert f.signature == ()
 
 
-def test_bits() -> None:
-    flags = next(t for t in INVENTED.types if t.name == "state_flags")
-    assert isinstance(flags, m.Bitfield)
-    masks = {b.name: b.mask for b in flags.bits}
-    assert masks == {"ready": 1, "hot": 2, "level": 0x70, "mode": 0x300, "any": 3}
-    assert flags.known_mask == 0x373 and flags.bits[2].width == 3
-    assert flags.bits[3].enum is not None and flags.bits[3].enum.name == "mode"
-
-
 def test_types_come_after_those_that_they_use() -> None:
-    tools = INVENTED.family("tools")
-    assert tools is not None
+    tools = some(INVENTED.family("tools"))
     order = [t.name for t in tools.types]
     assert order.index("fill") < order.index("circle") and order.index("stripes") < order.index("circle")
     shared = [t.name for t in INVENTED.types]
     assert shared.index("point") < shared.index("segment") and shared.index("mode") < shared.index("state_flags")
-
-
-def test_responses() -> None:
-    command = invented("tools.capture_bias")
-    assert command.responses == ("bias_vector",)
-    first = invented("tools.set_time_fast_response")
-    assert first.command == "set_time" and [(c.parameter, c.value, c.label) for c in first.when] == [
-        ("part", 1, "fast")
-    ]
-    silent = invented("tools.formats").silent_when
-    assert [(c.parameter, c.value) for c in silent] == [("suppress_ack", 1)]
-
-
-def test_what_a_parameter_means() -> None:
-    f = field(
-        "[{name: a, type: vector3f, unit: [m, m, s], frame: sensor, range: [~, 5], default: [0, 1.5, 2],"
-        " valid: flags.ready, notes: [One.]}, {name: flags, type: flags, default: [ready]}]",
-        role="data",
-    )
-    a, flags = f.parameters
-    assert (a.units, a.frame, a.minimum, a.maximum) == (("m", "m", "s"), "sensor", None, 5)
-    assert (a.default, a.valid, a.notes, flags.default) == ([0, 1.5, 2], ("flags.ready",), ("One.",), ["ready"])
 
 
 def test_a_part_is_what_it_holds() -> None:
@@ -184,22 +138,12 @@ def test_a_part_is_what_it_holds() -> None:
             parameters: [{name: a, type: u8}, {include: list}, {include: unused_by_others}]
         """
     )
-    found = model.field("it.it")
-    assert found is not None
+    found = some(model.field("it.it"))
     assert replace(found, parameters=()) == replace(written, parameters=())
     both = model.type("it.both")
     assert isinstance(both, m.Struct)
     for made, right in ((found.parameters, written.parameters), (both.parameters, written.parameters[1:])):
         assert len(made) == len(right) and all(p.alike(q) for p, q in zip(made, right, strict=True))
-
-
-def test_one_valid_flag_for_a_whole_field() -> None:
-    f = invented("measurements.gust")
-    assert {p.name: p.valid for p in f.parameters if p.valid} == dict.fromkeys(
-        ("place", "height", "speed"), ("valid_flags.ready",)
-    )
-    radio = {p.name: p.valid for p in invented("measurements.radio").parameters}
-    assert radio == {"connected": (), "strength": ("connected",), "noise": ("connected",), "gap": (), "gaps": ()}
 
 
 def test_a_response_does_not_take_the_valid_flag_of_its_command() -> None:
@@ -235,53 +179,10 @@ def test_calls() -> None:
     assert len(growing.required) == 1 and len(growing.optional) == 2
 
 
-def test_variants() -> None:
-    flags = invented("tools.status_short").parameters[2]
-    assert flags.by_device and [(v.by, v.key, v.type and v.type.name) for v in flags.readings] == [
-        ("device", "model-a", "model_a_faults"), ("device", "model-b", "model_b_faults"),
-        ("device", "model-c", "model_a_faults"),
-    ]  # fmt: skip
-    use = invented("tools.pin").parameters[2]
-    assert [(v.by, v.key, v.value) for v in use.readings] == [("drive", "pulse", 1), ("drive", "serial", 2)]
-    readings = invented("tools.readings_response").parameters[2]
-    assert not readings.readings and [(v.member, v.key, v.type and v.type.name) for v in readings.variants] == [
-        ("kind", "pulse", "pulse_use"), ("kind", "serial", "serial_use")
-    ]  # fmt: skip
-    accel = invented("measurements.accel").parameters[0]
-    assert [(v.key, v.units, v.frame, v.type) for v in accel.variants] == [
-        ("model-b", ("m", "m", "s"), "ned", None), ("model-c", (), None, None)
-    ]  # fmt: skip
-    assert [v.valid for v in accel.variants] == [("valid_flags.hot", "valid_flags.ready", "valid_flags.hot"), ()]
-    device = INVENTED.device("model-b")
-    assert device is not None and [v.path for v in device.variants] == [
-        "protocol.acknowledge.code", "tools.status_short.flags", "tools.status_long.flags",
-        "measurements.accel.scaled_accel",
-    ]  # fmt: skip
-
-
-def test_references() -> None:
-    bias, shared = invented("tools.bias"), invented("tools.bias_vector")
-    assert INVENTED.responses(bias) == (shared,)
-    assert INVENTED.commands(shared) == (bias, invented("tools.capture_bias"))
-    assert invented("more.accel") is invented("copy.accel") is invented("measurements.accel")
-    assert [d.id for d in INVENTED.devices_of(shared)] == ["model-a", "model-c"]
-    ((first, a), (second, b), _) = INVENTED.supports(invented("tools.settings"))
-    assert (first.id, m.letters(a.functions), a.differs) == ("model-a", "WRSLDA", False)
-    assert (second.id, m.letters(b.functions), b.differs) == ("model-b", "WR", True)
-
-
-def test_sets_are_sorted_and_fields_too() -> None:
-    assert [s.number for s in INVENTED.sets] == [0x01, 0x0C, 0x80, 0x81, 0x92, 0xFF]
-    assert [s.kind for s in INVENTED.sets] == ["command", "command", "data", "data", "data", "shared"]
-    for x in INVENTED.families:
-        keys = [(f.role == m.RESPONSE, f.descriptor) for f in x.fields]
-        assert keys == sorted(keys)
-
-
 def test_a_family_of_sets() -> None:
     """A field occurs in the sets with every field, in those that it lists, or only in some."""
-    family = INVENTED.family("measurements")
-    assert family is not None and [s.name for s in family.sets] == ["measurements", "more", "copy"]
+    family = some(INVENTED.family("measurements"))
+    assert [s.name for s in family.sets] == ["measurements", "more", "copy"]
     there = {s.name: [f.name for f in INVENTED.fields_in(s)] for s in family.sets}
     assert there["copy"] == there["measurements"] and len(there["copy"]) > 5
     assert there["more"] == ["accel", "strings", "own"]
@@ -294,57 +195,6 @@ def test_a_family_of_sets() -> None:
     assert [x.name for x in family.named] == ["shade", "ghost"]
     assert [f.name for f in INVENTED.candidates(0x81, 0x07)] == ["own"] != INVENTED.candidates(0x80, 0x07)
     assert INVENTED.set_of("copy.accel") == 0x92 and INVENTED.set_of("measurements.own") == 0x80
-
-
-def test_every_field_has_sources() -> None:
-    """A specification of one's own needs none; here they say where a fact comes from, in each set."""
-    assert [f.full_name for f in model("real").fields if not all(o.sources for o in f.occurrences)] == []
-
-
-def test_what_occurs_everywhere() -> None:
-    acknowledge, timestamp = INVENTED.protocol.acknowledge, invented("shared.timestamp")
-    assert (acknowledge.sets, timestamp.sets) == (range(0x01, 0x80), range(0x80, 0xFF))
-    assert timestamp.name_in(0x80) == timestamp.full_name and acknowledge.name_in(0x0C) == acknowledge.full_name
-
-
-def test_descriptors_that_are_only_named() -> None:
-    tools = INVENTED.family("tools")
-    assert tools is not None
-    assert [(x.descriptor, x.role, x.name) for x in tools.named] == [
-        (0x20, "command", "farewell"),
-        (0xA0, "response", "farewell_answer"),
-    ]
-    assert INVENTED.candidates(0x01, 0x20) == ()
-
-
-def test_what_is_uncertain_is_kept_apart() -> None:
-    copy, radio, answer = INVENTED.set(0x92), invented("measurements.radio"), invented("tools.hello_response")
-    assert copy is not None and copy.uncertain == ("Which device sends it.",)
-    assert len(radio.uncertain) == 2 and radio.notes == () and answer.uncertain == ("When it comes.",)
-    strength = radio.parameters[1]
-    assert (strength.uncertain, strength.valid, strength.notes) == (("Its unit.",), ("connected",), ())
-    types = {t.name: t for t in INVENTED.types}
-    mode, flags = types["mode"], types["state_flags"]
-    assert isinstance(mode, m.Enum) and isinstance(flags, m.Bitfield)
-    assert mode.uncertain and [v.uncertain for v in mode.values] == [(), ("How quick.",), ()]
-    assert [b.name for b in flags.bits if b.uncertain] == ["hot"]
-
-
-def test_open_bounds() -> None:
-    _, strength, noise, *_ = invented("measurements.radio").parameters
-    assert (strength.minimum, strength.maximum, strength.above, strength.below) == (None, None, None, 1)
-    assert (noise.minimum, noise.maximum, noise.above, noise.below) == (None, 10, 0, None)
-
-
-def test_a_command_that_the_device_sends() -> None:
-    hello = invented("tools.hello")
-    assert hello.sent_by == "device" and invented("tools.ping").sent_by == "host"
-    assert [p.reserved for p in hello.parameters] == [1.0, 0.0]
-
-
-def test_what_others_call_it() -> None:
-    assert invented("measurements.radio").also == invented("copy.radio").also == ("modem", "rf")
-    assert invented("tools.hello_response").also == ("keep_alive_response", "welcome")
 
 
 def test_candidates() -> None:
@@ -364,11 +214,6 @@ def test_positions_are_those_of_the_file() -> None:
     assert isinstance(t, m.Enum) and t.position is not None and t.values[0].position is not None
     assert (t.position.line, t.position.column) == (6, 3)
     assert (t.values[0].position.line, t.values[0].position.column) == (9, 7)
-
-
-def test_open_ended() -> None:
-    u8 = m.SCALARS["u8"]
-    assert open_ended(m.Parameter("a", u8, m.REST)) and not open_ended(m.Parameter("a", u8, "n"))
 
 
 def test_a_field_may_be_full() -> None:

@@ -11,6 +11,7 @@ from bad_spec_files import BASE
 from mipgen import model as m
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
+from support import some
 
 PORT = "{name: Main, id: 1, baud_rates: [9600], receives: [MIP], sends: [MIP]}"
 DEVICES = f"""\
@@ -52,9 +53,7 @@ def loaded(folder: Path, extension: str, within: bool) -> m.Model:
 
 
 def device(model: m.Model, id: str) -> m.Device:
-    found = model.device(id)
-    assert found is not None
-    return found
+    return some(model.device(id))
 
 
 def kinds(d: m.Device) -> dict[str, str]:

@@ -10,16 +10,14 @@ from mipgen import model as m
 from mipgen.lower import calls, codec, extent, memory, runs
 from mipgen.lower.extent import Extent
 from small_specs import field
-from support import model
+from support import model, some
 
 INVENTED = model("invented")
 RECORDS: list[m.Field | m.Struct] = [*INVENTED.fields, *(t for t in INVENTED.all_types if isinstance(t, m.Struct))]
 
 
 def invented(name: str) -> m.Field:
-    found = INVENTED.field(name)
-    assert found is not None
-    return found
+    return some(INVENTED.field(name))
 
 
 # --------------------------------------------------------------------------- extents
@@ -120,13 +118,6 @@ def test_what_varies_or_is_checked_has_no_runs(parameters: str) -> None:
 
 
 # --------------------------------------------------------------------------- presence
-
-
-def test_presence() -> None:
-    f = invented("tools.settings")
-    assert f.requires == {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
-    assert f.present_with == {p.name: g.last for g in f.groups for p in g.parameters}
-    assert f.always + tuple(p for g in f.groups for p in g.parameters) == f.parameters
 
 
 # --------------------------------------------------------------------------- memory

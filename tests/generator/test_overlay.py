@@ -12,7 +12,7 @@ from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
-from support import ROOT, SPECS, model
+from support import ROOT, SPECS, model, some
 
 OVERLAY = ROOT / "tests/overlay"
 BASE = ROOT / "tests/bad_specs/base"
@@ -57,8 +57,8 @@ def test_sources_are_optional(tmp_path: Path) -> None:
     of = load_model(spec)
     assert of.protocol.manuals == () and not any(f.sources for f in of.fields)
     assert of.families[0].named[0].sources == of.guides[0].sources == of.protocol.acknowledge.sources == ()
-    heat = of.field("right.heat")
-    assert heat is not None and heat.sets == (0x90, 0x91)
+    heat = some(of.field("right.heat"))
+    assert heat.sets == (0x90, 0x91)
     out = tmp_path / "out"
     assert cli.main(["generate", "--spec", str(spec), "--out", str(out), "--target", "c", "--target", "markdown"]) == 0
     pages = "\n".join(path.read_text("utf-8") for path in (out / "markdown").rglob("*.md"))
@@ -108,8 +108,7 @@ fields:
 """
     (tmp_path / "mine/sets").mkdir(parents=True)
     (tmp_path / "mine/sets/a.yaml").write_text(text, "utf-8")
-    wind = load_model(SPECS["real"][0], tmp_path / "mine").field("aiding.wind")
-    assert wind is not None
+    wind = some(load_model(SPECS["real"][0], tmp_path / "mine").field("aiding.wind"))
     assert [p.name for p in wind.parameters] == ["time", "frame_id", "wind", "valid_flags"]
 
 

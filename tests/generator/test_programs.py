@@ -12,7 +12,7 @@ from mipgen.targets.c import api as c
 from mipgen.targets.python import api as python
 from mipgen.targets.rust import api as rust
 from small_specs import load
-from support import model
+from support import model, some
 
 TEXT = "a ~b.c~d, (e]"
 
@@ -34,8 +34,7 @@ def talking() -> tuple[m.Field, SampleValues]:
             parameters: [{{name: words, type: char, count: rest, description: Words., typical: "{TEXT}"}}]
         """
     )
-    f = of.field("it.say")
-    assert f is not None
+    f = some(of.field("it.say"))
     return f, SampleValues(of)
 
 

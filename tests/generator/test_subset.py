@@ -11,7 +11,7 @@ from mipgen.base.errors import Failure
 from mipgen.emit import render
 from mipgen.lower.session import session
 from mipgen.resolve.subset import Selection, left_out, select
-from support import SEED, model, rounds
+from support import SEED, model, rounds, some
 
 REAL, INVENTED = model("real"), model("invented")
 
@@ -90,8 +90,8 @@ def test_a_session_without_its_data_sets() -> None:
     assert whole_session is not None and without is not None
     assert [x.set for x in whole_session.older] == [0x80, 0x81, 0x82] and without.older == ()
     assert whole_session.format.full_name == without.format.full_name == "3dm.message_format"
-    one = session(select(model("real"), Selection(sets=("base", "3dm", "filter_data"))))
-    assert one is not None and [x.set for x in one.older] == [0x82]
+    one = some(session(select(model("real"), Selection(sets=("base", "3dm", "filter_data")))))
+    assert [x.set for x in one.older] == [0x82]
     assert session(select(model("real"), Selection(sets=("3dm",)))) is None
 
 
@@ -99,8 +99,8 @@ def test_of_a_field_in_one_of_its_sets() -> None:
     """The name in a set selects that set alone; the name of the layout selects all."""
     for name, sets in (("copy.accel", (0x92,)), ("measurements.accel", (0x80, 0x81, 0x92))):
         part = select(INVENTED, Selection(fields=(name,)))
-        accel = part.field("measurements.accel")
-        assert accel is not None and accel.sets == sets
+        accel = some(part.field("measurements.accel"))
+        assert accel.sets == sets
         assert {s.number for s in part.sets if s.name != "shared"} == {*sets}
         assert all(s.set in sets for d in part.devices for s in d.supports if s.field is accel)
 
@@ -176,8 +176,8 @@ def test_guides_of_a_device() -> None:
 
 def test_what_is_certain() -> None:
     """Without what a device only probably has, but with the responses to what it certainly has."""
-    d = REAL.device("3dm-gq7")
-    assert d is not None and d.probable
+    d = some(REAL.device("3dm-gq7"))
+    assert d.probable
     both, sure = select(REAL, Selection((d.id,))), select(REAL, Selection((d.id,), certain=True))
     assert {s.name for s in both.devices[0].supports} == {s.name for s in d.supports}
     assert {s.name for s in sure.devices[0].supports} == {s.name for s in d.certain}
@@ -238,8 +238,8 @@ def test_unknown_names(selection: Selection, message: str) -> None:
 
 def test_the_values_of_a_range_of_bits_come_with_it() -> None:
     """An enumeration that only bits of a bitfield refer to."""
-    f = INVENTED.field("measurements.accel")
-    assert f is not None and isinstance(f.parameters[1].element, m.Bitfield)
+    f = some(INVENTED.field("measurements.accel"))
+    assert isinstance(f.parameters[1].element, m.Bitfield)
     assert {b.enum.name for b in f.parameters[1].element.bits if b.enum} == {"mode"}
     assert all(p.element is not None and getattr(p.element, "name", "") != "mode" for p in f.parameters)
     part = select(INVENTED, Selection(fields=(f.full_name,)))

@@ -17,7 +17,7 @@ import pytest
 from mipgen import model as m
 from mipgen.model import guides, simulation
 from mipgen.targets.json import document
-from support import ROOT, SPECS, later, model
+from support import ROOT, SPECS, later, model, some
 
 jsonschema = later("jsonschema")
 
@@ -57,8 +57,8 @@ def whole(spec: str) -> Any:
 def interpreter() -> ModuleType:
     """The module of the driver, which knows nothing but mip.json."""
     path = Path(__file__).with_name("interpreter.py")
-    spec = importlib.util.spec_from_file_location("json_interpreter", path)
-    assert spec is not None and spec.loader is not None
+    spec = some(importlib.util.spec_from_file_location("json_interpreter", path))
+    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -111,8 +111,8 @@ def test_the_readme_says_what_a_case_without_an_operation_is() -> None:
 def test_the_readme_shows_a_command_with_a_selector_and_an_enumeration(spec: str) -> None:
     readme = (SPECS[spec][1] / "json/README.md").read_text("utf-8")
     shown = json.loads(readme.partition("## A field\n\n```json\n")[2].partition("\n```")[0])
-    f = model(spec).field(shown["name"])
-    assert f is not None and f.functions and any(isinstance(p.element, m.Enum) for p in f.counted)
+    f = some(model(spec).field(shown["name"]))
+    assert f.functions and any(isinstance(p.element, m.Enum) for p in f.counted)
 
 
 def test_it_is_not_large() -> None:
