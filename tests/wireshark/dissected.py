@@ -32,10 +32,6 @@ def copied(tree: Element) -> Element:
     return ElementTree.fromstring(ElementTree.tostring(tree))
 
 
-def packets_of(frames: list[Element]) -> list[Element]:
-    return [proto for frame in frames for proto in frame if proto.get("name") == "mip_protocol"]
-
-
 def shown(of: Element, name: str) -> list[str]:
     return [part.get("show", "") for part in of.iter("field") if part.get("name") == name]
 
