@@ -79,7 +79,7 @@ def _room(p: m.Parameter, gap: Gap) -> Room:
     if p.kind == "array":
         item = _room(p.item, gap)
         return Room(max(1, p.capacity) * (item.size + gap(item.size, item.alignment)), item.alignment)
-    return Room(p.size, 1 if p.kind == "bits" else p.size)
+    return Room(p.size) if p.kind == "bits" else Room(p.scalar.memory, p.scalar.memory)
 
 
 def _alternative(p: m.Parameter, gap: Gap) -> Room:

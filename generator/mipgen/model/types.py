@@ -30,6 +30,11 @@ class Scalar:
     size: int
     kind: Literal["unsigned", "signed", "float", "bool", "char"]
 
+    @property
+    def memory(self) -> int:
+        """The size in bytes of the smallest number of a machine that can hold it."""
+        return 1 << (self.size - 1).bit_length()
+
 
 SCALARS: dict[str, Scalar] = {
     s.name: s

@@ -30,6 +30,10 @@ class Access:
         return self.count > 0 and self.size == 1
 
     @property
+    def memory(self) -> int:
+        return m.SCALARS[self.type].memory
+
+    @property
     def real(self) -> bool:
         return self.type in ("float", "double")
 
