@@ -14,6 +14,7 @@ from reference import (
     Manual,
     bullets,
     heading,
+    limited,
     number,
     path_of,
     prose,
@@ -68,6 +69,7 @@ def test_every_text_of_the_specification_is_in_its_place(manual: Manual) -> None
                     said = prose(said, manual.model).removesuffix("." if isinstance(thing, m.Limit) else "")
                     assert said in text, (attribute, said)
                     seen_.add(attribute)
+        assert not isinstance(thing, m.Limit) or limited(thing) in text
         for cited in () if place == manual.page("units.md") else getattr(thing, "sources", ()):
             assert f"{cited.manual}: {cited.section}" in text
     assert seen_ >= {*PROSE} - {"before"}

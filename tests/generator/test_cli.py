@@ -39,6 +39,8 @@ def test_a_new_specification_is_valid_and_generates(tmp_path: Path, capsys: pyte
     assert {p.name for p in out.iterdir()} == set(discovery.names())
     assert cli.main(["new", str(tmp_path / "my device")]) == 0
     assert f"mipgen generate --spec '{tmp_path}/my device'\n" in capsys.readouterr().out
+    assert cli.main(["validate", "--spec", str(spec)]) == 0
+    assert capsys.readouterr().out == "2 sets: 1 command, 1 data field, 1 response; 1 device, 2 examples, 0 errata\n"
     of = load_model(spec)
     assert [f.full_name for f in of.fields] == ["tools.light", "tools.light_response", "measurements.temperature"]
     assert len(of.devices) == 1 and len(of.examples) == 2
@@ -65,13 +67,6 @@ def test_a_new_specification_has_the_unit_that_messages_recommend(tmp_path: Path
     data.write_text(original.replace("degC", '"1"'), "utf-8")
     device.write_text(f"{device.read_text('utf-8')}model_number: 42\n", "utf-8")
     assert [d.model_number for d in load_model(tmp_path).devices] == [42]
-
-
-def test_the_summary_counts_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.main(["new", str(tmp_path)]) == 0
-    capsys.readouterr()
-    assert cli.main(["validate", "--spec", str(tmp_path)]) == 0
-    assert capsys.readouterr().out == ("2 sets: 1 command, 1 data field, 1 response; 1 device, 2 examples, 0 errata\n")
 
 
 def test_what_the_new_specification_generates_is_usable(tmp_path: Path) -> None:
@@ -200,22 +195,22 @@ def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
         assert done.stderr.endswith("; choose another folder\n") and done.stderr.count("\n") == 1
 
 
-def test_any_other_file_that_fails(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize(
+    ("error", "status", "said"),
+    [
+        (PermissionError(13, "Permission denied", "sets/a.yaml"), 1, "sets/a.yaml: error: Permission denied\n"),
+        (KeyboardInterrupt(), 130, "mipgen: interrupted; run it again\n"),
+    ],
+)
+def test_any_other_file_that_fails_and_a_run_that_the_user_interrupts(
+    error: BaseException, status: int, said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     def fail(options: object) -> int:
-        raise PermissionError(13, "Permission denied", "spec/sets/a.yaml")
+        raise error
 
     monkeypatch.setattr("mipgen.cli.commands.validate", fail)
-    assert cli.main(["validate"]) == 1
-    assert capsys.readouterr().err == "spec/sets/a.yaml: error: Permission denied\n"
-
-
-def test_a_run_that_the_user_interrupts(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    def interrupt(options: object) -> int:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("mipgen.cli.commands.validate", interrupt)
-    assert cli.main(["validate"]) == 130
-    assert capsys.readouterr().err == "mipgen: interrupted; run it again\n"
+    assert cli.main(["validate"]) == status
+    assert capsys.readouterr().err == said
 
 
 # --------------------------------------------------------------------------- folders, help, versions
@@ -267,12 +262,6 @@ def test_all_that_is_printed_arrives_or_is_missed() -> None:
     assert (done.returncode, done.stderr) == (1, "mipgen: error: No space left on device\n")
 
 
-def test_version(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as end:
-        cli.main(["--version"])
-    assert end.value.code == 0 and capsys.readouterr().out == f"mipgen {__version__}\n"
-
-
 def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     """Without a command, it lists the commands; every command and every option says what it is for."""
     assert cli.main([]) == 0
@@ -284,6 +273,10 @@ def test_help(capsys: pytest.CaptureFixture[str]) -> None:
             cli.main([command, "--help"])
     for line in re.findall(r"^  mipgen (.*?)   ", arguments.EXAMPLES, re.M):
         cli.parser().parse_args(line.split())
+    capsys.readouterr()
+    with pytest.raises(SystemExit, match="0"):
+        cli.main(["--version"])
+    assert capsys.readouterr().out == f"mipgen {__version__}\n"
 
 
 def commands() -> dict[str, Any]:

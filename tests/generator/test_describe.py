@@ -61,15 +61,6 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             },
         ),
         (
-            "tools.set_time",
-            {
-                "functions": "Functions: <write>, <read> and <apply>.",
-                "responses": "Response: <tools.set_time_fast_response> or <tools.set_time_slow_response>.",
-                "devices": A,
-                "note": "Send it once a second.",
-            },
-        ),
-        (
             "tools.status",
             {
                 "advanced": "For advanced use.",
@@ -124,11 +115,9 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "<shape>.",
             },
         ),
-        ("measurements.gust:station", {}),
         ("measurements.gust:height", {"unit": "Unit: m.", "valid": "Valid if <valid_flags.ready> is set."}),
         ("measurements.gust:gap", {"constant": "Always 7."}),
         ("measurements.gust:valid_flags", {}),
-        ("measurements.breeze:height", {"unit": "Unit: m."}),
         (
             "measurements.gust:speed",
             {

@@ -50,33 +50,17 @@ def test_evidence() -> None:
     assert c.absent == "no" and device("old-1").absent == "unknown"
 
 
-def test_firmware() -> None:
-    """The firmware of a set, and of one command."""
-    found = {s.name: s.firmware for s in device("model-c").supports if s.firmware}
-    assert found == {"more.accel": "> 1.0.07", "more.own": "> 1.0.07", "tools.capture_bias": ">= 1.0, < 1.1"}
-    assert [x.firmware for x in device("model-c").limits] == ["< 2.0"]
-
-
 def test_what_changes() -> None:
     a, c = device("model-a"), device("model-c")
     functions = {s.name: m.letters(s.functions) for s in c.supports}
     assert functions["tools.settings"] == "WRS" and functions["tools.bias"] == "WRSLD"
     assert [(r.set.name, r.hertz) for r in c.base_rates] == [("measurements", 1000), ("more", 250)]  # copy: not known
     assert [(p.name, p.id, p.baud_rates) for p in c.ports] == [("Main", 0x12, (9600,)), ("CAN", None, ())]
-    assert [(x.name, x.value) for x in c.limits] == [("segments", 6)] and len(a.limits) == 2
+    assert [(x.name, x.value, x.firmware) for x in c.limits] == [("segments", 6, "< 2.0")] and len(a.limits) == 2
     assert (len(a.notes), c.notes, c.ack_codes) == (1, (), a.ack_codes)
     assert {s.name: s.deprecated for s in c.supports if s.deprecated} == {
         "tools.capture_bias": "use `tools.bias` instead"
     }
-
-
-def test_what_varies() -> None:
-    found = {v.path: v.variant for v in device("model-c").variants}
-    assert {path for path, v in found.items() if v.unknown} == {"tools.status_long.flags"}
-    assert [x.name for x in found["tools.settings.mode"].only] == ["default", "fast"]
-    assert [x.name for x in found["measurements.accel.valid_flags"].only] == ["ready", "level"]
-    assert found["tools.status.selector"].constant == 2
-    assert found["tools.status_short.flags"].type is not None  # as on the model A
 
 
 def test_families() -> None:

@@ -218,7 +218,7 @@ def test_the_specification_agrees_with_its_witnesses() -> None:
 @heavy("random changes that witnesses find")
 def test_most_random_changes_are_found() -> None:
     """One of each kind; `python tests/witness_changes.py` makes 200."""
-    found = run(rounds(11, 200), SEED, False)
+    found = run(rounds(11, 200), SEED)
     missed = [str(place) for place, by in found if not by]
     assert 5 * len(missed) < len(found), missed
 
