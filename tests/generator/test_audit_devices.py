@@ -62,7 +62,12 @@ def test_what_differs(tmp_path: Path, old: str, new: str, message: str) -> None:
 
 
 def test_a_device_known_by_its_name_only(tmp_path: Path) -> None:
-    assert findings(tmp_path, MODELS.replace("number: 4001,", "number: 4003,")) == []
+    row, other = "{name: Old 1, number: 4001, generation: 1, also: First}", "{name: Old 3, number: 4003, generation: 1"
+    facts = DEVICES.replace("value: 4001", "value: 4003")
+    assert findings(tmp_path, MODELS.replace(row, f"{other}, also: Third}}"), facts) == []
+    assert findings(tmp_path, MODELS.replace(row, f"{other}, also: Fourth}}"), facts) == [
+        "models.yaml:2: old-3 is not called 'Fourth'"
+    ]
 
 
 def test_files(tmp_path: Path) -> None:

@@ -37,13 +37,9 @@ def _finding(place: m.Position, message: str) -> Finding:
     return Finding(place.file, place.line, message)
 
 
-def _by_number(model: m.Model, number: int) -> m.Device | None:
-    return next((d for d in model.devices if d.model_number == number), None)
-
-
-def _named(model: m.Model, number: int) -> bool:
-    """Is only the name of the device with this number known?"""
-    return any(d.model_number == number for d in model.named)
+def _by_number(model: m.Model, number: int) -> m.Device | m.NamedDevice | None:
+    devices: tuple[m.Device | m.NamedDevice, ...] = (*model.devices, *model.named)
+    return next((d for d in devices if d.model_number == number), None)
 
 
 def _models(model: m.Model, root: Node) -> Iterator[Finding]:
@@ -51,15 +47,13 @@ def _models(model: m.Model, root: Node) -> Iterator[Finding]:
     for node in root["models"]:
         number = node["number"]
         device = _by_number(model, number.value)
-        if device is None and _named(model, number.value):
-            continue
         if device is None:
             yield _finding(number.position, f"no device has the model number {number.value}")
             continue
         for key in ("name", "also"):
             if key in node and node[key].value not in (device.title, *device.also):
                 yield _finding(node[key].position, f"{device.id} is not called '{node[key].value}'")
-        if node["generation"].value != device.generation:
+        if isinstance(device, m.Device) and node["generation"].value != device.generation:
             yield _finding(
                 node["generation"].position, f"{device.id} is generation {device.generation} in the specification"
             )
@@ -69,10 +63,9 @@ def _devices(model: m.Model, root: Node) -> Iterator[Finding]:
     for name, node in root["devices"].items():
         for number in _numbers(node["model_number"]):
             device = _by_number(model, number)
-            if device is None and _named(model, number):
-                continue
             if device is None:
                 yield _finding(root["devices"].keys[name], f"no device has the model number {number}")
+            if not isinstance(device, m.Device):  # of a device known by name only, there is nothing to compare
                 continue
             for kind in ("commands", "data"):
                 for key, lists in node[kind].items() if kind in node else ():
