@@ -153,7 +153,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
 def identifiers(model: m.Model) -> Iterable[Identifier]:
     of = model.derived(Records)
-    for fixed in LANGUAGE["modules"]:
+    for fixed in names.modules():
         yield Identifier("the crate", fixed, f"the module {fixed}", None)
     for fixed in LANGUAGE["features"]:
         yield Identifier("the features", fixed, f"the feature {fixed}", None, word=False)

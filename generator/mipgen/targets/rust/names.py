@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from mipgen import model as m
+from mipgen.base import resources
 from mipgen.emit.naming import Escape, Grammar, pascal, upper
 from mipgen.emit.render import language
 
@@ -80,6 +82,12 @@ def response_variant(response: m.Field, command: m.Field) -> str:
 
 
 # --------------------------------------------------------------------------- places
+
+
+def modules() -> list[str]:
+    """Returns the modules that every crate has, also those that are private."""
+    root = (resources.root() / "runtime/rust/src/lib.rs").read_text("utf-8")
+    return sorted({"session", *re.findall(r"^(?:pub )?mod (\w+);", root, re.MULTILINE)})
 
 
 def home(thing: m.Type | m.Record) -> str:
