@@ -485,10 +485,12 @@ def number(p: m.Parameter, value: Any) -> str:
 
 
 def comparable(p: m.Parameter, value: Any) -> Any:
-    """The same value without what Rust does not find equal to itself, or does not take: NaN, and bools above 1."""
+    """The same value without what Rust does not find equal to itself, or what its constructors do not take: NaN, bools
+    above 1, and reserved members of structures."""
     if p.struct:
         known = {q.name: q for q in p.struct.parameters}
-        return {name: v if v is None else comparable(known[name], v) for name, v in value.items()}
+        reserved = {q.name: sent(q) for q in p.struct.parameters if q.reserved is not None}
+        return {name: v if v is None else comparable(known[name], v) for name, v in value.items()} | reserved
     if p.union:
         known = {q.name: q for q in p.alternatives}
         return {name: comparable(known[name], v) for name, v in value.items()}
