@@ -89,6 +89,22 @@ def members(names: list[str]) -> dict[str, str]:
     return {"types/own.yaml": text}
 
 
+def bits(names: list[str]) -> dict[str, str]:
+    text = "types:"
+    for number, some in groups(names, 50):
+        rows = "\n".join(f'      "{n}": {i}' for i, n in enumerate(some))
+        text += f"\n  own{number}:\n    bitfield: u64\n    description: D.\n    bits:\n{rows}"
+    return {"types/own.yaml": text}
+
+
+def elements(names: list[str]) -> dict[str, str]:
+    text = "types:"
+    for number, some in groups(names, 50):
+        rows = ",\n".join(f'      "{n}"' for n in some)
+        text += f"\n  own{number}:\n    vector: float\n    description: D.\n    elements: [\n{rows}\n    ]"
+    return {"types/own.yaml": text}
+
+
 def fields(names: list[str]) -> dict[str, str]:
     return {
         f"sets/own{i}.yaml": in_set(
@@ -107,6 +123,8 @@ KINDS: dict[str, Callable[[list[str]], dict[str, str]]] = {
     "enum of a set": types_of_a_set("{enum: u8, description: D., values: {one: 1}}"),
     "struct of a set": types_of_a_set("{description: D., struct: [{name: a, type: u8, description: D.}]}"),
     "value": values,
+    "bit": bits,
+    "element": elements,
     "parameter": members,
     "field": fields,
     "set": sets,

@@ -206,11 +206,11 @@ def _type(of: Records, t: m.Type) -> Iterator[Identifier]:
     match t:
         case m.Enum():
             for v in t.values:
-                yield Identifier(where, constant(v.name), v.name, t.position)
+                yield Identifier(where, constant(v.name), v.name, v.position or t.position)
         case m.Bitfield():
             for b in t.bits:
                 for name in (constant(b.name), method(b.name), f"set_{b.name}", f"with_{b.name}"):
-                    yield Identifier(where, name, b.name, t.position)
+                    yield Identifier(where, name, b.name, b.position or t.position)
         case m.Vector():
             for e in t.elements:
                 yield Identifier(where, member(e), e, None)
