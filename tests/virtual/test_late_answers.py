@@ -7,10 +7,12 @@ from typing import Any
 
 import pytest
 from conformance.client_model import TIMEOUT, Client
-from support import model, rounds
+from support import model, rounds, uses
 from virtual.commands import Trial, commands
 from virtual.session import Session, Witness
 from virtual.test_clients import device, repeat
+
+pytestmark = uses()  # the clients at hand
 
 #: In seconds: up to 2.4 times the time-out, as 0.6 s are to 0.25 s.
 LATE = (0.15, 2.4 * TIMEOUT / 1000)
