@@ -41,7 +41,6 @@ def test_planted_bugs_are_seen() -> None:
 
 
 def test_what_is_planted_is_there() -> None:
-    assert f"{len(proofs.PLANTS)} bugs are planted" in proofs.TABLE.read_text("utf-8")
     names = {p.name for p in (*proofs.core(), *proofs.layouts())}
     for file, old, _, name in proofs.PLANTS:
         assert old in (proofs.SOURCES / "mip" / file).read_text("utf-8"), file
