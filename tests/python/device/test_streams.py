@@ -9,7 +9,7 @@ from typing import Any
 import mip_protocol as mip
 import pytest
 from both import packet
-from mip_protocol import Packet, Parser, Samples, mip_3dm, samples, types
+from mip_protocol import Packet, Parser, Samples, mip_3dm, samples, timestamps, types
 from mip_protocol.sampling import MOST
 from mip_tools import sentences
 from mip_tools.sentences import Sentences
@@ -170,3 +170,17 @@ def test_all_data_of_a_device(number: int, stamped: bool) -> None:
         own: list[Any] = [raw.descriptor for p in group for raw in p if raw.descriptor < 0xD0]
         assert sorted(set(own)) == [d for d in known if d < 0xD0]  # some come several times
         assert own.count(own[0]) == 1
+
+
+@pytest.mark.parametrize(
+    ("number", "clock", "descriptors"),
+    [
+        (0x80, "gps", [0x12, 0xD3]),
+        (0x82, "gps", [0x11, 0xD3]),
+        (0x91, "gps", [0x09, 0xD3]),
+        (0x80, "reference", [0xD5]),
+        (0x80, "external", [0xD7]),
+    ],
+)
+def test_the_fields_that_contain_the_time_of_a_clock(number: int, clock: str, descriptors: list[int]) -> None:
+    assert [kind.DESCRIPTOR for kind in timestamps.kinds(number, clock)] == descriptors
