@@ -9,6 +9,7 @@ VENV := .venv
 RUN := $(VENV)/bin/python
 # What is compiled of the generator is kept, even where Python is told to keep nothing: it is a third of a short run.
 MIPGEN := PYTHONDONTWRITEBYTECODE= PYTHONPATH=generator $(RUN) -m mipgen
+AUDIT := PYTHONPATH=generator:tools $(RUN) -m audit
 # Processes of tests: some tests wait, so one more than processors; each also collects the tests, so no more than nine.
 JOBS ?= $(shell n=$$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2); [ $$n -lt 8 ] || n=8; echo $$((n + 1)))
 TESTS ?= tests
@@ -32,19 +33,19 @@ $(VENV)/bin/python:
 	@echo "making $(VENV)"
 	@$(PYTHON) -m venv $(VENV)
 
-$(VENV)/generator.stamp: requirements.txt | $(VENV)/bin/python
+$(VENV)/generator.stamp: requirements/generator.txt | $(VENV)/bin/python
 	@echo "installing what the generator needs"
-	@$(PIP_INSTALL) requirements.txt
+	@$(PIP_INSTALL) requirements/generator.txt
 	@touch $@
 
-$(VENV)/development.stamp: requirements-dev.txt | $(VENV)/generator.stamp
+$(VENV)/development.stamp: requirements/development.txt | $(VENV)/generator.stamp
 	@echo "installing what tests and checks need"
-	@$(PIP_INSTALL) requirements-dev.txt
+	@$(PIP_INSTALL) requirements/development.txt
 	@touch $@
 
-$(VENV)/all.stamp: requirements-all.txt | $(VENV)/development.stamp
+$(VENV)/all.stamp: requirements/all.txt | $(VENV)/development.stamp
 	@echo "installing what long tests and measurements need"
-	@$(PIP_INSTALL) requirements-all.txt
+	@$(PIP_INSTALL) requirements/all.txt
 	@touch $@
 
 # For all Pythons alike: what the oldest one needs is in the lock too. Folders of this machine have no place in it.
@@ -57,10 +58,10 @@ lock: ## pin the newest versions of the Python tools
 	@$(OLDEST) -c 'import sys; sys.exit(sys.version_info[:2] != (3, 10))' || { echo "make: the lock is made with Python 3.10, the oldest that is supported: make lock OLDEST=..." >&2; exit 1; }
 	@$(OLDEST) -m venv --clear $(BUILD)/lock
 	@$(BUILD)/lock/bin/python -m pip install --quiet pip-tools
-	@$(PIP_COMPILE) -o requirements.txt pyproject.toml
-	@$(PIP_COMPILE) -o requirements-dev.txt requirements-dev.in
-	@$(PIP_COMPILE) -o requirements-all.txt requirements-all.in
-	@$(OLDEST) tests/locks.py requirements.txt requirements-dev.txt requirements-all.txt
+	@$(PIP_COMPILE) -o requirements/generator.txt pyproject.toml
+	@$(PIP_COMPILE) -o requirements/development.txt requirements/development.in
+	@$(PIP_COMPILE) -o requirements/all.txt requirements/all.in
+	@$(OLDEST) tests/locks.py $(patsubst %,requirements/%.txt,generator development all)
 
 # ----------------------------------------------------------------- what it is for
 
@@ -76,6 +77,14 @@ generate: $(VENV)/generator.stamp ## check the specification and write generated
 golden: $(VENV)/generator.stamp ## write the snapshot of the invented specification, tests/invented/golden
 	@PYTHONPATH=generator $(RUN) tests/golden.py
 
+.PHONY: first-page
+first-page: generate ## write the field that README.md shows, as it is generated
+	@$(RUN) tests/first_page.py
+
+.PHONY: keys
+keys: $(VENV)/generator.stamp ## write spec/keys.md, the index of the keys of a specification
+	@$(RUN) tests/keys.py
+
 # The commit's generator runs in a copy of that commit; both outputs have the same place within their folder.
 .PHONY: golden-diff
 golden-diff: $(VENV)/generator.stamp ## show what changed in that output since a commit: make golden-diff SINCE=HEAD~3
@@ -86,8 +95,8 @@ golden-diff: $(VENV)/generator.stamp ## show what changed in that output since a
 	@git --no-pager diff --no-index --stat -p $(BUILD)/golden/invented $(BUILD)/invented || true
 
 .PHONY: audit
-audit: $(VENV)/generator.stamp ## compare the specification with its sources: make audit MANUALS="ID=FILE ID=FILE" SDK=FOLDER
-	@$(MIPGEN) audit --spec $(SPEC) $(addprefix --manual ,$(MANUALS)) $(addprefix --sdk ,$(SDK))
+audit: $(VENV)/generator.stamp ## compare the specification with its sources: make audit MANUALS="ID=FILE ID=FILE" SDK=FOLDER, EXTRACT=1 writes their facts
+	@$(AUDIT) --spec $(SPEC) $(addprefix --manual ,$(MANUALS)) $(addprefix --sdk ,$(SDK)) $(if $(EXTRACT),--extract)
 
 # Each ends with a line that says what was run and what was left out; nothing is skipped in between.
 # Tests start many programs in Python: what is compiled is kept, even where Python is told to keep nothing.
@@ -101,9 +110,18 @@ test: tools $(VENV)/development.stamp ## run the tests of all languages, of thos
 test-packaging: tools-packaging $(VENV)/all.stamp ## build packages, install them, and use C in build systems
 	@$(PYTEST) -m "packaging and not nightly" $(TESTS)
 
+# Locked versions are old ones for some users: what `pip` installs today must work as well.
+.PHONY: test-newest
+test-newest: ## run the tests of logs as columns with the newest NumPy, pandas, Polars, pyarrow, mcap and rosbags
+	@$(PYTHON) -m venv $(BUILD)/newest
+	@$(BUILD)/newest/bin/python -m pip install --quiet --require-hashes -r requirements/all.txt
+	@$(BUILD)/newest/bin/python -m pip install --quiet --upgrade numpy pandas polars pyarrow mcap rosbags
+	@PATH=$(abspath $(BUILD)/newest/bin):$$PATH python -m pytest -n $(JOBS) -k "not wheels" \
+		tests/tools/test_columns.py tests/tools/test_log_tables.py tests/tools/cli/test_mip_columns.py tests/tools/cli/test_robots.py
+
 .PHONY: test-all
 test-all: tools-all test test-packaging ## these, and those that take long, or need other compilers, browsers and Pythons
-	@$(PYTEST) -m "heavy and not (packaging or nightly)" $(TESTS)
+	@$(PYTEST) --durations=20 --durations-min=30 -m "heavy and not (packaging or nightly)" $(TESTS)
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
@@ -119,7 +137,7 @@ test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in
 # Of the generator, what runs in its process; and every printed packet in Python.
 SLOW := cli discovery mutations output targets
 .PHONY: quick
-quick: $(VENV)/development.stamp ## run the quick tests of the generator, and Python with every printed packet, in a minute
+quick: $(VENV)/development.stamp ## run the quick tests of the generator, and Python with every printed packet, in one to two minutes
 	@$(PYTEST) -m "not (heavy or packaging or nightly)" tests/generator $(SLOW:%=--ignore=tests/generator/test_%.py) \
 	  $(foreach spec,real invented,$(foreach way,decode_to_their_values encode_to_their_bytes,"tests/conformance/test_conformance.py::test_examples_$(way)[python-$(spec)]"))
 
@@ -132,13 +150,12 @@ mutate: $(VENV)/development.stamp ## change the project at random and report wha
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
 
 .PHONY: fuzz
-fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break a language or tell two apart, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client-random" SEED=2
+fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break a language or tell two apart, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser fields-random" SEED=2
 	@$(RUN) tests/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(addprefix --seed ,$(SEED)) $(if $(TARGETS),--targets $(TARGETS))
 
 .PHONY: prove
-prove: tools-prove $(VENV)/development.stamp ## prove properties of C for all inputs: make prove FIELD=base.ping SECONDS=300, make prove PLANT=1
-	@$(RUN) tests/prove/proofs.py $(addprefix --field ,$(FIELD)) $(addprefix --count ,$(COUNT)) $(addprefix --seed ,$(SEED)) \
-	  $(addprefix --seconds ,$(SECONDS)) $(if $(PLANT),--plant)
+prove: tools-prove $(VENV)/development.stamp ## prove properties of C for all inputs: make prove PROOF=walk SECONDS=300, make prove PLANT=1
+	@$(RUN) tests/prove/proofs.py $(addprefix --proof ,$(PROOF)) $(addprefix --seconds ,$(SECONDS)) $(if $(PLANT),--plant)
 
 # The formatter and linter of JavaScript, pinned by its npm lock.
 BIOME := $(BUILD)/biome/node_modules/.bin/biome
@@ -155,8 +172,10 @@ NO_FORMATTER = $(strip $(if $(RUSTFMT),,rustfmt (rustup component add rustfmt)) 
 .PHONY: check
 check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
-	@$(if $(wildcard $(SPEC)/witness),$(MIPGEN) audit --spec $(SPEC) --witness $(SPEC)/witness)
+	@$(if $(wildcard $(SPEC)/witness),$(AUDIT) --spec $(SPEC) --witness $(SPEC)/witness)
 	@PYTHONPATH=generator $(RUN) tests/golden.py --check
+	@$(RUN) tests/keys.py --check
+	@$(RUN) tests/first_page.py --check
 	@$(RUN) tests/wording.py $(SPEC)
 	@$(MIPGEN) diff --release --spec $(SPEC)
 	@$(RUN) tools/release/interface.py --check --out $(OUT)
@@ -164,9 +183,10 @@ check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, c
 	@$(VENV)/bin/ruff format --quiet --check .
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/ruff check --quiet . && $(abspath $(VENV))/bin/ruff format --quiet --check .
 	@$(VENV)/bin/mypy --no-error-summary
-	@PYTHONPATH=generator $(VENV)/bin/lint-imports --no-logo --no-cache >$(BUILD)/imports.txt || { cat $(BUILD)/imports.txt; false; }
+	@PYTHONPATH=generator:generated/python $(VENV)/bin/lint-imports --no-logo --no-cache >$(BUILD)/imports.txt || { cat $(BUILD)/imports.txt; false; }
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy --no-error-summary mip_protocol
 	@cd tools && $(abspath $(VENV))/bin/mypy --no-error-summary
+	@cd tools && PYTHONPATH=. $(abspath $(VENV))/bin/lint-imports --no-logo --no-cache >$(abspath $(BUILD))/imports.txt || { cat $(abspath $(BUILD))/imports.txt; false; }
 	@find $(OUT)/c runtime/c tests/c tests/cross \( -name '*.c' -o -name '*.h' -o -name '*.hpp' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	$(if $(RUSTFMT),@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust)
 	$(if $(NPM),@$(BIOME) check --error-on-warnings --log-level=warn .)
@@ -178,17 +198,25 @@ workbench: ## build the tools for the browser in build/workbench, of any output:
 	@$(PYTHON) tools/workbench/build.py $(OUT)/javascript $(BUILD)/workbench
 
 # The site gets its tools, and a search that knows descriptors, from the workbench.
-MKDOCS = NO_MKDOCS_2_WARNING=1 MIP_WORKBENCH=$(abspath $(BUILD))/workbench $(abspath $(RUN)) -m mkdocs
+MKDOCS = NO_MKDOCS_2_WARNING=1 MIP_WORKBENCH=$(abspath $(BUILD))/workbench $(if $(filter generated,$(OUT)),MIP_PAGES=$(abspath $(BUILD))/pages) $(abspath $(RUN)) -m mkdocs
 
 .PHONY: docs
 docs: workbench $(VENV)/development.stamp ## build the reference as a searchable site in build/site
+	@$(RUN) docs/pages.py $(BUILD)/pages
 	@cd $(OUT)/markdown && $(MKDOCS) build --quiet --strict --site-dir $(abspath $(BUILD))/site
+	@$(RUN) docs/everything.py $(BUILD)/site
 	@echo "$(BUILD)/site/index.html"
+
+.PHONY: pdf
+pdf: docs ## print the reference on one page, which takes minutes: build/site/everything.html, and mip-reference.pdf beside it
+	@$(RUN) docs/everything.py $(BUILD)/site $(BUILD)/site/mip-reference.pdf
+	@echo "$(BUILD)/site/mip-reference.pdf"
 
 .PHONY: release
 release: export SOURCE_DATE_EPOCH = 315532800
-release: docs $(VENV)/all.stamp ## build what people install in dist/: the same bytes each time, with checksums, an SBOM and notes
+release: pdf $(VENV)/all.stamp ## build what people install in dist/, with checksums, an SBOM and notes: make release, make release REHEARSE=1
 	@$(RUN) tools/release/build.py --site $(BUILD)/site
+	$(if $(REHEARSE),@$(RUN) tools/release/publish.py --rehearse)
 
 .PHONY: interface
 interface: ## of a release: write what programs see of this version, interface/, with which make check compares
@@ -196,6 +224,7 @@ interface: ## of a release: write what programs see of this version, interface/,
 
 .PHONY: docs-serve
 docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.0.0.1:8000, and follow changes: make docs-serve ADDRESS=HOST:PORT
+	@$(RUN) docs/pages.py $(BUILD)/pages
 	@cd $(OUT)/markdown && $(MKDOCS) serve $(addprefix --dev-addr ,$(ADDRESS))
 
 .PHONY: pictures
@@ -203,6 +232,7 @@ pictures: docs $(VENV)/all.stamp ## make the pictures of the README anew, and in
 	@$(RUN) docs/pictures/session.py docs/pictures/session.svg
 	@PYTHONPATH=generator:tests $(RUN) docs/pictures/pages.py $(BUILD)/site $(BUILD)/pictures
 	@cp $(BUILD)/pictures/field.png docs/pictures/field.png
+	@$(RUN) tests/first_page.py --pictures
 
 .PHONY: bench
 bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the tables of the READMEs, PART=generate measures the generator only, PEER=FOLDER compares with the vendor's SDK

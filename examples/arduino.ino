@@ -21,14 +21,16 @@ void setup() {
     mip_parser_init(&parser);
 }
 
+// Parsing single bytes would take several times as long.
 void loop() {
-    if (Serial.available() > 0) {
-        uint8_t byte = (uint8_t)Serial.read();
-        const uint8_t *data = &byte;
-        size_t size = 1;
-        struct mip_packet packet;
-        while (mip_parser_next(&parser, &data, &size, &packet)) {
-            show(&packet);
-        }
+    uint8_t bytes[32];
+    size_t size = 0;
+    while (size < sizeof(bytes) && Serial.available() > 0) {
+        bytes[size++] = (uint8_t)Serial.read();
+    }
+    const uint8_t *data = bytes;
+    struct mip_packet packet;
+    while (mip_parser_next(&parser, &data, &size, &packet)) {
+        show(&packet);
     }
 }

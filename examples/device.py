@@ -7,5 +7,5 @@ with open_port("/dev/ttyACM0", 115200) as device:
         device.request(mip_3dm.PpsSourceControl.read())
     except Refused as refusal:
         print(refusal.command, refusal.code.name)
-    for time, accel in device.fields(sensor.ScaledAccel):
-        print(f"{time:.3f} s", accel.scaled_accel)
+    for stamp, accel in device.fields(sensor.ScaledAccel):
+        print(f"{stamp.device:.3f} s", accel.scaled_accel)

@@ -8,17 +8,15 @@ fn run<P: Port>(port: P) -> Result<(), DeviceError<P::Error>> {
     println!("{}", info.device_info.model_name);
     device.request(&mip_3dm::DataStreamControl::write(0x80, true))?; // no response: ()
 
-    let (rate, pps) = device.send_all(mip_3dm::MIP_3DM_SET, |request| {
-        let rate = request.add(&mip_3dm::GetBaseRate::new(0x80))?;
-        Ok((rate, request.add(&mip_3dm::PpsSourceControl::read())?))
-    })?;
-    println!("{:?} {:?}", device.answer(&rate), device.answer(&pps));
+    let (rate, pps) = (mip_3dm::GetBaseRate::new(0x80), mip_3dm::PpsSourceControl::read());
+    let (rate, pps) = device.request_all((&rate, &pps))?; // in one packet
+    println!("{} Hz, {}", rate.rate, pps.source);
 
     while let Some(packet) = device.next_packet(1000)? {
         match packet.find::<ScaledAccel>() {
-            Some(Ok(accel)) => println!("{:.4} g along x", accel.scaled_accel.x),
-            Some(Err(broken)) => println!("{broken}"),
-            None => {} // the packet contains other fields
+            Ok(Some(accel)) => println!("{:.4} g along x", accel.scaled_accel.x),
+            Err(broken) => println!("{broken}"),
+            Ok(None) => {} // the packet contains other fields
         }
     }
     Ok(()) // no data for a second

@@ -10,7 +10,7 @@
 use mip_protocol::mip_3dm::{DataStreamControl, GetBaseRate};
 use mip_protocol::sensor::{self, ScaledAccel, ScaledGyro};
 use mip_protocol::shared::GpsTimestamp;
-use mip_protocol::{Answer, Client, Parser, RawField};
+use mip_protocol::{Client, Parser, RawField};
 
 /// What the program needs from its hardware.
 trait Board {
@@ -25,10 +25,10 @@ trait Board {
 
 fn run(board: &mut impl Board) {
     let mut parser = Parser::new();
-    let mut client: Client<1> = Client::new(); // one command at a time
+    let mut client: Client<1> = Client::default(); // one command at a time
     let mut start = None;
 
-    let rate = match client.send(&GetBaseRate::new(sensor::SENSOR_SET), board.milliseconds()) {
+    let rate = match client.send(&GetBaseRate::new(sensor::SET), board.milliseconds()) {
         Ok((ticket, packet)) => {
             board.send(packet.bytes());
             ticket
@@ -52,28 +52,28 @@ fn run(board: &mut impl Board) {
         }
         match client.take(&rate) {
             None => {}
-            Some(Answer::Acknowledged(response)) => {
+            Some(Ok(response)) => {
                 board.show(1, response.rate.into());
-                let stream = DataStreamControl::write(sensor::SENSOR_SET, true);
+                let stream = DataStreamControl::write(sensor::SET, true);
                 if let Ok((ticket, packet)) = client.send(&stream, board.milliseconds()) {
                     board.send(packet.bytes());
                     start = Some(ticket);
                 }
             }
-            Some(_) => board.show(2, 0.0), // refused, or not answered
+            Some(Err(_)) => board.show(2, 0.0), // refused, or not answered
         }
         if let Some(answer) = start.as_ref().and_then(|ticket| client.take(ticket)) {
-            board.show(if answer.into_result().is_ok() { 3 } else { 4 }, 0.0);
+            board.show(if answer.is_ok() { 3 } else { 4 }, 0.0);
         }
     }
 }
 
 fn take(board: &mut impl Board, field: &RawField<'_>) {
-    if let Some(Ok(time)) = field.get::<GpsTimestamp>() {
+    if let Ok(Some(time)) = field.get::<GpsTimestamp>() {
         board.show(5, time.week_number.into());
-    } else if let Some(Ok(accel)) = field.get::<ScaledAccel>() {
+    } else if let Ok(Some(accel)) = field.get::<ScaledAccel>() {
         board.show(6, accel.scaled_accel.z);
-    } else if let Some(Ok(gyro)) = field.get::<ScaledGyro>() {
+    } else if let Ok(Some(gyro)) = field.get::<ScaledGyro>() {
         board.show(7, gyro.scaled_gyro.z);
     }
 }

@@ -8,6 +8,6 @@ with open_port(place, baud=None) as device:  # None: finds the baud rate
     print(info.device_info.model_name.strip())
 
     device.stream({sensor.ScaledAccel: 100})
-    for time, accel in device.fields(sensor.ScaledAccel):
+    for stamp, accel in device.fields(sensor.ScaledAccel):
         x, y, z = accel.scaled_accel
         print(f"{x:8.4f} {y:8.4f} {z:8.4f} g", flush=True)

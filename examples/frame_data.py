@@ -13,6 +13,6 @@ place = sys.argv[1] if len(sys.argv) > 1 else "/dev/ttyACM0"  # or COM3, or HOST
 with open_port(place, baud=None) as device:  # None: finds the baud rate
     device.stream({FIELD: 1}, set=SET)  # 1 Hz
     # 2. the other lines of the page
-    for time, value in device.fields(sensor.ScaledAccel):
-        print(time, value.scaled_accel)
+    for stamp, value in device.fields(sensor.ScaledAccel):
+        print(stamp.device, value.scaled_accel)
     # end of 2

@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     device.stream(FIELD.0, &[Rate::of_descriptor(FIELD.1, 1.0)])?; // 1 Hz
     while let Some(packet) = device.next_packet(5000)? {
         // 2. the other lines of the page
-        if let Some(value) = packet.find::<sensor::ScaledAccel>().transpose()? {
+        if let Some(value) = packet.find::<sensor::ScaledAccel>()? {
             println!("{:?}", value.scaled_accel);
         }
         // end of 2

@@ -29,9 +29,9 @@ fn text(field: Result<RawField<'_>, FieldLengthError>) -> serde_json::Result<Str
     let mut raw = json!({"descriptor": field.descriptor, "data": field.data});
     // Borrowed, because it is as large as the largest field.
     match &AnyField::decode(&field) {
-        Some(Ok(found)) => return serde_json::to_string(found), // {"sensor.scaled_accel": {…}}
-        Some(Err(error)) => raw["error"] = error.to_string().into(),
-        None => {} // unknown
+        Ok(Some(found)) => return serde_json::to_string(found), // {"sensor.scaled_accel": {…}}
+        Err(error) => raw["error"] = error.to_string().into(),
+        Ok(None) => {} // unknown
     }
     serde_json::to_string(&raw)
 }

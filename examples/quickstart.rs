@@ -8,9 +8,9 @@ fn main() -> Result<(), mip_protocol::EncodeError> {
                      \xBB\x8E\x3B\x29\x7F\xE5\xBF\x7F\x84\xEE";
     let mut parser = Parser::new(); // for a stream; `packets` if all bytes are there
     parser.feed(received).for_each(|packet| match packet.find::<ScaledAccel>() {
-        Some(Ok(accel)) => println!("{:.4} g along x", accel.scaled_accel.x),
-        Some(Err(broken)) => println!("{broken}"),
-        None => {} // the packet contains other fields
+        Ok(Some(accel)) => println!("{:.4} g along x", accel.scaled_accel.x),
+        Err(broken) => println!("{broken}"),
+        Ok(None) => {} // the packet contains other fields
     });
     Ok(())
 }

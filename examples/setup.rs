@@ -18,31 +18,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     let accel = sensor::ScaledAccel::DESCRIPTOR;
 
     // 2. Settings.
-    let filter = mip_3dm::LowPassFilter::write(sensor::SENSOR_SET, accel, true, true, CUTOFF);
+    let filter = mip_3dm::LowPassFilter::write(sensor::SET, accel, true, true, CUTOFF);
     device.request(&filter)?;
 
     // 3. The data to send, and its rates. Several commands may share a packet.
-    let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SENSOR_SET))?.rate;
+    let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SET))?.rate;
     let decimation = (base_rate / RATE).max(1);
     let fields = [shared::GpsTimestamp::DESCRIPTOR, accel, sensor::ScaledGyro::DESCRIPTOR];
     let format = fields.map(|descriptor| DescriptorRate::new(descriptor, decimation));
-    let (format, stream) = device.send_all(mip_3dm::MIP_3DM_SET, |request| {
-        Ok((
-            request.add(&mip_3dm::MessageFormat::write(sensor::SENSOR_SET, format))?,
-            request.add(&mip_3dm::DataStreamControl::write(sensor::SENSOR_SET, true))?,
-        ))
-    })?;
-    device.answer(&format).into_result()?;
-    device.answer(&stream).into_result()?;
+    let format = mip_3dm::MessageFormat::write(sensor::SET, format);
+    device.request_all((&format, &mip_3dm::DataStreamControl::write(sensor::SET, true)))?;
 
     // 4. Check the settings.
-    let filter = device.request(&mip_3dm::LowPassFilter::read(sensor::SENSOR_SET, accel))?;
-    let format = device.request(&mip_3dm::MessageFormat::read(sensor::SENSOR_SET))?;
+    let filter = device.request(&mip_3dm::LowPassFilter::read(sensor::SET, accel))?;
+    let format = device.request(&mip_3dm::MessageFormat::read(sensor::SET))?;
 
     // 5. Save, so that the settings survive a power cycle.
-    device.request(&mip_3dm::LowPassFilter::save(sensor::SENSOR_SET, accel))?;
-    device.request(&mip_3dm::MessageFormat::save(sensor::SENSOR_SET))?;
-    device.request(&mip_3dm::DataStreamControl::save(sensor::SENSOR_SET))?;
+    device.request(&mip_3dm::LowPassFilter::save(sensor::SET, accel))?;
+    device.request(&mip_3dm::MessageFormat::save(sensor::SET))?;
+    device.request(&mip_3dm::DataStreamControl::save(sensor::SET))?;
 
     // 6. Resume: the device sends data.
     device.request(&base::Resume::new())?;

@@ -6,7 +6,7 @@ use std::error::Error;
 use std::io::{stdout, Write};
 
 use mip_protocol::base::GetDeviceInfo;
-use mip_protocol::sensor::{ScaledAccel, ScaledGyro, SENSOR_SET};
+use mip_protocol::sensor::{self, ScaledAccel, ScaledGyro};
 use mip_protocol::session::Rate;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -15,9 +15,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut out = stdout().lock();
     writeln!(out, "{}", device.request(&GetDeviceInfo::new())?.device_info.model_name)?;
 
-    device.stream(SENSOR_SET, &[Rate::of::<ScaledAccel>(100.0), Rate::of::<ScaledGyro>(50.0)])?;
+    device.stream(sensor::SET, &[Rate::of::<ScaledAccel>(100.0), Rate::of::<ScaledGyro>(50.0)])?;
     while let Some(packet) = device.next_packet(1000)? {
-        if let Some(accel) = packet.find::<ScaledAccel>().transpose()? {
+        if let Some(accel) = packet.find::<ScaledAccel>()? {
             let [x, y, z]: [f32; 3] = accel.scaled_accel.into();
             writeln!(out, "{x:8.4} {y:8.4} {z:8.4} g")?;
         }

@@ -17,12 +17,13 @@ PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat
             "-Wmissing-prototypes", "-Wnull-dereference", "-Wredundant-decls", "-Wsign-conversion",
             "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
 #: Programs of unit/ that run with the library of the invented specification.
-UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "stream")
+UNITS = ("packets", "pieces", "fields", "client", "device", "tables", "checksum", "doubles", "stream")
 #: How firmware is compiled, so that the linker can leave out each function; and with most of the warnings.
 FIRMWARE = ("-std=c99", "-O2", "-ffunction-sections", "-fdata-sections")
 SANITIZE = ["-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
-#: The flags of the one library for all programs under the sanitizers: compiling it takes most of their time.
-SANITIZED = ["-std=c99", "-O0", *SANITIZE]
+#: The flags of the one library for all programs under the sanitizers: compiling it takes most of their time. Its arrays
+#: have room for all that fits, as the conformance drivers require.
+SANITIZED = ["-std=c99", "-O0", "-DMIP_WHOLE_ARRAYS", *SANITIZE]
 
 
 def folder(spec: str) -> Path:
@@ -31,6 +32,12 @@ def folder(spec: str) -> Path:
 
 def sources(spec: str) -> list[str]:
     return [str(p) for p in sorted((folder(spec) / "src/mip").glob("*.c"))]
+
+
+def pages(spec: str) -> str:
+    """The README and the pages beside it."""
+    paths = [folder(spec) / "README.md", *sorted((folder(spec) / "docs").glob("*.md"))]
+    return "\n".join(path.read_text("utf-8") for path in paths)
 
 
 def include(spec: str) -> str:
@@ -69,6 +76,15 @@ def archive(spec: str, compiler: str, *flags: str) -> Path:
             run(need(f"{tools}ar"), "rcs", library, *objects)
             mark.write_text(now)
     return library
+
+
+def small_parser(spec: str, compiler: str, *flags: str) -> Path:
+    """The parser that 64-bit machines do not have by default; linked before the library, it is used instead."""
+    made = BUILD / f"c/small-parser-{hashlib.sha256(' '.join([spec, compiler, *flags]).encode()).hexdigest()[:16]}.o"
+    source = folder(spec) / "src/mip/parser_small.c"
+    with locked(made):
+        run(need(compiler), *WARNINGS, *flags, "-DMIP_PARSER_SMALL", include(spec), "-c", source, "-o", made)
+    return made
 
 
 def compiled(

@@ -13,15 +13,12 @@ from functools import cache
 from pathlib import Path
 
 import difficult_sets
-import pytest
 from mipgen import model as m
 from mipgen.emit import output, render
 from mipgen.resolve.load import load_model
 from support import BUILD, SPECS, generated, locked, model, need
 
 WORK = BUILD / "rust"
-#: Tests in one process, because cargo keeps others waiting; all of tests/rust are.
-group = pytest.mark.xdist_group("cargo")
 #: No debug information and no incremental builds: they would take a third of the time.
 PROFILE = {"CARGO_INCREMENTAL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TERM_COLOR": "never"}
 
@@ -75,7 +72,7 @@ def without_dependencies(files: dict[str, bytes]) -> dict[str, bytes]:
     """Cargo resolves optional dependencies even where it does not use them."""
     manifest = files["Cargo.toml"].decode("utf-8")
     manifest = re.sub(r"\[(?:.*\.dev-)?dependencies\]\n(?:.+\n)+", "", manifest)
-    manifest = re.sub(r'"dep:[\w-]+"(, )?', "", manifest)
+    manifest = re.sub(r'"(?:dep:[\w-]+|[\w-]+/\w+)"(, )?', "", manifest)
     assert "dep:" not in manifest and "dependencies]" not in manifest
     return {**files, "Cargo.toml": f"{manifest}\n[workspace]\n".encode()}
 

@@ -20,7 +20,7 @@ types:
     values: {values: 0, 5_hz: 5, self: 6, none: 7, some: 8}
   result:
     bitfield: u16
-    bits: {contains: 0, empty: 1, bits: 2, insert: {bits: 3-4}, is_empty: 5, from: {bits: 6-9, enum: option}, self: 10}
+    bits: {contains: 0, empty: 1, bits: 2, insert: {bit: 3-4}, is_empty: 5, from: {bit: 6-9, enum: option}, self: 10}
   some:
     struct:
       - {name: self, type: u8}
@@ -37,7 +37,6 @@ fields:
     name: field
     title: Field
     description: "Everything that generated code calls something: `a`, <b>, [c]."
-    sources: [{manual: leaflet, section: "[1] <x>"}]
     functions: WRSLDA
     parameters:
       - {name: reader, type: u8, for: WRSLD}
@@ -59,7 +58,6 @@ fields:
     name: command
     title: Command
     description: Two arrays that belong together.
-    sources: [{manual: leaflet, section: S}]
     parameters:
       - {name: count, type: u16, description: Of items.}
       - {name: crate, type: u8, const: 7}
@@ -71,7 +69,6 @@ fields:
     name: string
     title: String
     description: Counters around each other, all optional.
-    sources: [{manual: leaflet, section: S}]
     functions: WR
     parameters:
       - {name: a, type: u8, for: W}
@@ -94,7 +91,6 @@ fields:
     name: long
     title: Long
     description: Long arrays of all kinds.
-    sources: [{manual: leaflet, section: S}]
     parameters:
       - {name: bytes, type: u8, count: 40}
       - {name: reserved, type: u8, count: 33, reserved: 3}
@@ -108,13 +104,12 @@ title: Large
 description: Types with more parts than a byte counts, and a field that has nothing but constants.
 types:
   many: {{enum: u16, values: {{{", ".join(f"v{i}: {i}" for i in range(300))}}}}}
-  wide: {{bytes: 32, bits: {{{", ".join(f"b{i}: {i}" for i in range(256))}}}}}
+  wide: {{bitfield: 32, bits: {{{", ".join(f"b{i}: {i}" for i in range(256))}}}}}
 fields:
   - command: 0x01
     name: constants
     title: Constants
     description: The host sends these.
-    sources: [{{manual: leaflet, section: S}}]
     parameters: [{{name: model, type: u16, const: 4711}}, {{name: gap, type: u8, count: 2, reserved: 0}}]
     responses: [{{response: 0x81, name: echo, parameters: [{{name: many, type: many}}, {{name: wide, type: wide}}]}}]
 """
@@ -136,7 +131,7 @@ def lengths(longest: int = 33) -> str:
   b{w}:
     {b}
     bitfield: u32
-    bits: {{{w}: 0, n_{w}: {{bits: 3-9}}, m: {{bits: 10-11, enum: e{w}}}}}
+    bits: {{{w}: 0, n_{w}: {{bit: 3-9}}, m: {{bit: 10-11, enum: e{w}}}}}
   s{w}:
     {s}
     struct:
@@ -152,7 +147,6 @@ def lengths(longest: int = 33) -> str:
     {f}
     title: T {number}
     description: D.
-    sources: [{{manual: leaflet, section: S}}]
     functions: WRSLDA
     parameters:
       - {{name: p_{w}, type: u8, for: WRSLD}}

@@ -5,8 +5,8 @@
     make golden-diff    shows the whole difference from the output of a commit
 
 `generated/` shows how the output for the real specification changes. The snapshot has what that one lacks: data with
-all types, arrays and strings (the set `measurements`), and names that are keywords or begin with a digit (`3d`).
-Files named after these sets are kept whole, of all others the digests, as `sha256sum -c` reads them.
+all types, arrays and strings, and names that are keywords or begin with a digit. One file of each target with such
+data or names is kept whole; of all others, a digest for each folder.
 """
 
 from __future__ import annotations
@@ -25,23 +25,31 @@ ROOT = Path(__file__).parents[1]
 SPEC = ROOT / "tests/invented/spec"
 OUTPUT = ROOT / "build/invented"
 GOLDEN = ROOT / "tests/invented/golden"
-SETS_KEPT_WHOLE = ("measurements", "3d")
+KEPT_WHOLE = {
+    "c/src/mip/measurements.c",
+    "javascript/measurements.mjs",
+    "markdown/docs/fields/measurements/arrays.md",
+    "python/mip_protocol/mip_3d.py",
+    "ros2/msg/MeasurementsArrays.msg",
+    "rust/src/sets/mip_3d.rs",
+}
 DIGESTS = "digests.sha256"
 
 
 def snapshot(output: Path = OUTPUT) -> dict[str, bytes]:
     """Returns the files of the snapshot of an output folder, by path."""
     made: dict[str, bytes] = {}
-    digests = []
+    folders: dict[str, hashlib._Hash] = {}
     for manifest in sorted(output.glob(f"*/{MANIFEST}")):
         for path in manifest.read_text("utf-8").splitlines()[1:]:
             name = f"{manifest.parent.name}/{path}"
             data = (output / name).read_bytes()
-            if any(kept in name.lower() for kept in SETS_KEPT_WHOLE):
+            if name in KEPT_WHOLE:
                 made[name] = data
             else:
-                digests.append(f"{hashlib.sha256(data).hexdigest()}  {name}\n")
-    made[DIGESTS] = "".join(digests).encode()
+                whole = hashlib.sha256(data).hexdigest()
+                folders.setdefault(name.rpartition("/")[0], hashlib.sha256()).update(f"{whole}  {name}\n".encode())
+    made[DIGESTS] = "".join(f"{digest.hexdigest()}  {name}\n" for name, digest in sorted(folders.items())).encode()
     return made
 
 

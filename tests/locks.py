@@ -1,28 +1,30 @@
-"""Leaves in each lock only what the smaller one lacks, which it includes: `make lock`."""
+"""Writes each lock with a line per package, and leaves in it only what the smaller one lacks, which it includes:
+`make lock`.
+"""
 
 from __future__ import annotations
 
 import re
 import sys
-from itertools import pairwise
 from pathlib import Path
 
 
-def entries(text: str) -> dict[str, str]:
-    """A lock's pins, with the lines of each."""
-    return {block.partition("==")[0]: block for block in re.split(r"^(?=[\w.-]+==)", text, flags=re.M)[1:]}
+def pins(name: str) -> dict[str, str]:
+    """A lock's packages, each with its version and hashes on one line."""
+    text = re.sub(r" *\\\n *", " ", Path(name).read_text("utf-8"))
+    return {line.partition("==")[0]: line for line in text.splitlines() if re.match(r"[\w.-]+==", line)}
 
 
 def main(names: list[str]) -> None:
-    whole = {name: entries(Path(name).read_text("utf-8")) for name in names}
-    for small, large in pairwise(names):
-        rest = []
-        for package, block in whole[large].items():
-            if package not in whole[small]:
-                rest.append(block)
-            elif block.partition(" ")[0] != whole[small][package].partition(" ")[0]:
-                sys.exit(f"{package} differs: {small}, {large}")
-        Path(large).write_text(f"-r {small}\n{''.join(rest)}", "utf-8")
+    smaller: dict[str, str] = {}
+    include = ""
+    for name, lock in [(name, pins(name)) for name in names]:
+        for package in smaller.keys() & lock.keys():
+            if smaller[package].split()[0] != lock[package].split()[0]:
+                sys.exit(f"{package} in {name} differs from the smaller lock")
+        lines = [f"{line}\n" for package, line in lock.items() if package not in smaller]
+        Path(name).write_text(include + "".join(lines), "utf-8")
+        smaller, include = lock, f"-r {Path(name).name}\n"
 
 
 if __name__ == "__main__":

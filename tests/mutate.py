@@ -4,101 +4,96 @@
     make mutate COUNT=20 SEED=7 PART=c
 
 Each change (a mutant) is made in a copy of the project below build/mutate: an operator, a constant, a condition
-turned around, a line dropped, two arguments swapped; in the part `docs`, a fact in the generated documentation. What
-is generated is generated again. Then run all tests that `make test` has in the folders of that part, and those of its
-language in the conformance suite, up to the first that fails; the quickest come first. For the workbench, those in
-Chromium follow. What survives is either a gap in the tests or a change without effect; a person has to look.
+turned around, a line dropped, two arguments swapped; in the part `docs`, a fact in the generated documentation. Then
+run the tests that `make test` has in the folders of that part, and those of its language in the conformance suite, up
+to the first that fails, in the order of likelihood: those that have seen other changes, first of the same file; the
+test modules that share most words with the changed line, its function and its file; all others. What is generated is
+generated again before the first test that reads it. For the workbench, tests in Chromium are among them.
+
+What survives is either a gap in the tests or a change without effect; a person has to look. So it is with a change
+whose tests have no end within the limit: they hang, or they are many. A run that was stopped continues with the next
+mutant; after any change of the project, it begins anew.
 """
 
 from __future__ import annotations
 
 import argparse
 import difflib
+import hashlib
+import json
+import math
 import os
 import random
 import re
 import shutil
 import signal
+import statistics
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).parents[1]
-COPY = ROOT / "build/mutate/copy"
+BUILD = ROOT / "build/mutate"
+COPY = BUILD / "copy"
+#: What earlier runs have found: file -> the tests that killed mutants of it, and how many; test module -> seconds.
+KNOWN = BUILD / "known.json"
+Known = dict[str, dict[str, float]]
+#: What a command has printed that was stopped.
+NO_END = "no end"
 
 
 @dataclass(frozen=True)
 class Part:
-    """Files to change, targets to generate again, and tests to run, the quickest first."""
+    """Files to change, targets to generate again, folders of tests, and languages of conformance tests for `-k`."""
 
     files: tuple[str, ...]
     targets: tuple[str, ...]
-    tests: tuple[tuple[str, ...], ...]
+    tests: tuple[str, ...]
+    languages: str = ""
 
 
-MAKEFILE = (ROOT / "Makefile").read_text("utf-8")
-#: What `make test` runs, and the files of the generator's tests that `make quick` leaves out.
-MARKED = re.findall(r"^test:.*\n.* -m \"(.*?)\"", MAKEFILE, re.MULTILINE)[0]
-SLOW = [f"--ignore=tests/generator/test_{name}.py" for name in re.findall(r"^SLOW := (.+)", MAKEFILE, re.M)[0].split()]
-
-
-def conformance(languages: str) -> tuple[str, ...]:
-    return ("tests/conformance", "-k", languages)
-
+#: What `make test` runs.
+MARKED = re.findall(r"^test:.*\n.* -m \"(.*?)\"", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE)[0]
 
 PARTS = {
     "generator": Part(
         tuple(f"generator/mipgen/{room}/*.py" for room in ("read", "model", "resolve", "facts", "lower", "emit")),
-        ("c", "kaitai", "python", "rust", "markdown"),
-        (("tests/generator", *SLOW), ("tests/generator",), conformance("python or c-invented")),
+        ("c", "kaitai", "python", "rust", "markdown"), ("tests/generator",), "python or c-invented",
     ),
     "c": Part(
         ("templates/c/**/*.j2", "runtime/c/**/*.[ch]", "runtime/c/**/*.hpp", "generator/mipgen/targets/c/*.py"),
-        ("c",),
-        (("tests/c", "-k", "unit or every_"), ("tests/c", "tests/cpp"), conformance("c- or c] or cpp")),
+        ("c",), ("tests/c", "tests/cpp"), "c- or c] or cpp",
     ),
-    "tools": Part(("tools/mip_tools/**/*.py",), (), (("tests/tools",),)),
+    "tools": Part(("tools/mip_tools/**/*.py",), (), ("tests/tools",)),
     "python": Part(
         ("templates/python/**/*.j2", "runtime/python/**/*.py", "generator/mipgen/targets/python/*.py"),
-        ("python",),
-        (("tests/python",), conformance("python")),
+        ("python",), ("tests/python",), "python",
     ),
     "rust": Part(
-        ("templates/rust/**/*.j2", "runtime/rust/**/*.rs", "generator/mipgen/targets/rust/*.py"),
-        ("rust",),
-        (("tests/rust", "-k", "test_cases or test_replay or every_fact"), ("tests/rust",), conformance("rust")),
+        ("templates/rust/**/*.j2", "runtime/rust/**/*.rs", "generator/mipgen/targets/rust/**/*.py"),
+        ("rust",), ("tests/rust",), "rust",
     ),
     "markdown": Part(
-        ("templates/markdown/*.j2", "generator/mipgen/targets/markdown/*.py"), ("markdown",), (("tests/docs",),)
+        ("templates/markdown/*.j2", "generator/mipgen/targets/markdown/**/*.py"), ("markdown",), ("tests/docs",)
     ),
-    "kaitai": Part(
-        ("templates/kaitai/*.j2", "generator/mipgen/targets/kaitai/*.py"),
-        ("kaitai",),
-        (("tests/kaitai",),),
-    ),
-    "json": Part(
-        ("templates/json/*.j2", "generator/mipgen/targets/json/*.py"),
-        ("json",),
-        (("tests/json",), conformance("json")),
-    ),
+    "kaitai": Part(("templates/kaitai/*.j2", "generator/mipgen/targets/kaitai/*.py"), ("kaitai",), ("tests/kaitai",)),
+    "json": Part(("templates/json/*.j2", "generator/mipgen/targets/json/*.py"), ("json",), ("tests/json",), "json"),
     "javascript": Part(
         ("runtime/javascript/*/*.mjs", "generator/mipgen/targets/javascript/*.py"),
-        ("javascript",),
-        (("tests/javascript",), conformance("javascript")),
+        ("javascript",), ("tests/javascript",), "javascript",
     ),
-    "workbench": Part(
-        ("tools/workbench/**/*.mjs", "tools/workbench/build.py"),
-        (),
-        (("tests/javascript",), ("tests/javascript", "-m", "heavy")),  # most of it runs in a browser only
-    ),
+    "workbench": Part(("tools/workbench/**/*.mjs", "tools/workbench/build.py"), (), ("tests/javascript",)),
     "docs": Part(
         ("generated/c/src/mip/*.h", "generated/python/mip_protocol/*.py", "generated/rust/src/**/*.rs",
          "generated/markdown/docs/**/*.md"),
         (),
-        (("tests/docs", "tests/c/test_c_docs.py", "tests/python/test_python_docs.py", "tests/rust/test_rust_docs.py"),),
+        ("tests/docs", "tests/c/test_c_docs.py", "tests/python/test_python_docs.py", "tests/rust/test_rust_docs.py"),
     ),
 }  # fmt: skip
 
@@ -203,8 +198,8 @@ def restore(places: tuple[str, ...] = ("",)) -> None:
             shutil.copymode(source, target)
 
 
-def run(limit: float, *command: str) -> tuple[bool, str]:
-    """Runs a command in the copy for at most `limit` seconds; returns whether it succeeded, and its output."""
+def run(limit: float, *command: str) -> tuple[int, str]:
+    """Runs a command in the copy for at most `limit` seconds; returns its status and its output."""
     own = {"PYTHONPATH": COPY / "generator", "MIPGEN_CACHE": COPY / "build/cache", "PYTHONDONTWRITEBYTECODE": "1"}
     environment = os.environ | {name: str(value) for name, value in own.items()}
     environment.pop("SEED", None)  # of `make mutate SEED=2`, which chooses mutants; the tests keep theirs
@@ -219,43 +214,89 @@ def run(limit: float, *command: str) -> tuple[bool, str]:
         process.communicate()
         if not isinstance(error, subprocess.TimeoutExpired):
             raise
-        return False, f"E   no end after {limit:.0f} s"
-    return process.returncode == 0, printed
+        return -1, NO_END
+    return process.returncode, printed
 
 
-def generate(part: Part) -> tuple[bool, str]:
-    """Generates the real specification again; tests do so for the invented one."""
-    if not part.targets:
-        return True, ""
+def generate(part: Part) -> str:
+    """Generates the real specification again; tests do so for the invented one. Returns what prevents it."""
     targets = [word for target in part.targets for word in ("--target", target)]
-    well, printed = run(120, sys.executable, "-m", "mipgen", "generate", *targets)
-    return well, "" if well else "generation fails: " + (printed.strip().splitlines() or [""])[-1]
+    status, printed = run(300, sys.executable, "-m", "mipgen", "generate", *targets)
+    return "" if status == 0 else "generation fails: " + (printed.strip().splitlines() or [""])[-1]
 
 
-def passes(tests: tuple[str, ...], limit: float) -> tuple[bool, str]:
-    """Do all these tests pass? If not, the first that fails."""
-    well, printed = run(
-        limit, sys.executable, "-m", "pytest", "-x", "-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder",
-        "-p", "no:cacheprovider", "-m", MARKED, *tests,
+def fails(part: str, limit: float, tests: list[str], known: Known, *options: str) -> str:
+    """The first of these tests that fails; empty if none does. Remembers how long modules take."""
+    marked = f"({MARKED}) or heavy" if part == "workbench" else MARKED  # most of it runs in a browser only
+    languages = ("-k", f"not conformance or {PARTS[part].languages}") if PARTS[part].languages else ()
+    status, printed = run(
+        limit, sys.executable, "-m", "pytest", "-x", "-p", "no:cacheprovider", "--durations=0", "-m", marked,
+        *languages, *options, *tests,
     )  # fmt: skip
-    found = re.search(r"^(FAILED|ERROR) (\S+)", printed, re.M) or re.search(r"^(E) +(.*)", printed, re.M)
-    return well, "" if well else (found[2] if found else printed.strip())[-150:]
+    seconds: dict[str, float] = {}
+    for took, module in re.findall(r"^([\d.]+)s \w+ +([^:\s]+)::", printed, re.M):
+        seconds[module] = seconds.get(module, 0) + float(took)
+    before = known.setdefault("seconds", {})
+    before.update({module: max(took, before.get(module, 0)) for module, took in seconds.items()})
+    found = re.search(r"^(?:FAILED|ERROR) ([^\[@\s]+)", printed, re.M)  # parameters may be any text
+    return "" if status in (0, 5) else found[1] if found else printed.strip()[-150:]
 
 
-def outcome(part: Part, mutant: Mutant, usual: list[float]) -> str:
-    """What kills the mutant; empty if nothing does. `usual`: how long the tests take; a mutant may never end."""
+@cache
+def words_of(path: Path) -> frozenset[str]:
+    """The words of a test module, and of the programs beside it that it names."""
+    text = path.read_text("utf-8")
+    beside = {p for p in path.parent.rglob("*.[cmr]*") if f'"{p.stem}' in text or p.name in text}
+    return frozenset(re.findall(r"[a-z0-9]+", " ".join([text, *(p.read_text("utf-8") for p in beside)]).lower()))
+
+
+def likeliest(mutant: Mutant, modules: list[Path], seconds: dict[str, float]) -> list[Path]:
+    """The test modules; first those with most, and the rarest, words of the changed line, and the quicker ones."""
+    lines = (ROOT / mutant.path).read_text("utf-8").splitlines()[: mutant.line]
+    function = next((line for line in reversed(lines) if re.match(r"\w.*\(|\s*(async )?(def|fn|class) ", line)), "")
+    near = " ".join((mutant.path, function, lines[-1])).lower()
+    common = {w: sum(w in words_of(path) for path in modules) for w in re.findall(r"[a-z0-9]{3,}", near)}
+
+    def score(path: Path) -> float:
+        rare = sum(math.log(len(modules) / number) for w, number in common.items() if w in words_of(path))
+        return -rare / math.sqrt(2 + seconds.get(path.relative_to(ROOT).as_posix(), 0))
+
+    return sorted(modules, key=score)
+
+
+def proven(mutant: Mutant, known: Known) -> Iterator[str]:
+    """The tests that have killed mutants, first those of the same file."""
+    kills: Counter[str] = Counter()
+    for path, tests in known.items():
+        for test, number in tests.items() if path != "seconds" else ():
+            kills[test] += int(number) * (1000 if path == mutant.path else 1)
+    for test, _ in kills.most_common():
+        path, _, name = test.partition("::")
+        if (ROOT / path).is_file() and f"def {name}(" in (ROOT / path).read_text("utf-8"):
+            yield test
+
+
+def outcome(name: str, mutant: Mutant, limit: float, known: Known) -> str:
+    """What kills the mutant; empty if nothing does."""
+    part, end = PARTS[name], time.monotonic() + limit
+    folders = [*part.tests, *(["tests/conformance"] if part.languages else [])]
+    modules = [p for f in folders for p in ([ROOT / f] if f.endswith(".py") else sorted((ROOT / f).rglob("test_*.py")))]
+    ranked = [p.relative_to(ROOT).as_posix() for p in likeliest(mutant, modules, known.get("seconds", {}))]
+    killers = [test for test in proven(mutant, known) if test.partition("::")[0] in ranked][:5]
     path = COPY / mutant.path
     lines = path.read_text("utf-8").splitlines(keepends=True)
     lines[mutant.line - 1] = f"{mutant.text}\n" if mutant.text else ""
     path.write_text("".join(lines), "utf-8")
+    why, stale = "", bool(part.targets)
     try:
-        well, why = generate(part)
-        for tests, seconds in zip(part.tests, usual, strict=True):
-            if well:
-                well, why = passes(tests, 30 + 3 * seconds)
+        for tests, options in ((killers, ()), (ranked[:4], ()), (ranked[4:], ("-n", "2", "--dist", "loadgroup"))):
+            if not why and stale and any("tests/generator" not in test for test in tests):  # which makes its own output
+                why, stale = generate(part), False
+            if not why and tests:
+                why = fails(name, end - time.monotonic(), tests, known, *options)
     finally:
         restore((mutant.path, *(f"generated/{target}/" for target in part.targets)))
-    return "" if well else why
+    return why
 
 
 def difference(mutant: Mutant) -> str:
@@ -267,10 +308,19 @@ def difference(mutant: Mutant) -> str:
 # --------------------------------------------------------------------------- the run
 
 
+def chosen(name: str, number: int, seed: int, within: str) -> list[Mutant]:
+    """As many mutants of a part, of those files whose path contains a text; more of them begin with the same ones."""
+    paths = sorted({p for pattern in PARTS[name].files for p in ROOT.glob(pattern) if "README" not in p.name})
+    found = [mutant for path in paths if within in path.as_posix() for mutant in mutants(path, name == "docs")]
+    random.Random(seed).shuffle(found)
+    return found[:number]
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--count", type=int, default=100, help="mutants in all, as many of each part (100)")
     parser.add_argument("--seed", type=int, default=1, help="another seed selects other mutants (1)")
+    parser.add_argument("--limit", type=float, default=900, help="seconds for all tests of a mutant (900)")
     parser.add_argument(
         "--part", action="append", choices=sorted(PARTS), help="all parts without it; may be given again"
     )
@@ -278,34 +328,52 @@ def main() -> int:
     given = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # no test outlives it
     restore()
-    survivors = []
-    chosen = given.part or list(PARTS)
-    for i, name in enumerate(chosen):
-        count = given.count * (i + 1) // len(chosen) - given.count * i // len(chosen)
-        part = PARTS[name]
-        paths = sorted({p for pattern in part.files for p in ROOT.glob(pattern) if "README" not in p.name})
-        paths = [p for p in paths if given.path in p.as_posix()]
-        everything = [mutant for path in paths for mutant in mutants(path, name == "docs")]
-        usual = []
-        for tests in part.tests:
-            began = time.monotonic()
-            well, why = passes(tests, 3600)
-            if not well:  # a busy machine fails tests that wait
-                well, why = passes(tests, 3600)
-            usual.append(time.monotonic() - began)
-            if not well:
-                print(f"{name}: the tests fail without any change: {why}", file=sys.stderr)
+    state = hashlib.sha256(b"".join((ROOT / name).read_bytes() for name in listed())).hexdigest()
+    kept = BUILD / f"{given.seed}-{state[:12]}.json"
+    results: dict[str, dict[str, Any]] = read(kept)
+    known = read(KNOWN)
+    sound = {result["why"] for result in results.values()}  # tests that pass without any change, and other reasons
+    parts = given.part or list(PARTS)
+    counts = [given.count * (i + 1) // len(parts) - given.count * i // len(parts) for i in range(len(parts))]
+    todo = [(name, mutant) for name, n in zip(parts, counts) for mutant in chosen(name, n, given.seed, given.path)]
+    for name, mutant in todo:
+        if str(mutant) in results:
+            continue
+        began, used = time.monotonic(), sum(os.times()[2:4])  # of processes that have ended
+        why = outcome(name, mutant, given.limit, known)
+        took = {"seconds": time.monotonic() - began, "cpu": sum(os.times()[2:4]) - used}
+        if "::" in why and why not in sound:
+            if fails(name, given.limit, [why], known):
+                print(f"{name}: fails without any change: {why}", file=sys.stderr)
                 return 2
-        for mutant in random.Random(given.seed).sample(everything, min(count, len(everything))):
-            began = time.monotonic()
-            why = outcome(part, mutant, usual)
-            said = f"killed by {why}" if why else "SURVIVED"
-            print(f"{name}: {mutant.path}:{mutant.line}: {said} ({time.monotonic() - began:.0f} s)", flush=True)
-            if not why:
-                survivors.append(mutant)
-                print(difference(mutant), flush=True)
-    print(f"seed {given.seed}: {len(survivors)} survived" + "".join(f"\n  {s.path}:{s.line}" for s in survivors))
+            sound.add(why)
+        if "::" in why:
+            killers = known.setdefault(mutant.path, {})
+            killers[why] = killers.get(why, 0) + 1
+        results[str(mutant)] = {"why": why, **took}
+        kept.write_text(json.dumps(results, indent=1), "utf-8")
+        KNOWN.write_text(json.dumps(known, indent=1), "utf-8")
+        said = f"killed by {why}" if why else "SURVIVED"
+        print(
+            f"{name}: {mutant.path}:{mutant.line}: {said} ({took['seconds']:.0f} s, CPU {took['cpu']:.0f} s)",
+            flush=True,
+        )
+        if not why:
+            print(difference(mutant), flush=True)
+    done = [(mutant, results[str(mutant)]) for _, mutant in todo]
+    median = statistics.median(result["cpu"] for _, result in done) if done else 0
+    endless = [mutant for mutant, result in done if result["why"].startswith(NO_END)]
+    survived = [mutant for mutant, result in done if not result["why"]]
+    print(
+        f"seed {given.seed}: {len(done)} mutants, the median {median:.0f} s of CPU; results in {kept.relative_to(ROOT)}"
+    )
+    for what, which in ((f"had no end within {given.limit:.0f} s", endless), ("survived", survived)):
+        print(f"{len(which)} {what}" + "".join(f"\n  {mutant.path}:{mutant.line}" for mutant in which))
     return 0
+
+
+def read(file: Path) -> dict[str, Any]:
+    return dict(json.loads(file.read_text("utf-8"))) if file.is_file() else {}
 
 
 if __name__ == "__main__":

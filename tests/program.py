@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import resource
 import shlex
 import signal
@@ -17,14 +18,11 @@ from pathlib import Path
 from tempfile import TemporaryFile
 from typing import Any
 
-from pytest import MonkeyPatch
-from support import PATIENCE, PYTHONPATH, SPECS
-
-sys.path.insert(0, str(SPECS["real"][1] / "python"))
-
 from mip_protocol import base, mip_3dm, types
 from mip_tools import __main__
 from mip_tools.simulator import VirtualDevice
+from pytest import MonkeyPatch
+from support import PATIENCE, PYTHONPATH
 
 DEVICE = "3dm-cv7-gnss-ins"
 ENVIRONMENT = {
@@ -102,6 +100,10 @@ def on_a_full_disk(size: int, *arguments: object) -> tuple[int, bytes]:
     return done.returncode, done.stderr
 
 
+#: What programs say of the device, if they know it.
+_DEVICE = re.compile(r"(mip \w+: device .* \((from the log|at the port)\)\n)?")
+
+
 def printed(line: str, folder: Path) -> str:
     """What a line of a page prints in a folder: programs that succeed, each with the output of the one before."""
     data, (pipe, _, file) = b"", line.partition(" > ")
@@ -113,7 +115,7 @@ def printed(line: str, folder: Path) -> str:
             else:
                 done = subprocess.run([name, *words], input=data, capture_output=True)
                 code, out, error = done.returncode, done.stdout.decode(), done.stderr.decode()
-        assert (code, error) == (0, ""), line
+        assert code == 0 and _DEVICE.fullmatch(error), (line, error)
         data = out.encode("utf-8", "surrogateescape")
     if file:
         (folder / file.strip()).write_bytes(data)

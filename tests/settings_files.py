@@ -58,10 +58,10 @@ def told(device: m.Device, virtual: VirtualDevice, only: int) -> set[str]:
 def pulled(virtual: VirtualDevice) -> str:
     with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
         it = talk.Talk(link, "PORT", pytest.fail)
-        return text(it.pull(), it.profile, it.model.id, it.told.firmware, "2026-01-31")
+        return text(it.pull(), it.profile, it.model.id, it.listing.firmware, "2026-01-31")
 
 
 def pushed(virtual: VirtualDevice, path: Path) -> talk.Pushed:
     with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
         it = talk.Talk(link, "PORT", pytest.fail)
-        return it.push(parsed.parsed(path, it.profile).held)
+        return it.push(parsed.parsed(path, it.profile).commands)

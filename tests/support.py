@@ -203,6 +203,16 @@ def small(what: str) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=heavy(what))])
 
 
+def each_of_the_small_one(*operations: str) -> Any:
+    """For every language, with the small specification, which has all kinds of layouts; `make test-all`: both."""
+
+    def mark(test: Any) -> Any:
+        test = pytest.mark.parametrize("language", offering(*operations))(test)
+        return small("every layout of the real specification")(test)
+
+    return mark
+
+
 def another_python(version: str) -> str:
     """A Python of this version; a missing one is an error."""
     home = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
@@ -283,7 +293,10 @@ def driver(language: str, spec: str) -> Driver:
 
         environment |= {"MIP_SANITIZE": "1", "ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "halt_on_error=1"}
         if SOURCES["c"].ours:
-            environment["MIP_LIBRARY"] = str(c_build.archive(spec, "cc", *c_build.SANITIZED))
+            library = str(c_build.archive(spec, "cc", *c_build.SANITIZED))
+            if language == "cpp":  # with the other parser
+                library = f"{c_build.small_parser(spec, 'cc', *c_build.SANITIZED)} {library}"
+            environment["MIP_LIBRARY"] = library
     if (language, spec) == ("cpp", "real") and not NIGHTLY:  # comparing them for all takes as long as all of C
         environment |= {"MIP_EVERY": "16", "MIP_SEED": str(SEED)}
     if language == "rust":  # optimizing takes longer than all tests

@@ -34,12 +34,15 @@ WIDTH, LINE, MARGIN = 860, 17, 16  # pixels
 PLOT_HEIGHT = 270
 TYPED, READ, REST = 0.8, 0.5, 6.0  # seconds for a command, for its answer, and at the end
 STYLE = """
-text { font: 13px ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; white-space: pre; fill: #d8dee9; }
-.command { fill: #a3d977; }
+.step > text { font: 13px ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; white-space: pre; fill: #d8dee9; }
+.step > .command { fill: #a3d977; }
 @media (prefers-reduced-motion: no-preference) {
   .step { animation: %(total).1fs step-end infinite; }
 }
 """
+
+
+MATPLOTLIB = "svg.fonttype: none\nsvg.hashsalt: session\n"  # text as text, and the same identifiers each time
 
 
 def shell(command: str, port: str, folder: Path) -> list[str]:
@@ -71,23 +74,21 @@ def appears(at: float, total: float, number: int) -> str:
 
 def drawing(steps: list[tuple[str, list[str]]], plot: str) -> str:
     total = len(steps) * (TYPED + READ) + READ + REST
-    rules, texts, y, at, number = [], [], MARGIN + LINE, 0.0, 0
+    rules, groups, y, at = [], [], MARGIN + LINE, 0.0
 
     def add(content: str) -> None:
-        nonlocal number
-        rules.append(appears(at, total, number))
-        texts.append(f'<g class="step" style="animation-name: s{number}">{content}</g>\n')
-        number += 1
+        groups.append(f'<g class="step" style="animation-name: s{len(rules)}">{content}</g>\n')
+        rules.append(appears(at, total, len(rules)))
 
     for command, answer in steps:
         add(f'<text class="command" x="{MARGIN}" y="{y}">$ {escape(command)}</text>')
         at, y = at + TYPED, y + LINE
-        for text in answer:
-            add(f'<text x="{MARGIN}" y="{y}">{escape(text)}</text>')
-            y += LINE
-        at += READ
-    body = plot[plot.index("<svg ") :]
-    head, _, rest = body.partition(">")
+        if answer:
+            lines = enumerate(answer)
+            add("\n".join(f'<text x="{MARGIN}" y="{y + LINE * i}">{escape(text)}</text>' for i, text in lines))
+        at, y = at + READ, y + LINE * len(answer)
+    head, _, rest = plot[plot.index("<svg ") :].partition(">")
+    rest = re.sub(r"\s+", " ", re.sub("<metadata>.*</metadata>", "", rest, flags=re.S)).replace("> <", ">\n<").strip()
     box = re.search(r'viewBox="[^"]+"', head)
     assert box, "a plot has a view box"
     add(
@@ -98,7 +99,7 @@ def drawing(steps: list[tuple[str, list[str]]], plot: str) -> str:
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" height="{height}">\n'
         f"<style>{STYLE % {'total': total}}{''.join(rules)}</style>\n"
-        f'<rect width="{WIDTH}" height="{height}" rx="8" fill="#1e2430"/>\n{"".join(texts)}</svg>\n'
+        f'<rect width="{WIDTH}" height="{height}" rx="8" fill="#1e2430"/>\n{"".join(groups)}</svg>\n'
     )
 
 
@@ -106,6 +107,7 @@ def main() -> None:
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "matplotlibrc").write_text(MATPLOTLIB, "utf-8")
         steps = session(Path(folder))
         plot = (Path(folder) / "plot.svg").read_text("utf-8")
     Path(sys.argv[1]).write_text(drawing(steps, plot), "utf-8")

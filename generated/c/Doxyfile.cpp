@@ -1,7 +1,7 @@
 # The reference of the C++ and C headers: run doxygen Doxyfile.cpp, and open html_cpp/index.html.
 @INCLUDE = Doxyfile
 PROJECT_NAME = "mip for C++"
-FILE_PATTERNS = *.h *.hpp README.md
+FILE_PATTERNS = *.h *.hpp *.md
 OPTIMIZE_OUTPUT_FOR_C = NO
 HTML_OUTPUT = html_cpp
 # Values of enumerations and members of commands are documented where C has them.

@@ -125,9 +125,15 @@ export type PpsSource = Flavor<number, "3dm.pps_source">;
 export declare const PpsSource: Enumeration<PpsSource> & {
     /** No pulse. */
     readonly DISABLED: PpsSource & 0;
-    /** From GNSS receiver 1. The external time is GPS time, and valid only while the receiver has a fix. */
+    /**
+     * From GNSS receiver 1. The external time is GPS time, and valid only while the receiver has a fix. Requires a
+     * receiver.
+     */
     readonly RECEIVER_1: PpsSource & 1;
-    /** From GNSS receiver 2. The external time is GPS time, and valid only while the receiver has a fix. */
+    /**
+     * From GNSS receiver 2. The external time is GPS time, and valid only while the receiver has a fix. Requires 2
+     * receivers.
+     */
     readonly RECEIVER_2: PpsSource & 2;
     /** From a GPIO pin that is configured as a PPS input. */
     readonly GPIO: PpsSource & 3;
@@ -186,9 +192,9 @@ export interface EventActionStatusEntry {
 
 export type ReceiverDynamics = Flavor<number, "3dm.receiver_dynamics">;
 /**
- * Motion that a GNSS receiver assumes. Uncertain: The value `fixed`. The SDK of 2014 numbers the modes 0 to 8, but the
- * list in its comments lacks this one, as u-blox receivers do. Uncertain: The descriptions. The sources list only
- * names, from which the descriptions of the modes are inferred.
+ * Motion that a GNSS receiver assumes. Uncertain: The SDK of 2014 numbers the modes 0 to 8, but the list in its
+ * comments lacks `fixed`, which u-blox receivers do not have either. Uncertain: The sources list only names; the
+ * descriptions of the modes are inferred from them.
  *
  * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
  */
@@ -216,8 +222,8 @@ export declare const ReceiverDynamics: Enumeration<ReceiverDynamics> & {
 export type DataConditioningFlags = Flavor<number, "3dm.data_conditioning_flags">;
 /**
  * Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte protocol of the
- * 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The descriptions. The sources list
- * only names, from which the descriptions of the bits are inferred.
+ * 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The sources list only names; the
+ * descriptions of the bits are inferred from them.
  *
  * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
  * - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -269,7 +275,7 @@ export declare const ImuTimestampSelector: Enumeration<ImuTimestampSelector> & {
     readonly BEACON_SECONDS: ImuTimestampSelector & 1;
     /** Nanoseconds of the time beacon. */
     readonly BEACON_NANOSECONDS: ImuTimestampSelector & 2;
-    /** Ticks of the internal clock. Uncertain: The value. The source states 2 for this one and for the nanoseconds. */
+    /** Ticks of the internal clock. Uncertain: The source states 2 both for this value and for the nanoseconds. */
     readonly INTERNAL_TICKS: ImuTimestampSelector & 3;
 };
 
@@ -297,7 +303,9 @@ export declare const SensorRangeType: Enumeration<SensorRangeType> & {
     readonly ALL: SensorRangeType & 0;
     readonly ACCEL: SensorRangeType & 1;
     readonly GYRO: SensorRangeType & 2;
+    /** On models with a magnetometer. Requires a magnetometer. */
     readonly MAG: SensorRangeType & 3;
+    /** The pressure sensor. Requires a pressure sensor. */
     readonly PRESSURE: SensorRangeType & 4;
 };
 
@@ -322,7 +330,7 @@ export type InternalSensor = Flavor<number, "3dm.internal_sensor">;
 export declare const InternalSensor: Enumeration<InternalSensor> & {
     /** The inertial sensor. */
     readonly IMU: InternalSensor & 1;
-    /** The GNSS receiver. */
+    /** The GNSS receiver. Requires a receiver. */
     readonly GNSS: InternalSensor & 2;
 };
 
@@ -380,7 +388,7 @@ export declare const LegacyDataStream: Enumeration<LegacyDataStream> & {
     readonly ALL_STREAMS: LegacyDataStream & 0;
     /** Sensor data (0x80). */
     readonly IMU: LegacyDataStream & 1;
-    /** GNSS data. */
+    /** GNSS data. Requires a receiver. */
     readonly GNSS: LegacyDataStream & 2;
     /** Estimation filter data (0x82). */
     readonly FILTER: LegacyDataStream & 3;
@@ -402,10 +410,10 @@ export declare const Gx4SystemState: Enumeration<Gx4SystemState> & {
 };
 
 /**
- * IMU Message Format response (0x0C,0x80).
+ * IMU message format response (0x0C,0x80).
  *
- * Response to `ImuMessageFormat`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `ImuMessageFormat`. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35, -45,
+ * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 14 more.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
@@ -417,11 +425,12 @@ export declare class ImuMessageFormatResponse extends Response {
 }
 
 /**
- * GNSS Message Format response (0x0C,0x81).
+ * GNSS message format response (0x0C,0x81).
  *
- * Response to `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `GnssMessageFormat`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST; likely or
+ * assumed on 4 more.
  *
- * - mip-sdk-4: GNSS Message Format (0x0C,0x09)
+ * - mip-sdk-4: GNSS message format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 export declare class GnssMessageFormatResponse extends Response {
@@ -432,9 +441,10 @@ export declare class GnssMessageFormatResponse extends Response {
 }
 
 /**
- * Estimation Filter Message Format response (0x0C,0x82).
+ * Estimation filter message format response (0x0C,0x82).
  *
- * Response to `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `FilterMessageFormat`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST;
+ * likely or assumed on 9 more.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
@@ -446,10 +456,10 @@ export declare class FilterMessageFormatResponse extends Response {
 }
 
 /**
- * Get IMU Data Base Rate response (0x0C,0x83).
+ * Get IMU data base rate response (0x0C,0x83).
  *
- * Also called `imu_get_base_rate_response`. Response to `GetImuBaseRate`. Supported by 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `imu_get_base_rate_response`. Response to `GetImuBaseRate`. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10,
+ * 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 15 more.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -460,10 +470,10 @@ export declare class GetImuBaseRateResponse extends Response {
 }
 
 /**
- * Get GNSS Data Base Rate response (0x0C,0x84).
+ * Get GNSS data base rate response (0x0C,0x84).
  *
- * Also called `gnss_get_base_rate_response`. Response to `GetGnssBaseRate`. Supported by 3DM-GQ4-45, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * Also called `gnss_get_base_rate_response`. Response to `GetGnssBaseRate`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, -45,
+ * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 4 more. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -474,10 +484,10 @@ export declare class GetGnssBaseRateResponse extends Response {
 }
 
 /**
- * Data Stream Control response (0x0C,0x85).
+ * Data stream control response (0x0C,0x85).
  *
- * Also called `datastream_control_response`. Response to `DataStreamControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `datastream_control_response`. Response to `DataStreamControl`. Confirmed on 3DM-CV7-AHRS, -AR,
+ * -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 25 more.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -487,9 +497,11 @@ export declare class DataStreamControlResponse extends Response {
     /**
      * Stream specified in the command.
      *
-     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
-     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35,
-     *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR:
+     *   values of `LegacyDataStream`; only `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and
+     *   `LegacyDataStream.FILTER`.
+     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST:
+     *   values of `LegacyDataStream`.
      * - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
      */
     descriptorSet: number;
@@ -527,10 +539,10 @@ export declare class ImuSignalConditioningResponse extends Response {
 }
 
 /**
- * UART Baud Rate response (0x0C,0x87).
+ * UART baud rate response (0x0C,0x87).
  *
- * Also called `uart_baudrate_response`. Response to `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `uart_baudrate_response`. Response to `UartBaudRate`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 12 more.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -576,10 +588,10 @@ export declare class DevicePowerStateResponse extends Response {
 }
 
 /**
- * Get Estimation Filter Data Base Rate response (0x0C,0x8A).
+ * Get estimation filter data base rate response (0x0C,0x8A).
  *
- * Also called `filter_get_base_rate_response`. Response to `GetFilterBaseRate`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `filter_get_base_rate_response`. Response to `GetFilterBaseRate`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45,
+ * 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -590,10 +602,10 @@ export declare class GetFilterBaseRateResponse extends Response {
 }
 
 /**
- * Advanced Low-Pass Filter Settings response (0x0C,0x8B).
+ * Advanced low-pass filter settings response (0x0C,0x8B).
  *
- * Also called `imu_lowpass_filter_response`. Response to `ImuLowPassFilter`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `imu_lowpass_filter_response`. Response to `ImuLowPassFilter`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS,
+ * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 20 more.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -616,9 +628,9 @@ export declare class ImuLowPassFilterResponse extends Response {
 }
 
 /**
- * NMEA Message Format response (0x0C,0x8C).
+ * NMEA message format response (0x0C,0x8C).
  *
- * Response to `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `NmeaMessageFormat`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 4 more.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
@@ -630,9 +642,10 @@ export declare class NmeaMessageFormatResponse extends Response {
 }
 
 /**
- * Get Data Base Rate response (0x0C,0x8E).
+ * Get data base rate response (0x0C,0x8E).
  *
- * Response to `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response to `GetBaseRate`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7
+ * more.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -645,9 +658,9 @@ export declare class GetBaseRateResponse extends Response {
 }
 
 /**
- * Message Format response (0x0C,0x8F).
+ * Message format response (0x0C,0x8F).
  *
- * Response to `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `MessageFormat`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
@@ -661,7 +674,7 @@ export declare class MessageFormatResponse extends Response {
 }
 
 /**
- * Basic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+ * Basic device status (inertial sensor of the 3DM-RQ1-45) (0x0C,0x90).
  *
  * Timer only, in microseconds.
  *
@@ -672,7 +685,7 @@ export declare class MessageFormatResponse extends Response {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusBasicRq1ImuResponse extends Response {
     constructor(values: Values<DeviceStatusBasicRq1ImuResponse>);
@@ -685,18 +698,18 @@ export declare class DeviceStatusBasicRq1ImuResponse extends Response {
 }
 
 /**
- * Basic Device Status (0x0C,0x90).
+ * Basic device status (0x0C,0x90).
  *
  * State and timer.
  *
  * Response to `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
  * `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Confirmed on 3DM-GQ4-45, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusBasicResponse extends Response {
     constructor(values: Values<DeviceStatusBasicResponse>);
@@ -708,7 +721,7 @@ export declare class DeviceStatusBasicResponse extends Response {
     /**
      * State of the system; the meaning of its values is not documented.
      *
-     * - On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `Gx4SystemState`.
+     * - On the 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: values of `Gx4SystemState`.
      */
     systemState: number;
     /** Time since start-up. Unit: ms. */
@@ -716,7 +729,7 @@ export declare class DeviceStatusBasicResponse extends Response {
 }
 
 /**
- * Basic Device Status without a state (0x0C,0x90).
+ * Basic device status (without state) (0x0C,0x90).
  *
  * Timer only.
  *
@@ -730,7 +743,7 @@ export declare class DeviceStatusBasicResponse extends Response {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusBasicWithoutStateResponse extends Response {
     constructor(values: Values<DeviceStatusBasicWithoutStateResponse>);
@@ -744,7 +757,7 @@ export declare class DeviceStatusBasicWithoutStateResponse extends Response {
 }
 
 /**
- * Diagnostic Device Status (0x0C,0x90).
+ * Diagnostic device status (0x0C,0x90).
  *
  * State, timer, and the counters of streams and port.
  *
@@ -752,12 +765,12 @@ export declare class DeviceStatusBasicWithoutStateResponse extends Response {
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
  * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-15; likely or assumed on 7 more.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusDiagnosticResponse extends Response {
     constructor(values: Values<DeviceStatusDiagnosticResponse>);
@@ -795,7 +808,7 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
 }
 
 /**
- * Diagnostic Device Status with GNSS (0x0C,0x90).
+ * Diagnostic device status (with GNSS) (0x0C,0x90).
  *
  * State, timer, and the counters of pulses, streams, port and receiver.
  *
@@ -803,14 +816,15 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
  * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL uses it for the 3DM-GX4-45
- * and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the values,
- * from which the descriptions are inferred; the times are assumed to be in ms like the system timer.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-35 and -45; likely or assumed on 2 more. Uncertain: MSCL uses
+ * it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the
+ * names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system
+ * timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusDiagnosticGnssResponse extends Response {
     constructor(values: Values<DeviceStatusDiagnosticGnssResponse>);
@@ -864,7 +878,7 @@ export declare class DeviceStatusDiagnosticGnssResponse extends Response {
 }
 
 /**
- * Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
+ * Diagnostic device status (3DM-GQ4-45) (0x0C,0x90).
  *
  * The layout with GNSS, plus flags for parts that could not be started.
  *
@@ -879,7 +893,7 @@ export declare class DeviceStatusDiagnosticGnssResponse extends Response {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
     constructor(values: Values<DeviceStatusDiagnosticGq4_45Response>);
@@ -939,7 +953,7 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
 }
 
 /**
- * Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
+ * Diagnostic device status (3DM-RQ1-45) (0x0C,0x90).
  *
  * The layout with GNSS, plus the temperature.
  *
@@ -947,14 +961,14 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
  * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
  * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual documents
- * it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are
- * assumed to be in ms like the system timer.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and -45-ST. Uncertain: No known manual documents it.
+ * Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed
+ * to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
     constructor(values: Values<DeviceStatusDiagnosticRq1_45Response>);
@@ -1014,7 +1028,7 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
 }
 
 /**
- * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
+ * Diagnostic device status (3DM-GX4-15, 3DM-GX4-25) (0x0C,0x90).
  *
  * Timer, and counters of pulses, streams, port and USB.
  *
@@ -1029,7 +1043,7 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusDiagnosticGx4Response extends Response {
     constructor(values: Values<DeviceStatusDiagnosticGx4Response>);
@@ -1077,7 +1091,7 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
 }
 
 /**
- * Diagnostic Device Status of an IMU (0x0C,0x90).
+ * Diagnostic device status (IMU) (0x0C,0x90).
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
@@ -1093,7 +1107,7 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusDiagnosticImuResponse extends Response {
     constructor(values: Values<DeviceStatusDiagnosticImuResponse, "reserved">);
@@ -1110,9 +1124,9 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
     hasPressure: boolean;
     /** Power state of the sensors. */
     powerState: number;
-    /** Largest angular rate that can be measured. */
+    /** Largest measurable angular rate. */
     gyroRange: number;
-    /** Largest acceleration that can be measured. */
+    /** Largest measurable acceleration. */
     accelRange: number;
     /** Reserved. */
     reserved: number;
@@ -1141,7 +1155,7 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
 }
 
 /**
- * Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45 (0x0C,0x90).
+ * Diagnostic device status (inertial sensor of the 3DM-GX4-45) (0x0C,0x90).
  *
  * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.
  *
@@ -1156,7 +1170,7 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
     constructor(values: Values<DeviceStatusDiagnosticGx4ImuResponse>);
@@ -1171,13 +1185,13 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
     hasMag: boolean;
     /** True if the device has a pressure sensor. */
     hasPressure: boolean;
-    /** Largest angular rate that can be measured. */
+    /** Largest measurable angular rate. */
     gyroRange: number;
-    /** Largest acceleration that can be measured. */
+    /** Largest measurable acceleration. */
     accelRange: number;
-    /** Largest magnetic field that can be measured. */
+    /** Largest measurable magnetic field. */
     magRange: number;
-    /** Largest pressure that can be measured. */
+    /** Largest measurable pressure. */
     pressureRange: number;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     temperature: number;
@@ -1204,7 +1218,7 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
 }
 
 /**
- * Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+ * Diagnostic device status (inertial sensor of the 3DM-RQ1-45) (0x0C,0x90).
  *
  * Timer, temperature and supply, and the counters of pulses, stream and port.
  *
@@ -1218,7 +1232,7 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
     constructor(values: Values<DeviceStatusDiagnosticRq1ImuResponse>);
@@ -1262,7 +1276,7 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
 }
 
 /**
- * Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
+ * Basic device status (3DM-GX3-35, 3DM-GX3-45) (0x0C,0x90).
  *
  * State of the port.
  *
@@ -1274,7 +1288,7 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusBasicGx3Response extends Response {
     constructor(values: Values<DeviceStatusBasicGx3Response>);
@@ -1294,7 +1308,7 @@ export declare class DeviceStatusBasicGx3Response extends Response {
 }
 
 /**
- * Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
+ * Diagnostic device status (3DM-GX3-35, 3DM-GX3-45) (0x0C,0x90).
  *
  * State of the port, and the counters of the port, USB, receiver and IMU.
  *
@@ -1308,7 +1322,7 @@ export declare class DeviceStatusBasicGx3Response extends Response {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatusDiagnosticGx3Response extends Response {
     constructor(values: Values<DeviceStatusDiagnosticGx3Response>);
@@ -1408,9 +1422,10 @@ export declare class ImuTimestampResponse extends Response {
 }
 
 /**
- * Complementary Filter Configuration response (0x0C,0x97).
+ * Complementary filter configuration response (0x0C,0x97).
  *
- * Response to `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+ * Response to `ComplementaryFilter`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed
+ * on 22 more.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -1428,10 +1443,10 @@ export declare class ComplementaryFilterResponse extends Response {
 }
 
 /**
- * Accelerometer Bias Configuration response (0x0C,0x9A).
+ * Accelerometer bias configuration response (0x0C,0x9A).
  *
- * Response to `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Response to `AccelBias`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely
+ * or assumed on 24 more.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -1443,12 +1458,13 @@ export declare class AccelBiasResponse extends Response {
 }
 
 /**
- * Gyroscope Bias Configuration response (0x0C,0x9B).
+ * Gyroscope bias configuration response (0x0C,0x9B).
  *
  * The bias in use.
  *
- * Also called `capture_gyro_bias_response`. Response to `GyroBias` and `CaptureGyroBias`. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `capture_gyro_bias_response`. Response to `GyroBias` and `CaptureGyroBias`. Confirmed on 3DM-CV7-AHRS,
+ * -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 21
+ * more.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -1460,10 +1476,10 @@ export declare class GyroBiasResponse extends Response {
 }
 
 /**
- * Magnetometer Hard Iron Offset response (0x0C,0x9C).
+ * Magnetometer hard iron offset response (0x0C,0x9C).
  *
- * Response to `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `MagHardIronOffset`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * -45-ST; likely or assumed on 14 more.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -1477,10 +1493,10 @@ export declare class MagHardIronOffsetResponse extends Response {
 }
 
 /**
- * Magnetometer Soft Iron Matrix response (0x0C,0x9D).
+ * Magnetometer soft iron matrix response (0x0C,0x9D).
  *
- * Response to `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `MagSoftIronMatrix`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and
+ * -45-ST; likely or assumed on 14 more.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)
@@ -1495,9 +1511,10 @@ export declare class MagSoftIronMatrixResponse extends Response {
 }
 
 /**
- * Coning and Sculling Enable response (0x0C,0x9E).
+ * Coning and sculling enable response (0x0C,0x9E).
  *
- * Response to `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `ConingScullingEnable`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed
+ * on 15 more.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -1508,13 +1525,13 @@ export declare class ConingScullingEnableResponse extends Response {
 }
 
 /**
- * Constellation Settings response (0x0C,0xA0).
+ * Constellation settings response (0x0C,0xA0).
  *
  * Tracking channels of the receiver and the setting of each constellation.
  *
- * Response to `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
+ * Response to `ConstellationSettings`. Confirmed on 3DM-GQ4-45 and 3DM-GX5-35; likely or assumed on 2 more.
  *
- * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ * - mip-sdk-4: Constellation settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
  */
 export declare class ConstellationSettingsResponse extends Response {
@@ -1529,9 +1546,10 @@ export declare class ConstellationSettingsResponse extends Response {
 }
 
 /**
- * GNSS SBAS Settings response (0x0C,0xA1).
+ * GNSS SBAS settings response (0x0C,0xA1).
  *
- * Response to `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+ * Response to `GnssSbasSettings`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35; likely or assumed on 3
+ * more.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -1550,11 +1568,12 @@ export declare class GnssSbasSettingsResponse extends Response {
 }
 
 /**
- * GNSS Assisted Fix response (0x0C,0xA2).
+ * GNSS assisted fix response (0x0C,0xA2).
  *
- * Response to `GnssAssistedFix`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+ * Response to `GnssAssistedFix`. Confirmed on 3DM-GX5-35; likely or assumed on 2 more. Known only from the MicroStrain
+ * MIP SDK.
  *
- * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
+ * - mip-sdk-4: GNSS assisted fix (0x0C,0x23)
  */
 export declare class GnssAssistedFixResponse extends Response {
     constructor(values: Values<GnssAssistedFixResponse, "flags">);
@@ -1565,11 +1584,12 @@ export declare class GnssAssistedFixResponse extends Response {
 }
 
 /**
- * GNSS Time Assistance response (0x0C,0xA3).
+ * GNSS time assistance response (0x0C,0xA3).
  *
- * Response to `GnssTimeAssistance`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+ * Response to `GnssTimeAssistance`. Confirmed on 3DM-GX5-35; likely or assumed on 2 more. Known only from the
+ * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
+ * - mip-sdk-4: GNSS time assistance (0x0C,0x24)
  */
 export declare class GnssTimeAssistanceResponse extends Response {
     constructor(values: Values<GnssTimeAssistanceResponse>);
@@ -1582,9 +1602,10 @@ export declare class GnssTimeAssistanceResponse extends Response {
 }
 
 /**
- * PPS Source Control response (0x0C,0xA8).
+ * PPS source control response (0x0C,0xA8).
  *
- * Also called `pps_source_response`. Response to `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pps_source_response`. Response to `PpsSourceControl`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed
+ * on 10 more.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
@@ -1595,28 +1616,30 @@ export declare class PpsSourceControlResponse extends Response {
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
+ * Sensor-to-vehicle frame transformation Euler response (0x0C,0xB1).
  *
- * Also called `sensor_2_vehicle_transform_euler_response`. Response to `SensorToVehicleTransformEuler`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_euler_response`. Response to `SensorToVehicleTransformEuler`. Confirmed on
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 9 more.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
 export declare class SensorToVehicleTransformEulerResponse extends Response {
     constructor(values: Values<SensorToVehicleTransformEulerResponse>);
-    /** Rotation about the x axis. Unit: rad. */
+    /** Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: right side down. */
     roll: number;
-    /** Rotation about the y axis. Unit: rad. */
+    /** Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: nose up. */
     pitch: number;
-    /** Rotation about the z axis. Unit: rad. */
+    /**
+     * Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: clockwise seen from above.
+     */
     yaw: number;
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
+ * Sensor-to-vehicle frame transformation quaternion response (0x0C,0xB2).
  *
  * Also called `sensor_2_vehicle_transform_quaternion_response`. Response to `SensorToVehicleTransformQuaternion`.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -1630,10 +1653,10 @@ export declare class SensorToVehicleTransformQuaternionResponse extends Response
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
+ * Sensor-to-vehicle frame transformation direction cosine matrix response (0x0C,0xB3).
  *
- * Also called `sensor_2_vehicle_transform_dcm_response`. Response to `SensorToVehicleTransformDcm`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_dcm_response`. Response to `SensorToVehicleTransformDcm`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
@@ -1644,9 +1667,9 @@ export declare class SensorToVehicleTransformDcmResponse extends Response {
 }
 
 /**
- * Get Supported Events response (0x0C,0xB4).
+ * Get supported events response (0x0C,0xB4).
  *
- * Response to `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `GetEventSupport`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -1654,7 +1677,7 @@ export declare class GetEventSupportResponse extends Response {
     constructor(values: Values<GetEventSupportResponse>);
     /** Query specified in the command. */
     query: EventSupportQuery;
-    /** Number of slots; instances are numbered from 1 to this. Unit: 1. */
+    /** Number of instances, which are numbered from 1. Unit: 1. */
     maxInstances: number;
     /** On the wire only: num_entries. Number of types. Counts the elements of `entries`. */
     /**
@@ -1667,24 +1690,24 @@ export declare class GetEventSupportResponse extends Response {
 }
 
 /**
- * Event Control response (0x0C,0xB5).
+ * Event control response (0x0C,0xB5).
  *
- * Response to `EventControl`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `EventControl`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 export declare class EventControlResponse extends Response {
     constructor(values: Values<EventControlResponse>);
-    /** Number of the trigger. */
+    /** Trigger instance. */
     instance: number;
     /** Mode of the trigger. Default: `types.EventTriggerMode.DISABLED`. */
     mode: types.EventTriggerMode;
 }
 
 /**
- * Get Event Trigger Status response (0x0C,0xB6).
+ * Get event trigger status response (0x0C,0xB6).
  *
- * Response to `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `GetEventTriggerStatus`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
@@ -1696,9 +1719,9 @@ export declare class GetEventTriggerStatusResponse extends Response {
 }
 
 /**
- * Get Event Action Status response (0x0C,0xB7).
+ * Get event action status response (0x0C,0xB7).
  *
- * Response to `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `GetEventActionStatus`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
@@ -1710,16 +1733,16 @@ export declare class GetEventActionStatusResponse extends Response {
 }
 
 /**
- * Event Trigger Configuration response (0x0C,0xB8).
+ * Event trigger configuration response (0x0C,0xB8).
  *
- * Also called `event_trigger_response`. Response to `EventTriggerConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS.
+ * Also called `event_trigger_response`. Response to `EventTriggerConfig`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS;
+ * likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 export declare class EventTriggerConfigResponse extends Response {
     constructor(values: Values<EventTriggerConfigResponse>);
-    /** Number of the trigger. */
+    /** Trigger instance. */
     instance: number;
     /** Kind of trigger. Default: `types.EventTriggerType.NONE`. */
     type: types.EventTriggerType;
@@ -1735,17 +1758,17 @@ export declare class EventTriggerConfigResponse extends Response {
 }
 
 /**
- * Event Action Configuration response (0x0C,0xB9).
+ * Event action configuration response (0x0C,0xB9).
  *
- * Also called `event_action_response`. Response to `EventActionConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS.
+ * Also called `event_action_response`. Response to `EventActionConfig`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS;
+ * likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Event Cycle
  */
 export declare class EventActionConfigResponse extends Response {
     constructor(values: Values<EventActionConfigResponse>);
-    /** Number of the action. */
+    /** Action instance. */
     instance: number;
     /** Trigger instance that the action follows. */
     trigger: number;
@@ -1762,9 +1785,9 @@ export declare class EventActionConfigResponse extends Response {
 }
 
 /**
- * GPIO Configuration response (0x0C,0xC1).
+ * GPIO configuration response (0x0C,0xC1).
  *
- * Response to `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to `GpioConfig`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -1790,9 +1813,9 @@ export declare class GpioConfigResponse extends Response {
 }
 
 /**
- * GPIO State response (0x0C,0xC2).
+ * GPIO state response (0x0C,0xC2).
  *
- * Response to `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response to `GpioState`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 9 more.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
@@ -1805,9 +1828,10 @@ export declare class GpioStateResponse extends Response {
 }
 
 /**
- * Odometer Configuration response (0x0C,0xC3).
+ * Odometer configuration response (0x0C,0xC3).
  *
- * Also called `odometer_response`. Response to `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_response`. Response to `OdometerConfig`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1
+ * more.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -1825,9 +1849,9 @@ export declare class OdometerConfigResponse extends Response {
 }
 
 /**
- * Sensor Range response (0x0C,0xD2).
+ * Sensor range response (0x0C,0xD2).
  *
- * Response to `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `SensorRange`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
@@ -1840,10 +1864,10 @@ export declare class SensorRangeResponse extends Response {
 }
 
 /**
- * Get Calibrated Sensor Ranges response (0x0C,0xD3).
+ * Get calibrated sensor ranges response (0x0C,0xD3).
  *
- * Also called `calibrated_sensor_ranges_response`. Response to `GetCalibratedSensorRanges`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges_response`. Response to `GetCalibratedSensorRanges`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -1864,10 +1888,10 @@ export declare class GetCalibratedSensorRangesResponse extends Response {
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
+ * Low-pass anti-aliasing filter response (0x0C,0xD4).
  *
- * Also called `lowpass_filter_response`. Response to `LowPassFilter`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `lowpass_filter_response`. Response to `LowPassFilter`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and
+ * 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
@@ -1886,12 +1910,12 @@ export declare class LowPassFilterResponse extends Response {
 }
 
 /**
- * Poll IMU Data (0x0C,0x01).
+ * Poll IMU data (0x0C,0x01).
  *
  * Requests one sensor data packet (0x80) with the listed fields, in the listed order.
  *
- * Also called `poll_imu_message`. Not acknowledged if `suppressAck` is true. Supported by 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `poll_imu_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10,
+ * 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 15 more.
  *
  * An empty list polls the fields that `ImuMessageFormat` stores; if nothing is stored, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.
@@ -1908,12 +1932,12 @@ export declare class PollImuData extends Command<undefined> {
 }
 
 /**
- * Poll GNSS Data (0x0C,0x02).
+ * Poll GNSS data (0x0C,0x02).
  *
  * Requests one GNSS data packet with the listed fields, in the listed order.
  *
- * Also called `poll_gnss_message`. Not acknowledged if `suppressAck` is true. Supported by 3DM-GQ4-45, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * Also called `poll_gnss_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-GQ4-45, 3DM-GX5-45,
+ * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 5 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
  *
  * An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device rejects the command.
  * Descriptors that the device does not know are omitted. The data is sent in a separate packet after the reply.
@@ -1933,12 +1957,12 @@ export declare class PollGnssData extends Command<undefined> {
 }
 
 /**
- * Poll Estimation Filter Data (0x0C,0x03).
+ * Poll estimation filter data (0x0C,0x03).
  *
  * Requests one filter data packet (0x82) with the listed fields, in the listed order.
  *
- * Also called `poll_filter_message`. Not acknowledged if `suppressAck` is true. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `poll_filter_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV5-15, 3DM-GQ4-45,
+ * 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 8 more.
  *
  * An empty list polls the fields that `FilterMessageFormat` stores; if none are, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.
@@ -1955,12 +1979,12 @@ export declare class PollFilterData extends Command<undefined> {
 }
 
 /**
- * Poll NMEA Data (0x0C,0x04).
+ * Poll NMEA data (0x0C,0x04).
  *
  * Requests the listed NMEA sentences once.
  *
- * Also called `nmea_poll_data`. Not acknowledged if `suppressAck` is true. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * Also called `nmea_poll_data`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
  *
  * An empty list polls the stored NMEA format; if none is stored, the device rejects the command. The sentences follow
  * the reply as ordinary NMEA text, on the port of the command, even if NMEA is disabled there. A sentence is sent only
@@ -1978,12 +2002,12 @@ export declare class PollNmeaData extends Command<undefined> {
 }
 
 /**
- * Get IMU Data Base Rate (0x0C,0x06).
+ * Get IMU data base rate (0x0C,0x06).
  *
  * Gets the base rate, which is divided by the decimations of `ImuMessageFormat`.
  *
- * Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10,
+ * 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 15 more.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -1992,12 +2016,12 @@ export declare class GetImuBaseRate extends Command<GetImuBaseRateResponse> {
 }
 
 /**
- * Get GNSS Data Base Rate (0x0C,0x07).
+ * Get GNSS data base rate (0x0C,0x07).
  *
  * Gets the base rate, which is divided by the decimations of `GnssMessageFormat`.
  *
- * Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, -45,
+ * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 4 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -2006,12 +2030,13 @@ export declare class GetGnssBaseRate extends Command<GetGnssBaseRateResponse> {
 }
 
 /**
- * IMU Message Format (0x0C,0x08).
+ * IMU message format (0x0C,0x08).
  *
  * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ImuMessageFormatResponse`. Supported by
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ImuMessageFormatResponse`. Confirmed on
+ * 3DM-CV5-10, -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 14
+ * more.
  *
  * The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate. The list replaces the
  * previous one. If any descriptor is unknown, the device rejects the command and changes nothing.
@@ -2040,16 +2065,16 @@ export declare class ImuMessageFormat<R extends Response | undefined = undefined
 }
 
 /**
- * GNSS Message Format (0x0C,0x09).
+ * GNSS message format (0x0C,0x09).
  *
  * Sets the fields of the GNSS data packets, their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssMessageFormatResponse`. Supported by
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssMessageFormatResponse`. Confirmed on
+ * 3DM-GQ4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 4 more. Requires a receiver.
  *
  * The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
  *
- * - mip-sdk-4: GNSS Message Format (0x0C,0x09)
+ * - mip-sdk-4: GNSS message format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 export declare class GnssMessageFormat<R extends Response | undefined = undefined | GnssMessageFormatResponse> extends Command<R> {
@@ -2075,12 +2100,12 @@ export declare class GnssMessageFormat<R extends Response | undefined = undefine
 }
 
 /**
- * Estimation Filter Message Format (0x0C,0x0A).
+ * Estimation filter message format (0x0C,0x0A).
  *
  * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FilterMessageFormatResponse`. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FilterMessageFormatResponse`. Confirmed on
+ * 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
  *
  * The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate. The list replaces
  * the previous one. If any descriptor is unknown, the device rejects the command and changes nothing.
@@ -2109,12 +2134,12 @@ export declare class FilterMessageFormat<R extends Response | undefined = undefi
 }
 
 /**
- * Get Estimation Filter Data Base Rate (0x0C,0x0B).
+ * Get estimation filter data base rate (0x0C,0x0B).
  *
  * Gets the base rate, which is divided by the decimations of `FilterMessageFormat`.
  *
- * Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45,
+ * 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -2123,12 +2148,12 @@ export declare class GetFilterBaseRate extends Command<GetFilterBaseRateResponse
 }
 
 /**
- * NMEA Message Format (0x0C,0x0C).
+ * NMEA message format (0x0C,0x0C).
  *
  * Sets the NMEA sentences that the device streams.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `NmeaMessageFormatResponse`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `NmeaMessageFormatResponse`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 4 more.
  *
  * A sentence may be listed several times with different talkers or sources. A sentence is sent only while the device is
  * not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS rejects the format if a sentence would be sent
@@ -2156,11 +2181,11 @@ export declare class NmeaMessageFormat<R extends Response | undefined = undefine
 }
 
 /**
- * Poll Data (0x0C,0x0D).
+ * Poll data (0x0C,0x0D).
  *
  * Requests one data packet of the descriptor set with the listed fields, in the listed order.
  *
- * Not acknowledged if `suppressAck` is true. Supported by 3DM-CV7-GNSS/INS.
+ * Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * An empty list polls the fields that `MessageFormat` stores; if nothing is stored, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply, on the
@@ -2180,11 +2205,12 @@ export declare class PollData extends Command<undefined> {
 }
 
 /**
- * Get Data Base Rate (0x0C,0x0E).
+ * Get data base rate (0x0C,0x0E).
  *
  * Gets the base rate, which is divided by the decimations of a descriptor set.
  *
- * Response: `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response: `GetBaseRateResponse`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on
+ * 7 more.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -2195,12 +2221,12 @@ export declare class GetBaseRate extends Command<GetBaseRateResponse> {
 }
 
 /**
- * Message Format (0x0C,0x0F).
+ * Message format (0x0C,0x0F).
  *
  * Sets the fields of the data packets of a descriptor set, their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MessageFormatResponse`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MessageFormatResponse`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List shared descriptors
  * (0xD0 and up) under the set whose packets will contain them, before the others.
@@ -2231,11 +2257,11 @@ export declare class MessageFormat<R extends Response | undefined = undefined | 
 }
 
 /**
- * Factory Streaming (0x0C,0x10).
+ * Factory streaming (0x0C,0x10).
  *
  * Sets all message formats to those that technical support needs in a recording.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
@@ -2248,13 +2274,13 @@ export declare class FactoryStreaming extends Command<undefined> {
 }
 
 /**
- * Data Stream Control (0x0C,0x11).
+ * Data stream control (0x0C,0x11).
  *
  * Switches a data stream on or off.
  *
  * Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `DataStreamControlResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * `DataStreamControlResponse`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35,
+ * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 25 more.
  *
  * Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other devices by its
  * descriptor set. A newly enabled stream starts with current data, without any from before.
@@ -2269,9 +2295,11 @@ export declare class DataStreamControl<R extends Response | undefined = undefine
     /**
      * Data descriptor set; 0 means all streams (save, load, default).
      *
-     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
-     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35,
-     *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR:
+     *   values of `LegacyDataStream`; only `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and
+     *   `LegacyDataStream.FILTER`.
+     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST:
+     *   values of `LegacyDataStream`.
      * - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
      */
     descriptorSet?: number;
@@ -2297,7 +2325,7 @@ export declare class DataStreamControl<R extends Response | undefined = undefine
  *
  * Sends RTCM 2.3 corrections to the GNSS receiver.
  *
- * Supported by 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and -45-ST. Requires a receiver.
  *
  * The receiver uses the RTCM messages 1, 2, 3 and 9. A message may be split at any byte and sent with several of these
  * commands.
@@ -2313,14 +2341,14 @@ export declare class RawRtcm2_3Message extends Command<undefined> {
 }
 
 /**
- * Constellation Settings (0x0C,0x21).
+ * Constellation settings (0x0C,0x21).
  *
  * Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ConstellationSettingsResponse`. Probably changes
- * `gnss_data.FixInfo`, `gnss_data.SvInfo` and `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
- * Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but has channels for SBAS and QZSS
- * too.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ConstellationSettingsResponse`. Probably affects
+ * `gnss_data.FixInfo`, `gnss_data.SvInfo` and `gnss_data.SatelliteStatus`. Confirmed on 3DM-GQ4-45 and 3DM-GX5-35;
+ * likely or assumed on 2 more. Requires a receiver. Uncertain: The factory default is doubtful: the SDK names only GPS
+ * and GLONASS as enabled, but has channels for SBAS and QZSS too.
  *
  * The device rejects entries that reserve more than 32 channels in total. The maximum of an entry must not be less than
  * the number of channels it reserves. GLONASS and BeiDou cannot be used together. If the antenna or its filter is made
@@ -2328,7 +2356,7 @@ export declare class RawRtcm2_3Message extends Command<undefined> {
  * suitable for safety-of-life use. Factory default: GPS and GLONASS are enabled. Reserved and maximum channels: GPS 8
  * and 16, GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
  *
- * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ * - mip-sdk-4: Constellation settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
  */
 export declare class ConstellationSettings<R extends Response | undefined = undefined | ConstellationSettingsResponse> extends Command<R> {
@@ -2359,12 +2387,13 @@ export declare class ConstellationSettings<R extends Response | undefined = unde
 }
 
 /**
- * GNSS SBAS Settings (0x0C,0x22).
+ * GNSS SBAS settings (0x0C,0x22).
  *
  * Sets how the GNSS receivers use satellite-based augmentation (SBAS).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssSbasSettingsResponse`. Probably changes
- * `gnss_data.SbasInfo` and `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssSbasSettingsResponse`. Probably affects
+ * `gnss_data.SbasInfo` and `gnss_data.SbasCorrection`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35; likely
+ * or assumed on 3 more. Requires a receiver.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -2403,18 +2432,18 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
 }
 
 /**
- * GNSS Assisted Fix (0x0C,0x23).
+ * GNSS assisted fix (0x0C,0x23).
  *
  * Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssAssistedFixResponse`. Supported by
- * 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssAssistedFixResponse`. Confirmed on
+ * 3DM-GX5-35; likely or assumed on 2 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver. If you send the time with `GnssTimeAssistance`
  * right after power-up, the first fix takes 1 s at best. A change from enabled to none erases the flash memory of the
  * receiver, which is rated for 100 000 erasures. It slightly increases the power consumption.
  *
- * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
+ * - mip-sdk-4: GNSS assisted fix (0x0C,0x23)
  */
 export declare class GnssAssistedFix<R extends Response | undefined = undefined | GnssAssistedFixResponse> extends Command<R> {
     constructor(values: Values<GnssAssistedFix, "flags">);
@@ -2445,16 +2474,16 @@ export declare class GnssAssistedFix<R extends Response | undefined = undefined 
 }
 
 /**
- * GNSS Time Assistance (0x0C,0x24).
+ * GNSS time assistance (0x0C,0x24).
  *
  * Sends the current GPS time to the GNSS receiver.
  *
- * Functions: `write` and `read`. Response: `GnssTimeAssistanceResponse`. Supported by 3DM-GX5-35. Known only from the
- * MicroStrain MIP SDK.
+ * Functions: `write` and `read`. Response: `GnssTimeAssistanceResponse`. Confirmed on 3DM-GX5-35; likely or assumed on
+ * 2 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
  *
  * It is needed right after power-up if `GnssAssistedFix` was on at power-off.
  *
- * - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
+ * - mip-sdk-4: GNSS time assistance (0x0C,0x24)
  */
 export declare class GnssTimeAssistance<R extends Response | undefined = undefined | GnssTimeAssistanceResponse> extends Command<R> {
     constructor(values: Values<GnssTimeAssistance>);
@@ -2473,13 +2502,13 @@ export declare class GnssTimeAssistance<R extends Response | undefined = undefin
 }
 
 /**
- * PPS Source Control (0x0C,0x28).
+ * PPS source control (0x0C,0x28).
  *
  * Selects the source of the pulse per second (PPS).
  *
  * Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes `shared.GpsTimestamp`,
- * `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Supported by 3DM-CV7-GNSS/INS.
+ * `PpsSourceControlResponse`. Affects `system_data.TimeSyncStatus`. Probably affects `shared.GpsTimestamp`,
+ * `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * The pins are configured separately, by `GpioConfig`. The filter needs a valid pulse; `disabled` and `generated` are
  * rarely useful.
@@ -2493,8 +2522,8 @@ export declare class PpsSourceControl<R extends Response | undefined = undefined
     /**
      * Source of the pulse. Required for `write`.
      *
-     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR
-     *   and 3DM-GV7-INS: only `PpsSource.DISABLED`, `PpsSource.GPIO` and `PpsSource.GENERATED`.
+     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GV7-AHRS, -AR and -INS: only `PpsSource.DISABLED`,
+     *   `PpsSource.GPIO` and `PpsSource.GENERATED`.
      * - On the 3DM-CV7-GNSS/INS: default `PpsSource.RECEIVER_1`.
      * - On the 3DM-GQ7-GNSS/INS: only `PpsSource.DISABLED`, `PpsSource.RECEIVER_1`, `PpsSource.RECEIVER_2`,
      *   `PpsSource.GPIO` and `PpsSource.GENERATED`.
@@ -2513,11 +2542,11 @@ export declare class PpsSourceControl<R extends Response | undefined = undefined
 }
 
 /**
- * Get Supported Events (0x0C,0x2A).
+ * Get supported events (0x0C,0x2A).
  *
  * Gets the types of event triggers or actions that the device supports, and the number of each.
  *
- * Response: `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
+ * Response: `GetEventSupportResponse`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -2528,12 +2557,12 @@ export declare class GetEventSupport extends Command<GetEventSupportResponse> {
 }
 
 /**
- * Event Control (0x0C,0x2B).
+ * Event control (0x0C,0x2B).
  *
  * Enables, disables or tests an event trigger.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EventControlResponse`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EventControlResponse`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * Triggers are disabled by default and after configuration. A trigger of type none cannot be enabled.
  *
@@ -2560,18 +2589,18 @@ export declare class EventControl<R extends Response | undefined = undefined | E
 }
 
 /**
- * Get Event Trigger Status (0x0C,0x2C).
+ * Get event trigger status (0x0C,0x2C).
  *
  * Gets the type and the state of event triggers.
  *
- * Response: `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
+ * Response: `GetEventTriggerStatusResponse`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 export declare class GetEventTriggerStatus extends Command<GetEventTriggerStatusResponse> {
     constructor(values: Values<GetEventTriggerStatus>);
     /**
-     * On the wire only: requested_count. Number of requested triggers; 0 requests all slots. Counts the elements of
+     * On the wire only: requested_count. Number of requested triggers; 0 requests all instances. Counts the elements of
      * `requestedInstances`.
      */
     /** Numbers of the triggers to report; none for all. */
@@ -2579,18 +2608,18 @@ export declare class GetEventTriggerStatus extends Command<GetEventTriggerStatus
 }
 
 /**
- * Get Event Action Status (0x0C,0x2D).
+ * Get event action status (0x0C,0x2D).
  *
  * Gets the type and the trigger of event actions.
  *
- * Response: `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
+ * Response: `GetEventActionStatusResponse`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 export declare class GetEventActionStatus extends Command<GetEventActionStatusResponse> {
     constructor(values: Values<GetEventActionStatus>);
     /**
-     * On the wire only: requested_count. Number of requested actions; 0 requests all slots. Counts the elements of
+     * On the wire only: requested_count. Number of requested actions; 0 requests all instances. Counts the elements of
      * `requestedInstances`.
      */
     /** Numbers of the actions to report; none for all. */
@@ -2598,12 +2627,12 @@ export declare class GetEventActionStatus extends Command<GetEventActionStatusRe
 }
 
 /**
- * Event Trigger Configuration (0x0C,0x2E).
+ * Event trigger configuration (0x0C,0x2E).
  *
  * Configures the kind and the condition of an event trigger.
  *
  * Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * `EventTriggerConfigResponse`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
  *
  * The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin configured by
  * `GpioConfig`.
@@ -2640,12 +2669,12 @@ export declare class EventTriggerConfig<R extends Response | undefined = undefin
 }
 
 /**
- * Event Action Configuration (0x0C,0x2F).
+ * Event action configuration (0x0C,0x2F).
  *
  * Configures the trigger and the effect of an event action.
  *
  * Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * `EventActionConfigResponse`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
  *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger. A GPIO action needs
  * its pin configured as an output with the gpio feature. In each event cycle, the device updates all triggers first and
@@ -2685,12 +2714,12 @@ export declare class EventActionConfig<R extends Response | undefined = undefine
 }
 
 /**
- * Device Start Up Settings (0x0C,0x30).
+ * Device start up settings (0x0C,0x30).
  *
  * Saves, loads or resets all settings of the device at once.
  *
- * Functions: `save`, `load` and `default`. The device may take 2 s to reply. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Functions: `save`, `load` and `default`. The device may take 2 s to reply. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 22 more.
  *
  * A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply time-out of at least 2 s.
  *
@@ -2710,16 +2739,17 @@ export declare class DeviceSettings extends Command<undefined> {
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+ * Sensor-to-vehicle frame transformation Euler (0x0C,0x31).
  *
  * Sets the mounting of the sensor in the vehicle as Euler angles.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `SensorToVehicleTransformEulerResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
+ * `SensorToVehicleTransformEulerResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
  * `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
  * `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes
- * `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably affects
+ * `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS;
+ * likely or assumed on 9 more.
  *
  * `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same transformation; the value read
  * back may be another form of it. Starting aligned with the vehicle frame, the sensor is rotated by yaw, pitch and roll
@@ -2733,11 +2763,20 @@ export declare class SensorToVehicleTransformEuler<R extends Response | undefine
     constructor(values: Values<SensorToVehicleTransformEuler>);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /** Rotation about the x axis. Unit: rad. Required for `write`. */
+    /**
+     * Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: right side down. Required
+     * for `write`.
+     */
     roll?: number;
-    /** Rotation about the y axis. Unit: rad. Required for `write`. */
+    /**
+     * Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: nose up. Required for
+     * `write`.
+     */
     pitch?: number;
-    /** Rotation about the z axis. Unit: rad. Required for `write`. */
+    /**
+     * Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: clockwise seen from above.
+     * Required for `write`.
+     */
     yaw?: number;
     /** Apply the new setting. */
     static write(values: { roll: number; pitch: number; yaw: number }): SensorToVehicleTransformEuler<undefined>;
@@ -2752,16 +2791,17 @@ export declare class SensorToVehicleTransformEuler<R extends Response | undefine
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+ * Sensor-to-vehicle frame transformation quaternion (0x0C,0x32).
  *
  * Sets the mounting of the sensor in the vehicle as a quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load` and `default`.
- * Response: `SensorToVehicleTransformQuaternionResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+ * Response: `SensorToVehicleTransformQuaternionResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`,
  * `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`,
  * `sensor.CompQuaternion`, `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
  * `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
- * Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS.
+ * Probably affects `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Confirmed on 3DM-CV7-GNSS/INS;
+ * likely or assumed on 10 more.
  *
  * `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation; the value read back
  * may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part
@@ -2792,16 +2832,17 @@ export declare class SensorToVehicleTransformQuaternion<R extends Response | und
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+ * Sensor-to-vehicle frame transformation direction cosine matrix (0x0C,0x33).
  *
  * Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `SensorToVehicleTransformDcmResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
+ * `SensorToVehicleTransformDcmResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
  * `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
  * `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes
- * `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS.
+ * `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably affects
+ * `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on
+ * 10 more.
  *
  * `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same transformation; the value read
  * back may be another form of it. `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
@@ -2837,9 +2878,9 @@ export declare class SensorToVehicleTransformDcm<R extends Response | undefined 
  * Sets the dynamics that the GNSS receiver assumes of the vehicle.
  *
  * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. Known only from the
- * MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices support it. The SDK of 2014 uses it
- * in its example for the 3DM-GX3-35 only.
+ * `GpsDynamicsModeResponse`. Probably affects `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. Known only from the
+ * MIP SDK of 2014 and MicroStrain Communication Library. Requires a receiver. Uncertain: No source lists the devices
+ * that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
  * - mscl: GPS dynamics mode (0x0C,0x34)
@@ -2868,12 +2909,12 @@ export declare class GpsDynamicsMode<R extends Response | undefined = undefined 
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
  * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.DeltaTheta`,
+ * `ImuSignalConditioningResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.DeltaTheta`,
  * `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`.
- * Probably changes `sensor.ScaledMag`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
- * Uncertain: The ranges, the defaults, and some of the flags. They are those of the single-byte protocol of the
- * 3DM-GX3, which has the same record. Uncertain: Which devices support it. The SDK of 2014 uses it in its example for
- * the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
+ * Probably affects `sensor.ScaledMag`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+ * Uncertain: The ranges, the defaults and some of the flags are those of the single-byte protocol of the 3DM-GX3, which
+ * has the same record. Uncertain: No source lists the devices that support it; the SDK of 2014 uses it in its example
+ * for the 3DM-GX3-35 only. Uncertain: MSCL reads the response without `reserved`, so some devices may not send it.
  *
  * The filters are moving averages; the first zero of their response is at 1000 Hz divided by the width.
  *
@@ -2924,8 +2965,8 @@ export declare class ImuSignalConditioning<R extends Response | undefined = unde
  * Sets or reads a time counter of the sensor data.
  *
  * No device is known for certain to support it. Functions: `write` and `read`. Response: `ImuTimestampResponse`. Known
- * only from the MIP SDK of 2014. Uncertain: Which devices support it. The SDK of 2014 uses it in its example for the
- * 3DM-GX3-35 only. Uncertain: Whether a read includes `time`, which is ignored, or omits it, as is assumed.
+ * only from the MIP SDK of 2014. Uncertain: No source lists the devices that support it; the SDK of 2014 uses it in its
+ * example for the 3DM-GX3-35 only. Uncertain: A read is assumed to omit `time`, which the device would ignore.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -2944,14 +2985,14 @@ export declare class ImuTimestamp<R extends Response | undefined = undefined | I
 }
 
 /**
- * Accelerometer Bias Configuration (0x0C,0x37).
+ * Accelerometer bias configuration (0x0C,0x37).
  *
  * Sets the bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `AccelBiasResponse`.
- * Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and `filter_data.AccelBias`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS:
- * `write`, `read`, `save`, `load` and `default` only.
+ * Affects `sensor.ScaledAccel`. Probably affects `sensor.DeltaVelocity` and `filter_data.AccelBias`. Confirmed on
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 24 more. On the
+ * 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -2980,15 +3021,15 @@ export declare class AccelBias<R extends Response | undefined = undefined | Acce
 }
 
 /**
- * Gyroscope Bias Configuration (0x0C,0x38).
+ * Gyroscope bias configuration (0x0C,0x38).
  *
  * Sets the bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `GyroBiasResponse`.
- * Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On
- * the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
- * `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+ * Affects `sensor.ScaledGyro`. Probably affects `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 23
+ * more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`,
+ * `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3017,13 +3058,13 @@ export declare class GyroBias<R extends Response | undefined = undefined | GyroB
 }
 
 /**
- * Capture Gyroscope Bias (0x0C,0x39).
+ * Capture gyroscope bias (0x0C,0x39).
  *
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
- * Response: `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`,
- * `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to reply. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response: `GyroBiasResponse`. Affects `sensor.ScaledGyro`. Probably affects `sensor.DeltaTheta`,
+ * `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to reply. Confirmed on 3DM-CV7-AHRS, -AR,
+ * -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 21 more.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time. The reply arrives after the
  * averaging time. The bias is not saved; to save it, send `GyroBias` with save. The 3DM-GX5-15 also initializes its
@@ -3039,15 +3080,14 @@ export declare class CaptureGyroBias extends Command<GyroBiasResponse> {
 }
 
 /**
- * Magnetometer Hard Iron Offset (0x0C,0x3A).
+ * Magnetometer hard iron offset (0x0C,0x3A).
  *
  * Sets the offset that corrects the scaled magnetic field for hard iron.
  *
- * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagHardIronOffsetResponse`. Changes
- * `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
- * `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
- * `default` only.
+ * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagHardIronOffsetResponse`. Affects
+ * `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and -45-ST; likely or
+ * assumed on 14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
+ * `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
  * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The device applies the
@@ -3082,15 +3122,14 @@ export declare class MagHardIronOffset<R extends Response | undefined = undefine
 }
 
 /**
- * Magnetometer Soft Iron Matrix (0x0C,0x3B).
+ * Magnetometer soft iron matrix (0x0C,0x3B).
  *
  * Sets the matrix that corrects the scaled magnetic field for soft iron.
  *
- * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagSoftIronMatrixResponse`. Changes
- * `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
- * `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
- * `default` only.
+ * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagSoftIronMatrixResponse`. Affects
+ * `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and -45-ST; likely or
+ * assumed on 14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
+ * `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
  * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The device applies the
@@ -3123,12 +3162,13 @@ export declare class MagSoftIronMatrix<R extends Response | undefined = undefine
 }
 
 /**
- * Coning and Sculling Enable (0x0C,0x3E).
+ * Coning and sculling enable (0x0C,0x3E).
  *
  * Enables or disables coning and sculling compensation.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ConingScullingEnableResponse`. Probably changes
- * `sensor.DeltaTheta` and `sensor.DeltaVelocity`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ConingScullingEnableResponse`. Probably affects
+ * `sensor.DeltaTheta` and `sensor.DeltaVelocity`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely
+ * or assumed on 15 more.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -3151,13 +3191,13 @@ export declare class ConingScullingEnable<R extends Response | undefined = undef
 }
 
 /**
- * UART Baud Rate (0x0C,0x40).
+ * UART baud rate (0x0C,0x40).
  *
  * Sets the baud rate of the main port.
  *
  * Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * `UartBaudRateResponse`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely
+ * or assumed on 12 more.
  *
  * The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The 3DM-CV7 applies the
  * rate when the port is empty, after at most 250 ms; until then, commands and data may be lost. Set the device to idle
@@ -3173,7 +3213,7 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
     /**
      * New baud rate; the port must support it. Unit: Bd. Required for `write`.
      *
-     * - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
+     * - On the 3DM-GX5-15 and -45: default 115200.
      */
     baud?: number;
     /** Apply the new setting. */
@@ -3189,13 +3229,13 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
 }
 
 /**
- * GPIO Configuration (0x0C,0x41).
+ * GPIO configuration (0x0C,0x41).
  *
  * Sets the use of a GPIO pin.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GpioConfigResponse`. Probably changes
- * `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GpioConfigResponse`. Probably affects
+ * `system_data.GpioState` and `system_data.GpioAnalogValue`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or
+ * assumed on 8 more.
  *
  * Not every pin has every feature. For an output with a feature other than gpio, configure the function that drives it
  * before the pin; otherwise, the level of the pin is undefined in the meantime. For an input, configure the pin before
@@ -3238,12 +3278,12 @@ export declare class GpioConfig<R extends Response | undefined = undefined | Gpi
 }
 
 /**
- * GPIO State (0x0C,0x42).
+ * GPIO state (0x0C,0x42).
  *
  * Sets or reads the state of a GPIO pin.
  *
- * Functions: `write` and `read`. Response: `GpioStateResponse`. Changes `system_data.GpioState`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Functions: `write` and `read`. Response: `GpioStateResponse`. Affects `system_data.GpioState`. Confirmed on
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 9 more.
  *
  * A read returns the level of the pin itself. A write has an effect only on a pin that is configured as an output. An
  * event action of mode `active_high` or `active_low` on the pin overrides the written state. Reading is guaranteed to
@@ -3266,12 +3306,12 @@ export declare class GpioState<R extends Response | undefined = undefined | Gpio
 }
 
 /**
- * Odometer Configuration (0x0C,0x43).
+ * Odometer configuration (0x0C,0x43).
  *
  * Configures the input from a wheel encoder.
  *
  * Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Response: `OdometerConfigResponse`.
- * Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS.
+ * Affects `sensor.Odometer`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -3301,17 +3341,17 @@ export declare class OdometerConfig<R extends Response | undefined = undefined |
 }
 
 /**
- * Advanced Low-Pass Filter Settings (0x0C,0x50).
+ * Advanced low-pass filter settings (0x0C,0x50).
  *
  * Configures the low-pass filter of one sensor data quantity.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
- * Response: `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag` and
- * `sensor.ScaledPressure`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated
- * on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead.
- * Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On the
- * 3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
+ * Response: `ImuLowPassFilterResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag` and
+ * `sensor.ScaledPressure`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+ * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 20 more. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead.
+ * Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter`
+ * instead. Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On
+ * the 3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message format.
  *
@@ -3355,13 +3395,14 @@ export declare class ImuLowPassFilter<R extends Response | undefined = undefined
 }
 
 /**
- * Complementary Filter Configuration (0x0C,0x51).
+ * Complementary filter configuration (0x0C,0x51).
  *
  * Configures the complementary filter, which computes the attitude independently of the estimation filter.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ComplementaryFilterResponse`. Changes
- * `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes
- * `sensor.NorthVector` and `sensor.UpVector`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ComplementaryFilterResponse`. Affects
+ * `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably affects
+ * `sensor.NorthVector` and `sensor.UpVector`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or
+ * assumed on 22 more.
  *
  * Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero. The heading follows
  * the magnetometer, if the device has one. The device rejects time constants out of range. The attitude of the
@@ -3383,7 +3424,7 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
     /**
      * True enables the heading correction, which 5-series manuals call north compensation. Required for `write`.
      *
-     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15: MSCL has no support for it.
+     * - On the 3DM-CV5-10, -15, 3DM-CX5-10 and -15: MSCL has no support for it.
      * - On the 3DM-GX5-15: default true.
      */
     headingEnable?: boolean;
@@ -3404,12 +3445,13 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
 }
 
 /**
- * Sensor Range (0x0C,0x52).
+ * Sensor range (0x0C,0x52).
  *
  * Sets the measuring range of a sensor.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorRangeResponse`. Probably changes
- * `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorRangeResponse`. Probably affects
+ * `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`. Confirmed on 3DM-CV7-GNSS/INS; likely or
+ * assumed on 10 more.
  *
  * `GetCalibratedSensorRanges` lists the settings. The device may reject other settings, or measure incorrectly with
  * them.
@@ -3420,7 +3462,12 @@ export declare class SensorRange<R extends Response | undefined = undefined | Se
     constructor(values: Values<SensorRange>);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /** Sensor whose range is set or read. */
+    /**
+     * Sensor whose range is set or read.
+     *
+     * - On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `SensorRangeType.ALL`, `SensorRangeType.ACCEL`,
+     *   `SensorRangeType.GYRO` and `SensorRangeType.PRESSURE`.
+     */
     sensor?: SensorRangeType;
     /** Number of the range. Required for `write`. */
     setting?: number;
@@ -3437,30 +3484,36 @@ export declare class SensorRange<R extends Response | undefined = undefined | Se
 }
 
 /**
- * Get Calibrated Sensor Ranges (0x0C,0x53).
+ * Get calibrated sensor ranges (0x0C,0x53).
  *
  * Gets the ranges that a sensor supports.
  *
- * Also called `calibrated_sensor_ranges`. Response: `GetCalibratedSensorRangesResponse`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges`. Response: `GetCalibratedSensorRangesResponse`. Confirmed on 3DM-CV7-GNSS/INS;
+ * likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
 export declare class GetCalibratedSensorRanges extends Command<GetCalibratedSensorRangesResponse> {
     constructor(values: Values<GetCalibratedSensorRanges>);
-    /** Sensor to query; `all` is not allowed. */
+    /**
+     * Sensor to query; `all` is not allowed.
+     *
+     * - On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `SensorRangeType.ALL`, `SensorRangeType.ACCEL`,
+     *   `SensorRangeType.GYRO` and `SensorRangeType.PRESSURE`.
+     */
     sensor: SensorRangeType;
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+ * Low-pass anti-aliasing filter (0x0C,0x54).
  *
  * Configures the low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
+ * `LowPassFilterResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
  * `sensor.ScaledPressure`, `filter_data.CompAccel`, `filter_data.CompAngularRate` and `filter_data.LinearAccel`.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07.
- * On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more. On the 3DM-CV7-AHRS:
+ * firmware > 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are meant.
  *
@@ -3501,10 +3554,10 @@ export declare class LowPassFilter<R extends Response | undefined = undefined | 
  * Selects MIP data or the raw data of a sensor for a stream.
  *
  * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain:
- * Which devices support it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions
- * other than write require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
- * `format`.
+ * `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: A
+ * comment in the SDK of 2014 restricts it to the 3DM-GX3-35; no other source lists devices. Uncertain: Functions other
+ * than write are assumed not to require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in
+ * place of `format`.
  *
  * In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and `sensor.gxsb` for
  * the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -3539,10 +3592,10 @@ export declare class DataStreamFormat<R extends Response | undefined = undefined
  *
  * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `DevicePowerStateResponse`. The device may take 5 s to reply. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library. Uncertain: Which devices support it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the
- * 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether
- * `state` may be omitted with functions other than write. The SDK of 2014 sends `device` with every function, and a 0
- * in place of `state`.
+ * Communication Library. Uncertain: A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35; no other
+ * source lists devices. Uncertain: The time-out of 5 s is assumed; the SDK of 2014 uses one that is longer than usual.
+ * Uncertain: Functions other than write are assumed not to require `state`. The SDK of 2014 sends `device` with every
+ * function, and a 0 in place of `state`.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
  * - mscl: Device power state (0x0C,0x61)
@@ -3551,7 +3604,11 @@ export declare class DevicePowerState<R extends Response | undefined = undefined
     constructor(values: Values<DevicePowerState>);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /** The sensor. */
+    /**
+     * The sensor.
+     *
+     * - On the 3DM-GX3-15 and -25: only `InternalSensor.IMU`.
+     */
     device?: InternalSensor;
     /** Power state of an internal sensor. Required for `write`. */
     state?: SensorPowerState;
@@ -3573,8 +3630,8 @@ export declare class DevicePowerState<R extends Response | undefined = undefined
  * Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
  *
  * No device is known for certain to support it. For advanced use. Functions: `save`, `load` and `default`. Known only
- * from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices support it. A comment in the
- * SDK of 2014 names the 3DM-GX3-35.
+ * from the MIP SDK of 2014 and MicroStrain Communication Library. Requires a receiver. Uncertain: A comment in the SDK
+ * of 2014 names the 3DM-GX3-35; no other source lists devices.
  *
  * In direct mode, your program configures the u-blox receiver with its own protocol; see `system.CommMode`.
  *
@@ -3594,7 +3651,7 @@ export declare class GpsAdvancedSettings extends Command<undefined> {
 }
 
 /**
- * Device Status (0x0C,0x64).
+ * Device status (0x0C,0x64).
  *
  * Gets the state of the device, in basic form or with counters.
  *
@@ -3602,8 +3659,8 @@ export declare class GpsAdvancedSettings extends Command<undefined> {
  * `DeviceStatusBasicWithoutStateResponse`, `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`,
- * `DeviceStatusBasicGx3Response` or `DeviceStatusDiagnosticGx3Response`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * `DeviceStatusBasicGx3Response` or `DeviceStatusDiagnosticGx3Response`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, -35, -45,
+ * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 17 more.
  *
  * The device expects its own model number, which `base.GetDeviceInfo` returns. Device families reply in different
  * layouts. The selector and the length distinguish them.
@@ -3611,7 +3668,7 @@ export declare class GpsAdvancedSettings extends Command<undefined> {
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 export declare class DeviceStatus extends Command<DeviceStatusBasicRq1ImuResponse | DeviceStatusBasicResponse | DeviceStatusBasicWithoutStateResponse | DeviceStatusBasicGx3Response | DeviceStatusDiagnosticResponse | DeviceStatusDiagnosticGnssResponse | DeviceStatusDiagnosticGq4_45Response | DeviceStatusDiagnosticRq1_45Response | DeviceStatusDiagnosticGx4Response | DeviceStatusDiagnosticImuResponse | DeviceStatusDiagnosticGx4ImuResponse | DeviceStatusDiagnosticRq1ImuResponse | DeviceStatusDiagnosticGx3Response> {
     constructor(values: Values<DeviceStatus>);

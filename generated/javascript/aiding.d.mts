@@ -84,7 +84,7 @@ export declare const LlhAxisFlags: Bitfield<LlhAxisFlags> & {
 /**
  * Frame configuration response (0x13,0x81).
  *
- * Response to `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * Response to `FrameConfig`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and -INS; likely or assumed on 7 more.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -102,8 +102,9 @@ export declare class FrameConfigResponse extends Response {
     /**
      * Rotation from the frame to the vehicle. Selected by `format`.
      *
-     * - If `format` is `AidingFrameFormat.EULER`: `euler: types.Vector3f`. Roll, pitch and yaw. Elements: x, y, z.
-     *   Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+     * - If `format` is `AidingFrameFormat.EULER`: `euler: types.Vector3f`. Roll, pitch and yaw of the frame relative to
+     *   the vehicle; positive are right side down, nose up, and clockwise seen from above. Elements: x, y, z. Unit:
+     *   rad. Frame: vehicle. Range: -pi to pi.
      * - If `format` is `AidingFrameFormat.QUATERNION`: `quaternion: types.Quatf`. Quaternion, scalar part first.
      *   Elements: w, x, y, z. Unit: 1.
      */
@@ -111,9 +112,25 @@ export declare class FrameConfigResponse extends Response {
 }
 
 /**
+ * Sensor frame map response (0x13,0x82).
+ *
+ * Also called `sensor_frame_mapping_response`. Response to `SensorFrameMap`. Known only from the MicroStrain MIP SDK,
+ * versions 1 to 3.
+ *
+ * - mip-sdk-3: Sensor Frame Mapping (0x13,0x02), branch CmdCallback
+ */
+export declare class SensorFrameMapResponse extends Response {
+    constructor(values: Values<SensorFrameMapResponse>);
+    /** Number of the sensor. Range: at least 1. */
+    sensorId: number;
+    /** Frame of the sensor, defined by `FrameConfig`. Range: 1 to 4. Default: 1. */
+    frameId: number;
+}
+
+/**
  * Echo control response (0x13,0x9F).
  *
- * Response to `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to `EchoControl`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -129,9 +146,9 @@ export declare class EchoControlResponse extends Response {
  *
  * Sets the position and the orientation of an external sensor on the vehicle.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FrameConfigResponse`. Changes
- * `filter_data.AidingFrameConfigError`. Probably changes `filter_data.AidingFrameConfigErrorUncertainty`. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FrameConfigResponse`. Affects
+ * `filter_data.AidingFrameConfigError`. Probably affects `filter_data.AidingFrameConfigErrorUncertainty`. Confirmed on
+ * 3DM-CV7-AHRS, -AR, -GNSS/INS and -INS; likely or assumed on 7 more.
  *
  * Aiding measurements refer to the frame by its number. `p_vehicle = R * p_frame + t`, with the rotation R and the
  * translation t. For GNSS positions and velocities the rotation does not matter. Send the identity: Euler angles 0, 0,
@@ -158,8 +175,9 @@ export declare class FrameConfig<R extends Response | undefined = undefined | Fr
     /**
      * Rotation from the frame to the vehicle. Selected by `format`. Required for `write`.
      *
-     * - If `format` is `AidingFrameFormat.EULER`: `euler: types.Vector3f`. Roll, pitch and yaw. Elements: x, y, z.
-     *   Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+     * - If `format` is `AidingFrameFormat.EULER`: `euler: types.Vector3f`. Roll, pitch and yaw of the frame relative to
+     *   the vehicle; positive are right side down, nose up, and clockwise seen from above. Elements: x, y, z. Unit:
+     *   rad. Frame: vehicle. Range: -pi to pi.
      * - If `format` is `AidingFrameFormat.QUATERNION`: `quaternion: types.Quatf`. Quaternion, scalar part first.
      *   Elements: w, x, y, z. Unit: 1.
      */
@@ -177,12 +195,44 @@ export declare class FrameConfig<R extends Response | undefined = undefined | Fr
 }
 
 /**
+ * Sensor frame map (0x13,0x02).
+ *
+ * Sets the frame in which an aiding sensor measures.
+ *
+ * Also called `sensor_frame_mapping`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
+ * `SensorFrameMapResponse`. Not listed in any device profile. Known only from the MicroStrain MIP SDK, versions 1 to 3.
+ * Uncertain: The layout is that of a branch of the SDK of 2024; later versions do not have it. Uncertain: No source
+ * lists the devices that support it.
+ *
+ * - mip-sdk-3: Sensor Frame Mapping (0x13,0x02), branch CmdCallback
+ */
+export declare class SensorFrameMap<R extends Response | undefined = undefined | SensorFrameMapResponse> extends Command<R> {
+    constructor(values: Values<SensorFrameMap>);
+    /** Operation on the setting. */
+    function: FunctionSelector;
+    /** Number of the sensor. Range: at least 1. Required for `write`. */
+    sensorId?: number;
+    /** Frame of the sensor, defined by `FrameConfig`. Range: 1 to 4. Default: 1. Required for `write`. */
+    frameId?: number;
+    /** Apply the new setting. */
+    static write(values: { sensorId: number; frameId: number }): SensorFrameMap<undefined>;
+    /** Return the current setting in a response. */
+    static read(): SensorFrameMap<SensorFrameMapResponse>;
+    /** Save the current setting to non-volatile memory. */
+    static save(): SensorFrameMap<undefined>;
+    /** Load the saved setting. */
+    static load(): SensorFrameMap<undefined>;
+    /** Load the factory default setting. */
+    static default(): SensorFrameMap<undefined>;
+}
+
+/**
  * Echo control (0x13,0x1F).
  *
  * Sets how the device replies to aiding measurements.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EchoControlResponse`. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EchoControlResponse`. Confirmed on 3DM-CV7-AHRS,
+ * -AR and -GNSS/INS; likely or assumed on 8 more.
  *
  * The manual does not contain the layout of the responses that carry the data back.
  *
@@ -212,8 +262,8 @@ export declare class EchoControl<R extends Response | undefined = undefined | Ec
  *
  * Sends a measured position in Earth-fixed coordinates.
  *
- * Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
  *
  * Use only one form of position: ECEF or LLH. In mode `response` of `EchoControl`, the device sends the data back in a
  * response of unknown layout.
@@ -247,8 +297,8 @@ export declare class EcefPosition extends Command<undefined> {
  *
  * Sends a measured position as latitude, longitude and height.
  *
- * Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
  *
  * Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of latitude and longitude.
  * The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead. In mode `response` of `EchoControl`, the
@@ -290,7 +340,8 @@ export declare class LlhPosition extends Command<undefined> {
  *
  * Sends a measured height above the ellipsoid.
  *
- * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on 3DM-CV7-GNSS/INS; likely
+ * or assumed on 3 more.
  *
  * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *
@@ -311,12 +362,37 @@ export declare class HeightAboveEllipsoid extends Command<undefined> {
 }
 
 /**
+ * Pressure (old) (0x13,0x25).
+ *
+ * Sends a static air pressure measured by an external sensor (superseded by `Pressure`).
+ *
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Not listed in any device profile. Known
+ * only from the MicroStrain MIP SDK, versions 1 to 3. Uncertain: The layout is that of a branch of the SDK of 2024;
+ * later versions do not have it. Uncertain: No source lists the devices that support it.
+ *
+ * - mip-sdk-3: Pressure (0x13,0x25), branch feature/UsbSerial
+ */
+export declare class PressureOld extends Command<undefined> {
+    constructor(values: Values<PressureOld>);
+    /** Time of the measurement. */
+    time: MeasurementTime;
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
+    frameId: number;
+    /** Air pressure. Unit: mbar. */
+    pressure: number;
+    /** Standard deviation of the pressure. Unit: mbar. Range: greater than 0. */
+    uncertainty: number;
+    /** Nonzero if the measurement is valid. */
+    validFlags: number;
+}
+
+/**
  * ECEF velocity (0x13,0x28).
  *
  * Sends a measured velocity in Earth-fixed coordinates.
  *
- * Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
  *
  * Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for such a sensor, use
  * `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
@@ -351,8 +427,8 @@ export declare class EcefVelocity extends Command<undefined> {
  *
  * Sends a measured velocity in the local level frame.
  *
- * Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
  *
  * Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for such a sensor, use
  * `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
@@ -388,8 +464,8 @@ export declare class NedVelocity extends Command<undefined> {
  *
  * Sends a measured velocity of the vehicle in the frame of the sensor.
  *
- * Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported
- * by 3DM-CV7-GNSS/INS.
+ * Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed
+ * on 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
  *
  * The device supports up to four sensors of this kind. For a wheeled vehicle constraint, send a velocity of 0 with only
  * y valid, at least once per second. With z also valid and 0, motion is constrained to a plane (2D mode). For a zero
@@ -426,8 +502,8 @@ export declare class BodyFrameVelocity extends Command<undefined> {
  *
  * Sends a measured heading relative to true north.
  *
- * Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported
- * by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed
+ * on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
  *
  * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *
@@ -440,10 +516,7 @@ export declare class TrueHeading extends Command<undefined> {
     time: MeasurementTime;
     /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
-    /**
-     * Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-     * clockwise seen from above.
-     */
+    /** Heading relative to true north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. */
     heading: number;
     /** Uncertainty of the heading. Unit: rad. Range: greater than 0. */
     uncertainty: number;
@@ -456,8 +529,8 @@ export declare class TrueHeading extends Command<undefined> {
  *
  * Sends a magnetic field measured by an external magnetometer.
  *
- * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR
- * and 3DM-CV7-GNSS/INS.
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on 3DM-CV7-AHRS, -AR and
+ * -GNSS/INS; likely or assumed on 7 more.
  *
  * The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the data back in a
  * response of unknown layout.
@@ -491,7 +564,8 @@ export declare class MagneticField extends Command<undefined> {
  *
  * Sends a static air pressure measured by an external sensor.
  *
- * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on 3DM-CV7-GNSS/INS; likely
+ * or assumed on 3 more.
  *
  * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *

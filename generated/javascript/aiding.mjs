@@ -48,6 +48,11 @@ export const FrameConfigResponse = /* @__PURE__ */ field.response("aiding.frame_
     rotation: /* @__PURE__ */ codec.union("format", [[1, "euler", types.Vector3f], [2, "quaternion", types.Quatf]]),
 });
 
+export const SensorFrameMapResponse = /* @__PURE__ */ field.response("aiding.sensor_frame_map_response", 0x13, 0x82, {
+    sensor_id: codec.u8,
+    frame_id: codec.u8,
+});
+
 export const EchoControlResponse = /* @__PURE__ */ field.response("aiding.echo_control_response", 0x13, 0x9f, {
     mode: AidingEchoMode,
 });
@@ -62,6 +67,15 @@ export const FrameConfig = /* @__PURE__ */ field.command("aiding.frame_config", 
 }, {
     calls: { 1: 5, 2: 2, 3: 1, 4: 1, 5: 1 },
     REPLIES: [[[2], [], [FrameConfigResponse]]],
+});
+
+export const SensorFrameMap = /* @__PURE__ */ field.command("aiding.sensor_frame_map", 0x13, 0x02, {
+    function: FunctionSelector,
+    sensor_id: codec.u8,
+    frame_id: codec.u8,
+}, {
+    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    REPLIES: [[[2], [], [SensorFrameMapResponse]]],
 });
 
 export const EchoControl = /* @__PURE__ */ field.command("aiding.echo_control", 0x13, 0x1f, {
@@ -79,6 +93,7 @@ export const EcefPosition = /* @__PURE__ */ field.command("aiding.ecef_position"
     uncertainty: types.Vector3f,
     valid_flags: AxisFlags,
 }, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { position: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 
@@ -91,6 +106,7 @@ export const LlhPosition = /* @__PURE__ */ field.command("aiding.llh_position", 
     uncertainty: types.Ned3f,
     valid_flags: LlhAxisFlags,
 }, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { latitude: 0x1, longitude: 0x2, height: 0x4, uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 
@@ -104,6 +120,16 @@ export const HeightAboveEllipsoid = /* @__PURE__ */ field.command("aiding.height
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 
+export const PressureOld = /* @__PURE__ */ field.command("aiding.pressure_old", 0x13, 0x25, {
+    time: MeasurementTime,
+    frame_id: codec.u8,
+    pressure: codec.float,
+    uncertainty: codec.float,
+    valid_flags: codec.u16,
+}, {
+    SILENCED_BY: [[() => EchoControl, "mode", 0]],
+});
+
 export const EcefVelocity = /* @__PURE__ */ field.command("aiding.ecef_velocity", 0x13, 0x28, {
     time: MeasurementTime,
     frame_id: codec.u8,
@@ -111,6 +137,7 @@ export const EcefVelocity = /* @__PURE__ */ field.command("aiding.ecef_velocity"
     uncertainty: types.Vector3f,
     valid_flags: AxisFlags,
 }, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 
@@ -121,6 +148,7 @@ export const NedVelocity = /* @__PURE__ */ field.command("aiding.ned_velocity", 
     uncertainty: types.Ned3f,
     valid_flags: AxisFlags,
 }, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 
@@ -131,6 +159,7 @@ export const BodyFrameVelocity = /* @__PURE__ */ field.command("aiding.body_fram
     uncertainty: types.Vector3f,
     valid_flags: AxisFlags,
 }, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 
@@ -151,6 +180,7 @@ export const MagneticField = /* @__PURE__ */ field.command("aiding.magnetic_fiel
     uncertainty: types.Vector3f,
     valid_flags: AxisFlags,
 }, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { magneticField: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 

@@ -10,28 +10,28 @@ import type { FunctionSelector } from "./protocol.mjs";
 import type * as types from "./types.mjs";
 
 /**
- * Get Analog to Displacement Calibration response (0x11,0x81).
+ * Get analog to displacement calibration response (0x11,0x81).
  *
  * No device is known for certain to support it. Also called `get_analog_displacement_calibration_response`. Response to
  * `GetCalibration`. Known only from the MicroStrain Communication Library.
  *
- * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
+ * - mscl: Get analog to displacement calibration (0x11,0x01)
  */
 export declare class GetCalibrationResponse extends Response {
     constructor(values: Values<GetCalibrationResponse>);
-    /** Displacement per ADC count. Uncertain: The unit; mm per count is likely. */
+    /** Displacement per ADC count. Uncertain: No source states the unit; mm per count is likely. */
     slope: number;
-    /** Displacement at zero counts. Uncertain: The unit; mm is likely. */
+    /** Displacement at zero counts. Uncertain: No source states the unit; mm is likely. */
     offset: number;
 }
 
 /**
- * Displacement Output Data Rate response (0x11,0x82).
+ * Displacement output data rate response (0x11,0x82).
  *
  * No device is known for certain to support it. Also called `displacement_output_rate_response`. Response to
  * `OutputRate`. Known only from the MicroStrain Communication Library.
  *
- * - mscl: Displacement Output Data Rate (0x11,0x02)
+ * - mscl: Displacement output data rate (0x11,0x02)
  */
 export declare class OutputRateResponse extends Response {
     constructor(values: Values<OutputRateResponse>);
@@ -40,29 +40,29 @@ export declare class OutputRateResponse extends Response {
 }
 
 /**
- * Get Analog to Displacement Calibration (0x11,0x01).
+ * Get analog to displacement calibration (0x11,0x01).
  *
  * Reads the slope and offset with which the device converts ADC counts to displacement.
  *
  * No device is known for certain to support it. Also called `get_analog_displacement_calibration`. Response:
  * `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.
  *
- * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
+ * - mscl: Get analog to displacement calibration (0x11,0x01)
  */
 export declare class GetCalibration extends Command<GetCalibrationResponse> {
     constructor();
 }
 
 /**
- * Displacement Output Data Rate (0x11,0x02).
+ * Displacement output data rate (0x11,0x02).
  *
  * Reads the rate at which displacement is measured.
  *
  * No device is known for certain to support it. Also called `displacement_output_rate`. Functions: `read`. Response:
- * `OutputRateResponse`. Known only from the MicroStrain Communication Library. Uncertain: Whether the rate can be
- * written. MSCL only reads it.
+ * `OutputRateResponse`. Known only from the MicroStrain Communication Library. Uncertain: MSCL only reads the rate; a
+ * write may not be supported.
  *
- * - mscl: Displacement Output Data Rate (0x11,0x02)
+ * - mscl: Displacement output data rate (0x11,0x02)
  */
 export declare class OutputRate extends Command<OutputRateResponse> {
     constructor(values: Values<OutputRate>);
@@ -73,15 +73,15 @@ export declare class OutputRate extends Command<OutputRateResponse> {
 }
 
 /**
- * Displacement Device Time (0x11,0x04).
+ * Displacement device time (0x11,0x04).
  *
  * Sets the clock of the device, from which `displacement_data.Timestamp` is taken.
  *
- * No device is known for certain to support it. Also called `displacement_device_time`. Functions: `write`. Changes
- * `displacement_data.Timestamp`. Known only from the MicroStrain Communication Library. Uncertain: Whether the time can
- * be read. MSCL only writes it.
+ * No device is known for certain to support it. Also called `displacement_device_time`. Functions: `write`. Affects
+ * `displacement_data.Timestamp`. Known only from the MicroStrain Communication Library. Uncertain: MSCL only writes the
+ * time; a read may not be supported.
  *
- * - mscl: Displacement Device Time (0x11,0x04)
+ * - mscl: Displacement device time (0x11,0x04)
  */
 export declare class DeviceTime extends Command<undefined> {
     constructor(values: Values<DeviceTime>);

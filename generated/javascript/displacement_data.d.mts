@@ -11,8 +11,8 @@ import type * as types from "./types.mjs";
 
 export type TimestampFlags = Flavor<number, "displacement_data.timestamp_flags">;
 /**
- * Validity of the displacement timestamp. Uncertain: That it is a bitfield. MSCL considers the time valid if the number
- * is 1.
+ * Validity of the displacement timestamp. Uncertain: The number is possibly no bitfield, because MSCL considers the
+ * time valid if it is 1.
  */
 export declare const TimestampFlags: Bitfield<TimestampFlags> & {
     /** The clock has been set; `time` is valid. Bit 0. */
@@ -50,14 +50,14 @@ export declare class Displacement extends Data {
 }
 
 /**
- * Displacement Device Timestamp (0x90,0x04).
+ * Displacement device timestamp (0x90,0x04).
  *
  * Time of the measurement by the clock of the device.
  *
  * No device is known for certain to support it. Also called `displacement_timestamp`. Known only from the MicroStrain
  * Communication Library.
  *
- * - mscl: Displacement Device Timestamp (0x90,0x04)
+ * - mscl: Displacement device timestamp (0x90,0x04)
  */
 export declare class Timestamp extends Data {
     constructor(values: Values<Timestamp>);

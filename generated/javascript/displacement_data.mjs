@@ -20,4 +20,6 @@ export const Displacement = /* @__PURE__ */ field.data("displacement_data.displa
 export const Timestamp = /* @__PURE__ */ field.data("displacement_data.timestamp", 0x90, 0x04, {
     flags: TimestampFlags,
     time: codec.u64,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ flags: { time: 0x1 } }),
 });

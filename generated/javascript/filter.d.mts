@@ -47,22 +47,22 @@ export declare const EstimatedStates: Bitfield<EstimatedStates> & {
     readonly ACCEL_SCALE_FACTOR: EstimatedStates;
     /** Estimate the offset of the GNSS antenna. Bit 4. */
     readonly ANTENNA_OFFSET: EstimatedStates;
-    /** Estimate the hard iron offset of the magnetometer. Bit 5. */
+    /** Estimate the hard iron offset of the magnetometer. Bit 5. Requires a magnetometer. */
     readonly AUTO_HARD_IRON: EstimatedStates;
-    /** Estimate the soft iron matrix of the magnetometer. Bit 6. */
+    /** Estimate the soft iron matrix of the magnetometer. Bit 6. Requires a magnetometer. */
     readonly AUTO_SOFT_IRON: EstimatedStates;
 };
 
 export type GnssAidingSource = Flavor<number, "filter.gnss_aiding_source">;
 /** Source of the GNSS data that aids the filter. */
 export declare const GnssAidingSource: Enumeration<GnssAidingSource> & {
-    /** All internal receivers. */
+    /** All internal receivers. Requires a receiver. */
     readonly ALL_INTERNAL: GnssAidingSource & 1;
     /** GNSS measurements that your program sends. */
     readonly EXTERNAL: GnssAidingSource & 2;
-    /** Internal receiver 1 only. */
+    /** Internal receiver 1 only. Requires a receiver. */
     readonly INTERNAL_1: GnssAidingSource & 3;
-    /** Internal receiver 2 only. */
+    /** Internal receiver 2 only. Requires 2 receivers. */
     readonly INTERNAL_2: GnssAidingSource & 4;
 };
 
@@ -86,19 +86,19 @@ export type HeadingUpdateSource = Flavor<number, "filter.heading_update_source">
 export declare const HeadingUpdateSource: Enumeration<HeadingUpdateSource> & {
     /** No heading updates. */
     readonly NONE: HeadingUpdateSource & 0;
-    /** The device's own magnetometer. */
+    /** The device's own magnetometer. Requires a magnetometer. */
     readonly MAG: HeadingUpdateSource & 1;
-    /** The velocity that the GNSS receiver measures. */
+    /** The velocity that the GNSS receiver measures. Requires a receiver. */
     readonly GNSS_VELOCITY: HeadingUpdateSource & 2;
     /** The heading messages that your program sends. */
     readonly EXTERNAL: HeadingUpdateSource & 3;
-    /** The course over ground and the magnetometer. */
+    /** The course over ground and the magnetometer. Requires a receiver and a magnetometer. */
     readonly GNSS_VELOCITY_AND_MAG: HeadingUpdateSource & 4;
-    /** GNSS velocity and your program's heading messages. */
+    /** GNSS velocity and your program's heading messages. Requires a receiver. */
     readonly GNSS_VELOCITY_AND_EXTERNAL: HeadingUpdateSource & 5;
-    /** Magnetometer and your program's heading messages. */
+    /** Magnetometer and your program's heading messages. Requires a magnetometer. */
     readonly MAG_AND_EXTERNAL: HeadingUpdateSource & 6;
-    /** All three. */
+    /** All three. Requires a receiver and a magnetometer. */
     readonly ALL: HeadingUpdateSource & 7;
 };
 
@@ -118,14 +118,14 @@ export type MeasurementFlags = Flavor<number, "filter.measurement_flags">;
 export declare const MeasurementFlags: Bitfield<MeasurementFlags> & {
     /** Accelerometer measurements. Bit 0. */
     readonly ACCEL: MeasurementFlags;
-    /** Magnetometer measurements, on models that have a magnetometer. Bit 1. */
+    /** Magnetometer measurements. Bit 1. Requires a magnetometer. */
     readonly MAG: MeasurementFlags;
 };
 
 export type MagParameterSource = Flavor<number, "filter.mag_parameter_source">;
 /** Source of the declination, the inclination or the magnitude of the magnetic field. */
 export declare const MagParameterSource: Enumeration<MagParameterSource> & {
-    /** No source. Uncertain: What the device does without a source. */
+    /** No source. Uncertain: No source states what the device does without a declination. */
     readonly NONE: MagParameterSource & 1;
     /** The World Magnetic Model, at the estimated position. */
     readonly WMM: MagParameterSource & 2;
@@ -153,7 +153,7 @@ export type AltitudeAidingSource = Flavor<number, "filter.altitude_aiding_source
 export declare const AltitudeAidingSource: Enumeration<AltitudeAidingSource> & {
     /** No aiding. */
     readonly NONE: AltitudeAidingSource & 0;
-    /** The pressure sensor. */
+    /** The pressure sensor. Requires a pressure sensor. */
     readonly PRESSURE: AltitudeAidingSource & 1;
 };
 
@@ -171,13 +171,13 @@ export type AidingSource = Flavor<number, "filter.aiding_source">;
 export declare const AidingSource: Enumeration<AidingSource> & {
     /** Position and velocity of the GNSS receivers. */
     readonly GNSS_POSITION_VELOCITY: AidingSource & 0;
-    /** GNSS heading from two antennas. */
+    /** GNSS heading from two antennas. Requires 2 antennas. */
     readonly GNSS_HEADING: AidingSource & 1;
-    /** Built-in pressure altimeter. */
+    /** Built-in pressure altimeter. Requires a pressure sensor. */
     readonly ALTIMETER: AidingSource & 2;
     /** Speed sensor or odometer. */
     readonly SPEED: AidingSource & 3;
-    /** Built-in magnetometer. */
+    /** Built-in magnetometer. Requires a magnetometer. */
     readonly MAG: AidingSource & 4;
     /** Heading that your program sends. */
     readonly EXTERNAL_HEADING: AidingSource & 5;
@@ -248,11 +248,11 @@ export declare const InitialConditionSource: Enumeration<InitialConditionSource>
 export type HeadingAlignment = Flavor<number, "filter.heading_alignment">;
 /** Methods that the device may use to determine its initial heading. */
 export declare const HeadingAlignment: Bitfield<HeadingAlignment> & {
-    /** From the baseline between two GNSS antennas. Bit 0. */
+    /** From the baseline between two GNSS antennas. Bit 0. Requires 2 antennas. */
     readonly DUAL_ANTENNA: HeadingAlignment;
     /** From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1. */
     readonly KINEMATIC: HeadingAlignment;
-    /** From the built-in magnetometer. Bit 2. */
+    /** From the built-in magnetometer. Bit 2. Requires a magnetometer. */
     readonly MAG: HeadingAlignment;
     /** From the heading that your program sends. Bit 3. */
     readonly EXTERNAL: HeadingAlignment;
@@ -299,7 +299,8 @@ export declare const ReferencePoint: Enumeration<ReferencePoint> & {
 /**
  * Vehicle dynamics mode response (0x0D,0x80).
  *
- * Response to `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `VehicleDynamicsMode`. Confirmed on 3DM-GX5-45; likely or assumed on 6 more. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
  */
@@ -312,24 +313,27 @@ export declare class VehicleDynamicsModeResponse extends Response {
 /**
  * Sensor to vehicle frame transformation response (0x0D,0x81).
  *
- * Response to `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `SensorToVehicleRotationEuler`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 export declare class SensorToVehicleRotationEulerResponse extends Response {
     constructor(values: Values<SensorToVehicleRotationEulerResponse>);
-    /** Roll angle. Unit: rad. */
+    /** Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right side down. */
     roll: number;
-    /** Pitch angle. Unit: rad. */
+    /** Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose up. */
     pitch: number;
-    /** Yaw angle. Unit: rad. */
+    /**
+     * Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: clockwise seen from above.
+     */
     yaw: number;
 }
 
 /**
  * Sensor to vehicle offset response (0x0D,0x82).
  *
- * Response to `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `SensorToVehicleOffset`. Confirmed on 3DM-GX5-45; likely or assumed on 6 more. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
  */
@@ -345,7 +349,7 @@ export declare class SensorToVehicleOffsetResponse extends Response {
 /**
  * GNSS antenna offset response (0x0D,0x83).
  *
- * Response to `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+ * Response to `AntennaOffset`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GX5-45; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -355,6 +359,7 @@ export declare class AntennaOffsetResponse extends Response {
      * Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
      * Range: magnitude at most 10.
      *
+     * - On the 3DM-CX5-45: frame sensor (inferred: the manual of the 3DM-GX5-45 states it).
      * - On the 3DM-GX5-45: frame sensor.
      */
     offset: types.Vector3f;
@@ -363,7 +368,7 @@ export declare class AntennaOffsetResponse extends Response {
 /**
  * Estimation control flags response (0x0D,0x84).
  *
- * Response to `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `EstimationControl`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 13 more.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -376,7 +381,8 @@ export declare class EstimationControlResponse extends Response {
 /**
  * GNSS aiding source response (0x0D,0x86).
  *
- * Response to `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * Response to `GnssSource`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 9
+ * more.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -389,7 +395,7 @@ export declare class GnssSourceResponse extends Response {
 /**
  * Heading update control response (0x0D,0x87).
  *
- * Response to `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `HeadingSource`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -402,8 +408,8 @@ export declare class HeadingSourceResponse extends Response {
 /**
  * Automatic initialization response (0x0D,0x88).
  *
- * Also called `auto_init_control_response`. Response to `AutoInitializationControl`. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45.
+ * Also called `auto_init_control_response`. Response to `AutoInitializationControl`. Confirmed on 3DM-GX5-15 and -45;
+ * likely or assumed on 13 more.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -416,7 +422,7 @@ export declare class AutoInitializationControlResponse extends Response {
 /**
  * Accelerometer noise response (0x0D,0x89).
  *
- * Response to `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `AccelNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -430,7 +436,7 @@ export declare class AccelNoiseResponse extends Response {
 /**
  * Gyroscope noise response (0x0D,0x8A).
  *
- * Response to `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `GyroNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -444,7 +450,7 @@ export declare class GyroNoiseResponse extends Response {
 /**
  * Accelerometer bias model response (0x0D,0x8B).
  *
- * Response to `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+ * Response to `AccelBiasModel`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-45; likely or assumed on 9 more.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -459,7 +465,7 @@ export declare class AccelBiasModelResponse extends Response {
 /**
  * Gyroscope bias model response (0x0D,0x8C).
  *
- * Response to `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `GyroBiasModel`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -475,7 +481,8 @@ export declare class GyroBiasModelResponse extends Response {
 /**
  * Automatic zero velocity update response (0x0D,0x8D).
  *
- * Response to `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `AutoZupt`. Confirmed on 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 6 more. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -490,8 +497,8 @@ export declare class AutoZuptResponse extends Response {
 /**
  * Zero angular rate update response (0x0D,0x8E).
  *
- * Response to `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45.
+ * Response to `AutoAngularZupt`. Confirmed on 3DM-CV7-GNSS/INS, -INS, 3DM-CX5-25, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45;
+ * likely or assumed on 19 more.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -507,7 +514,7 @@ export declare class AutoAngularZuptResponse extends Response {
 /**
  * Set reference position response (0x0D,0x90).
  *
- * Response to `ReferencePosition`. Supported by 3DM-GX5-15.
+ * Response to `ReferencePosition`. Confirmed on 3DM-GX5-15; likely or assumed on 8 more.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -520,8 +527,8 @@ export declare class ReferencePositionResponse extends Response {
     /** Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
     longitude: number;
     /**
-     * Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level.
-     * The manual does not state it; its glossary counts altitudes from sea level.
+     * Altitude of the reference position. Unit: m. Uncertain: The reference, ellipsoid or sea level, is inferred. The
+     * manual does not state it; its glossary counts altitudes from sea level.
      */
     altitude: number;
 }
@@ -529,7 +536,7 @@ export declare class ReferencePositionResponse extends Response {
 /**
  * Gravity noise response (0x0D,0x93).
  *
- * Response to `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `GravityNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 16 more.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -543,7 +550,8 @@ export declare class GravityNoiseResponse extends Response {
 /**
  * Pressure altitude noise response (0x0D,0x94).
  *
- * Response to `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `PressureAltitudeNoise`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
  */
@@ -556,7 +564,8 @@ export declare class PressureAltitudeNoiseResponse extends Response {
 /**
  * Hard iron offset noise response (0x0D,0x96).
  *
- * Response to `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `HardIronOffsetNoise`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
  */
@@ -569,7 +578,8 @@ export declare class HardIronOffsetNoiseResponse extends Response {
 /**
  * Soft iron matrix noise response (0x0D,0x97).
  *
- * Response to `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `SoftIronMatrixNoise`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
  */
@@ -585,9 +595,8 @@ export declare class SoftIronMatrixNoiseResponse extends Response {
 /**
  * Tare orientation response (0x0D,0xA1).
  *
- * No device is known for certain to support it. Response to `TareOrientation`. Uncertain: Which devices send it. The
- * SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the
- * response.
+ * Response to `TareOrientation`. Confirmed on 3DM-CX5-25; likely or assumed on 11 more. Uncertain: The SDK reads the
+ * setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -601,7 +610,7 @@ export declare class TareOrientationResponse extends Response {
 /**
  * Enable or disable measurements response (0x0D,0xB0).
  *
- * Response to `EnableMeasurements`. Supported by 3DM-GX5-15.
+ * Response to `EnableMeasurements`. Confirmed on 3DM-GX5-15; likely or assumed on 6 more.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -614,7 +623,8 @@ export declare class EnableMeasurementsResponse extends Response {
 /**
  * Magnetometer noise response (0x0D,0xB1).
  *
- * Response to `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `MagNoise`. Confirmed on 3DM-GX5-45; likely or assumed on 9 more. Known only from the MicroStrain MIP
+ * SDK.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -627,8 +637,8 @@ export declare class MagNoiseResponse extends Response {
 /**
  * Magnetic declination source response (0x0D,0xB2).
  *
- * Response to `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS
- * and 3DM-GX5-45.
+ * Response to `MagneticDeclinationSource`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45;
+ * likely or assumed on 14 more.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -638,9 +648,10 @@ export declare class MagneticDeclinationSourceResponse extends Response {
     /** Source of the declination. */
     source: MagParameterSource;
     /**
-     * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
-     * Uncertain: Whether it may be omitted if `source` is not manual. The manuals, that of the 3DM-GQ7 included,
-     * require it only if it is, but state one length, with the value. Sending it always fits both.
+     * Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to
+     * pi. Positive: magnetic north is east of true north. Uncertain: The sign is the usual one; no source states it.
+     * Uncertain: The manuals, that of the 3DM-GQ7 included, require it only if `source` is manual, but state one
+     * length, with the value. Always send it.
      */
     declination: number;
 }
@@ -648,7 +659,7 @@ export declare class MagneticDeclinationSourceResponse extends Response {
 /**
  * Gravity magnitude error adaptive measurement response (0x0D,0xB3).
  *
- * Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 13 more.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -673,7 +684,8 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurementResponse extends Resp
 /**
  * Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
  *
- * Response to `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `MagMagnitudeErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-45; likely or assumed on 10 more. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -684,28 +696,28 @@ export declare class MagMagnitudeErrorAdaptiveMeasurementResponse extends Respon
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
     /**
-     * Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a
-     * manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK
+     * states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
      */
     lowLimit: number;
     /**
-     * Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a
-     * manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK
+     * states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
      */
     highLimit: number;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2;
-     * a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the
+     * SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
      */
     lowLimitUncertainty: number;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2;
-     * a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the
+     * SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
      */
     highLimitUncertainty: number;
     /**
-     * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual
-     * of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK
+     * states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
      */
     minimumUncertainty: number;
 }
@@ -713,7 +725,8 @@ export declare class MagMagnitudeErrorAdaptiveMeasurementResponse extends Respon
 /**
  * Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
  *
- * Response to `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `MagDipAngleErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-45; likely or assumed on 9 more. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -724,18 +737,18 @@ export declare class MagDipAngleErrorAdaptiveMeasurementResponse extends Respons
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
     /**
-     * Upper limit of the dip angle error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is inferred from
-     * the quantity.
+     * Upper limit of the dip angle error. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the
+     * quantity; the SDK states m/s^2.
      */
     highLimit: number;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK states m/s^2;
-     * rad is inferred from the quantity.
+     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the
+     * quantity; the SDK states m/s^2.
      */
     highLimitUncertainty: number;
     /**
-     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; rad is
-     * inferred from the quantity.
+     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity;
+     * the SDK states m/s^2.
      */
     minimumUncertainty: number;
 }
@@ -743,7 +756,8 @@ export declare class MagDipAngleErrorAdaptiveMeasurementResponse extends Respons
 /**
  * Altitude aiding response (0x0D,0xB7).
  *
- * Response to `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `AltitudeAiding`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Altitude aiding (0x0D,0x47)
  */
@@ -756,7 +770,7 @@ export declare class AltitudeAidingResponse extends Response {
 /**
  * Pitch and roll aiding response (0x0D,0xBB).
  *
- * Response to `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `PitchRollAiding`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 6 more.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -779,8 +793,9 @@ export declare class MagneticInclinationSourceResponse extends Response {
     /** Source of the inclination. */
     source: MagParameterSource;
     /**
-     * Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966.
-     * Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
+     * Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range:
+     * -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Uncertain: The sign is the usual one;
+     * no source states it. Uncertain: It can possibly be omitted if `source` is not manual, as with
      * `MagneticDeclinationSource`. The SDK always sends it.
      */
     inclination: number;
@@ -799,8 +814,8 @@ export declare class MagneticMagnitudeSourceResponse extends Response {
     /** Source of the magnitude. */
     source: MagParameterSource;
     /**
-     * Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain: Whether it may be left out
-     * if `source` is not manual, as the manuals state for `MagneticDeclinationSource`. The SDK always sends it.
+     * Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain: It can possibly be omitted
+     * if `source` is not manual, as with `MagneticDeclinationSource`. The SDK always sends it.
      */
     magnitude: number;
 }
@@ -834,7 +849,7 @@ export declare class SensorToVehicleRotationQuaternionResponse extends Response 
 /**
  * Aiding measurement control response (0x0D,0xD0).
  *
- * Response to `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to `AidingMeasurementEnable`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -866,8 +881,8 @@ export declare class KinematicConstraintResponse extends Response {
 /**
  * Navigation filter initialization response (0x0D,0xD2).
  *
- * Also called `initialization_configuration_response`. Response to `InitializationConfig`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * Also called `initialization_configuration_response`. Response to `InitializationConfig`. Confirmed on
+ * 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or assumed on 2 more.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -879,11 +894,11 @@ export declare class InitializationConfigResponse extends Response {
     initialConditionSource: InitialConditionSource;
     /** Methods that may be used to determine the initial heading. */
     autoHeadingAlignmentSelector: HeadingAlignment;
-    /** Initial heading that your program provides. Unit: deg. */
+    /** Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. */
     initialHeading: number;
-    /** Initial pitch that your program provides. Unit: deg. */
+    /** Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up. */
     initialPitch: number;
-    /** Initial roll that your program provides. Unit: deg. */
+    /** Initial roll angle. Unit: deg. Frame: ned. Positive: right side down. */
     initialRoll: number;
     /**
      * Initial position that your program provides. Elements: x, y, z.
@@ -907,7 +922,7 @@ export declare class InitializationConfigResponse extends Response {
 /**
  * Adaptive filter control response (0x0D,0xD3).
  *
- * Response to `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `AdaptiveFilterOptions`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 12 more.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -922,7 +937,7 @@ export declare class AdaptiveFilterOptionsResponse extends Response {
 /**
  * GNSS multi-antenna offset response (0x0D,0xD4).
  *
- * Response to `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `MultiAntennaOffset`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -931,7 +946,8 @@ export declare class MultiAntennaOffsetResponse extends Response {
     /** Number of the receiver, from 1. Range: at least 1. */
     receiverId: number;
     /**
-     * Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
+     * Lever arm from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most
+     * 10.
      */
     antennaOffset: types.Vector3f;
 }
@@ -939,7 +955,8 @@ export declare class MultiAntennaOffsetResponse extends Response {
 /**
  * Relative position configuration response (0x0D,0xD5).
  *
- * Also called `rel_pos_configuration_response`. Response to `RelativePositionConfig`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `rel_pos_configuration_response`. Response to `RelativePositionConfig`. Confirmed on 3DM-CV7-GNSS/INS;
+ * likely or assumed on 4 more.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -962,22 +979,25 @@ export declare class RelativePositionConfigResponse extends Response {
 /**
  * Reference point lever arm response (0x0D,0xD6).
  *
- * Also called `ref_point_lever_arm_response`. Response to `ReferencePointLeverArm`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ref_point_lever_arm_response`. Response to `ReferencePointLeverArm`. Confirmed on 3DM-CV7-GNSS/INS;
+ * likely or assumed on 4 more.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 export declare class ReferencePointLeverArmResponse extends Response {
     constructor(values: Values<ReferencePointLeverArmResponse>);
-    /** Point whose lever arm follows. */
+    /** Point to which the lever arm leads. */
     referencePoint: ReferencePoint;
-    /** Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. */
+    /**
+     * Lever arm from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
+     */
     leverArmOffset: types.Vector3f;
 }
 
 /**
  * Speed measurement lever arm response (0x0D,0xE1).
  *
- * Response to `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `SpeedLeverArm`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
@@ -985,7 +1005,7 @@ export declare class SpeedLeverArmResponse extends Response {
     constructor(values: Values<SpeedLeverArmResponse, "source">);
     /** Reserved. */
     source: number;
-    /** Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
+    /** Lever arm from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
     leverArmOffset: types.Vector3f;
 }
 
@@ -1005,7 +1025,7 @@ export declare class VerticalGyroConstraintControlResponse extends Response {
 /**
  * Wheeled vehicle constraint response (0x0D,0xE3).
  *
- * Response to `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `WheeledVehicleConstraintControl`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -1037,8 +1057,8 @@ export declare class GnssAntennaCalibrationControlResponse extends Response {
  *
  * Returns the filter to its initialization state.
  *
- * Changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely
+ * or assumed on 20 more.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs again. 3DM-CV7: send
  * it after a large jump of the system time, for example when the PPS is first detected.
@@ -1055,8 +1075,8 @@ export declare class Reset extends Command<undefined> {
  *
  * Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.
  *
- * Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on
+ * 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 12 more.
  *
  * Accepted only in the initialization state.
  *
@@ -1064,14 +1084,11 @@ export declare class Reset extends Command<undefined> {
  */
 export declare class SetInitialAttitude extends Command<undefined> {
     constructor(values: Values<SetInitialAttitude>);
-    /** Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right side down. */
+    /** Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down. */
     roll: number;
     /** Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose up. */
     pitch: number;
-    /**
-     * Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise
-     * seen from above.
-     */
+    /** Heading (yaw) angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. */
     heading: number;
 }
 
@@ -1080,8 +1097,8 @@ export declare class SetInitialAttitude extends Command<undefined> {
  *
  * Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
  *
- * Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on
+ * 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 19 more.
  *
  * 3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if magnetometer aiding is
  * on, the value of this command is ignored.
@@ -1091,10 +1108,7 @@ export declare class SetInitialAttitude extends Command<undefined> {
  */
 export declare class SetInitialHeading extends Command<undefined> {
     constructor(values: Values<SetInitialHeading>);
-    /**
-     * Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen
-     * from above.
-     */
+    /** Initial heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. */
     heading: number;
 }
 
@@ -1103,11 +1117,11 @@ export declare class SetInitialHeading extends Command<undefined> {
  *
  * Initializes the filter's attitude from the complementary filter.
  *
- * No device is known for certain to support it. Also called `set_initial_heading_from_mag`. Changes
+ * No device is known for certain to support it. Also called `set_initial_heading_from_mag`. Affects
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Known only from the MIP
- * SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set
- * initial heading from mag, and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45.
- * Uncertain: Which devices support it.
+ * SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The SDK calls it set initial
+ * heading from mag, without a layout; the SDK of 2014 has this layout in its example for the 3DM-GX3-45. Uncertain: No
+ * source lists the devices that support it.
  *
  * - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
  * - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -1115,7 +1129,10 @@ export declare class SetInitialHeading extends Command<undefined> {
  */
 export declare class SetInitialAttitudeFromImu extends Command<undefined> {
     constructor(values: Values<SetInitialAttitudeFromImu>);
-    /** Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. */
+    /**
+     * Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is
+     * east of true north. Uncertain: The sign is the usual one; no source states it.
+     */
     declination: number;
 }
 
@@ -1124,7 +1141,7 @@ export declare class SetInitialAttitudeFromImu extends Command<undefined> {
  *
  * Starts a filter that is configured to wait for this command.
  *
- * Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Affects `filter_data.Status`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
  *
  * The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig` is set.
  *
@@ -1139,8 +1156,8 @@ export declare class Run extends Command<undefined> {
  *
  * Adapts the filter to the expected motion.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `VehicleDynamicsModeResponse`. Probably changes
- * filter_data (0x82). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `VehicleDynamicsModeResponse`. Probably affects
+ * filter_data (0x82). Confirmed on 3DM-GX5-45; likely or assumed on 6 more. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
  */
@@ -1171,11 +1188,11 @@ export declare class VehicleDynamicsMode<R extends Response | undefined = undefi
  *
  * Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleRotationEulerResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleRotationEulerResponse`. Affects
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
- * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. Uncertain: The formula. The text of the manual lacks it; it is the inverse of that of
+ * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Confirmed on 3DM-GX5-15 and
+ * -45; likely or assumed on 12 more. Uncertain: The text of the manual lacks the formula; it is the inverse of that of
  * `3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
  *
  * The 3DM-CV7 uses the inverse instead: `3dm.SensorToVehicleTransformEuler`. `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll)
@@ -1187,11 +1204,20 @@ export declare class SensorToVehicleRotationEuler<R extends Response | undefined
     constructor(values: Values<SensorToVehicleRotationEuler>);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /** Roll angle. Unit: rad. Required for `write`. */
+    /**
+     * Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right side down. Required
+     * for `write`.
+     */
     roll?: number;
-    /** Pitch angle. Unit: rad. Required for `write`. */
+    /**
+     * Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose up. Required for
+     * `write`.
+     */
     pitch?: number;
-    /** Yaw angle. Unit: rad. Required for `write`. */
+    /**
+     * Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: clockwise seen from above.
+     * Required for `write`.
+     */
     yaw?: number;
     /** Apply the new setting. */
     static write(values: { roll: number; pitch: number; yaw: number }): SensorToVehicleRotationEuler<undefined>;
@@ -1210,9 +1236,9 @@ export declare class SensorToVehicleRotationEuler<R extends Response | undefined
  *
  * Sets the origin of the vehicle frame relative to the sensor.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleOffsetResponse`. Changes
- * `filter_data.LlhPosition`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The
- * direction, from the sensor to the origin of the vehicle frame, is inferred from the name.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleOffsetResponse`. Affects
+ * `filter_data.LlhPosition`. Confirmed on 3DM-GX5-45; likely or assumed on 6 more. Known only from the MicroStrain MIP
+ * SDK. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred from the name.
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
  *
@@ -1244,12 +1270,13 @@ export declare class SensorToVehicleOffset<R extends Response | undefined = unde
  *
  * Sets the position of the GNSS antenna relative to the origin of the sensor.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AntennaOffsetResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AntennaOffsetResponse`. Probably affects
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
- * `filter_data.AntennaOffsetCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+ * `filter_data.AntennaOffsetCorrection`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GX5-45; likely or assumed on 8
+ * more.
  *
- * 7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it applies to GNSS data
- * received as NMEA; data from the aiding commands uses `aiding.FrameConfig`.
+ * 5-series devices expect the sensor frame. On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the
+ * aiding commands uses `aiding.FrameConfig`.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -1261,6 +1288,7 @@ export declare class AntennaOffset<R extends Response | undefined = undefined | 
      * Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
      * Range: magnitude at most 10. Required for `write`.
      *
+     * - On the 3DM-CX5-45: frame sensor (inferred: the manual of the 3DM-GX5-45 states it).
      * - On the 3DM-GX5-45: frame sensor.
      */
     offset?: types.Vector3f;
@@ -1281,12 +1309,13 @@ export declare class AntennaOffset<R extends Response | undefined = undefined | 
  *
  * Selects the states that the filter estimates.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EstimationControlResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EstimationControlResponse`. Affects
  * `filter_data.GyroBias`, `filter_data.AccelBias`, `filter_data.GyroScaleFactor`, `filter_data.AccelScaleFactor`,
- * `filter_data.AntennaOffsetCorrection`, `filter_data.MagOffset` and `filter_data.MagMatrix`. Probably changes
+ * `filter_data.AntennaOffsetCorrection`, `filter_data.MagOffset` and `filter_data.MagMatrix`. Probably affects
  * `filter_data.GyroBiasUncertainty`, `filter_data.AccelBiasUncertainty`, `filter_data.GyroScaleFactorUncertainty`,
  * `filter_data.AccelScaleFactorUncertainty`, `filter_data.AntennaOffsetCorrectionUncertainty`,
- * `filter_data.MagOffsetUncertainty` and `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * `filter_data.MagOffsetUncertainty` and `filter_data.MagMatrixUncertainty`. Confirmed on 3DM-GX5-15 and -45; likely or
+ * assumed on 13 more.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -1297,11 +1326,10 @@ export declare class EstimationControl<R extends Response | undefined = undefine
     /**
      * States to estimate. Required for `write`.
      *
-     * - On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
-     *   `EstimatedStates.GYRO_BIAS`.
+     * - On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, -25 and 3DM-GX5-15: only `EstimatedStates.GYRO_BIAS`.
      * - On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only `EstimatedStates.GYRO_BIAS`,
      *   `EstimatedStates.AUTO_HARD_IRON` and `EstimatedStates.AUTO_SOFT_IRON`.
-     * - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `EstimatedStates.GYRO_BIAS`,
+     * - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only `EstimatedStates.GYRO_BIAS`,
      *   `EstimatedStates.ACCEL_BIAS`, `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR` and
      *   `EstimatedStates.ANTENNA_OFFSET`.
      */
@@ -1323,9 +1351,10 @@ export declare class EstimationControl<R extends Response | undefined = undefine
  *
  * Selects the GNSS receiver that aids the filter.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssSourceResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssSourceResponse`. Probably affects
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
- * `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * `filter_data.GnssPositionAidingStatus`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or
+ * assumed on 9 more.
  *
  * A change while the filter is running may return it to initialization until the new source provides data.
  *
@@ -1338,6 +1367,9 @@ export declare class GnssSource<R extends Response | undefined = undefined | Gns
     /**
      * Source of the GNSS data. Required for `write`.
      *
+     * - On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `GnssAidingSource.EXTERNAL`.
+     * - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
+     *   `GnssAidingSource.ALL_INTERNAL`, `GnssAidingSource.EXTERNAL` and `GnssAidingSource.INTERNAL_1`.
      * - On the 3DM-GX5-45: only `GnssAidingSource.ALL_INTERNAL` and `GnssAidingSource.EXTERNAL`.
      */
     source?: GnssAidingSource;
@@ -1358,7 +1390,7 @@ export declare class GnssSource<R extends Response | undefined = undefined | Gns
  *
  * Sends one position and velocity measurement from your own GNSS receiver to the filter.
  *
- * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Confirmed on 3DM-GX5-45; likely or assumed on 5 more. Known only from the MicroStrain MIP SDK.
  *
  * Rejected unless `GnssSource` selects the external source. The maximum rate depends on the device.
  *
@@ -1389,7 +1421,7 @@ export declare class ExternalGnssUpdate extends Command<undefined> {
  *
  * Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 15 more.
  *
  * Rejected unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
  * `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination
@@ -1401,8 +1433,8 @@ export declare class ExternalGnssUpdate extends Command<undefined> {
 export declare class ExternalHeadingUpdate extends Command<undefined> {
     constructor(values: Values<ExternalHeadingUpdate>);
     /**
-     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-     * 3.141592653589793. Positive: clockwise seen from above.
+     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise
+     * seen from above.
      */
     heading: number;
     /** Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0. */
@@ -1416,9 +1448,9 @@ export declare class ExternalHeadingUpdate extends Command<undefined> {
  *
  * Selects the source of the heading that aids the filter.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `HeadingSourceResponse`. Changes
- * `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
- * `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `HeadingSourceResponse`. Affects
+ * `filter_data.HeadingUpdateState`. Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+ * `filter_data.EulerAngles`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -1435,8 +1467,8 @@ export declare class HeadingSource<R extends Response | undefined = undefined | 
      *   `HeadingUpdateSource.MAG` and `HeadingUpdateSource.EXTERNAL`.
      * - On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only `HeadingUpdateSource.NONE`, `HeadingUpdateSource.MAG`,
      *   `HeadingUpdateSource.GNSS_VELOCITY` and `HeadingUpdateSource.EXTERNAL`.
-     * - On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `HeadingUpdateSource.NONE`, `HeadingUpdateSource.GNSS_VELOCITY`
-     *   and `HeadingUpdateSource.EXTERNAL`.
+     * - On the 3DM-RQ1-45-LT and -45-ST: only `HeadingUpdateSource.NONE`, `HeadingUpdateSource.GNSS_VELOCITY` and
+     *   `HeadingUpdateSource.EXTERNAL`.
      */
     source?: HeadingUpdateSource;
     /** Apply the new setting. */
@@ -1457,7 +1489,7 @@ export declare class HeadingSource<R extends Response | undefined = undefined | 
  * Sets whether the filter initializes automatically at power-up.
  *
  * Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * `AutoInitializationControlResponse`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 13 more.
  *
  * Automatic initialization needs a valid heading source.
  *
@@ -1486,10 +1518,10 @@ export declare class AutoInitializationControl<R extends Response | undefined = 
  *
  * Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelNoiseResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelNoiseResponse`. Probably affects
  * `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`, `filter_data.NedVelocityUncertainty`,
- * `filter_data.EcefVelocityUncertainty` and `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GX5-15 and 3DM-GX5-45.
+ * `filter_data.EcefVelocityUncertainty` and `filter_data.AccelBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS,
+ * 3DM-GX5-15 and -45; likely or assumed on 23 more.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1519,9 +1551,9 @@ export declare class AccelNoise<R extends Response | undefined = undefined | Acc
  *
  * Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroNoiseResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroNoiseResponse`. Probably affects
  * `filter_data.EulerAnglesUncertainty`, `filter_data.QuaternionAttitudeUncertainty` and
- * `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1551,8 +1583,9 @@ export declare class GyroNoise<R extends Response | undefined = undefined | Gyro
  *
  * Sets the parameters of the accelerometer bias drift model.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelBiasModelResponse`. Probably changes
- * `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelBiasModelResponse`. Probably affects
+ * `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-45; likely
+ * or assumed on 9 more.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -1584,9 +1617,9 @@ export declare class AccelBiasModel<R extends Response | undefined = undefined |
  *
  * Sets the parameters of the gyroscope bias drift model.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroBiasModelResponse`. Probably changes
- * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroBiasModelResponse`. Probably affects
+ * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45;
+ * likely or assumed on 23 more.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -1619,10 +1652,10 @@ export declare class GyroBiasModel<R extends Response | undefined = undefined | 
  *
  * Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoZuptResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoZuptResponse`. Probably affects
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.NedVelocityUncertainty` and
- * `filter_data.EcefVelocityUncertainty`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain
- * MIP SDK.
+ * `filter_data.EcefVelocityUncertainty`. Confirmed on 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 6 more.
+ * Known only from the MicroStrain MIP SDK.
  *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
  *
@@ -1653,7 +1686,7 @@ export declare class AutoZupt<R extends Response | undefined = undefined | AutoZ
  *
  * Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 15 more.
  *
  * Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate. Rejected unless
  * external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by `AidingMeasurementEnable` on the
@@ -1670,8 +1703,8 @@ export declare class ExternalHeadingUpdateWithTime extends Command<undefined> {
     /** GPS week, counted without rollover. Unit: week. */
     weekNumber: number;
     /**
-     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-     * 3.141592653589793. Positive: clockwise seen from above.
+     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise
+     * seen from above.
      */
     heading: number;
     /** Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0. */
@@ -1685,10 +1718,10 @@ export declare class ExternalHeadingUpdateWithTime extends Command<undefined> {
  *
  * Sets whether the filter assumes that the device is not rotating while its angular rate is low.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoAngularZuptResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoAngularZuptResponse`. Probably affects
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.GyroBias` and
- * `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45.
+ * `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, -INS, 3DM-CX5-25, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+ * -45; likely or assumed on 19 more.
  *
  * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
@@ -1720,12 +1753,12 @@ export declare class AutoAngularZupt<R extends Response | undefined = undefined 
  *
  * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `TareOrientationResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `TareOrientationResponse`. Affects
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
- * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On the 3DM-GX5-45: `write`, `save`, `load`
- * and `default` only.
+ * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Confirmed on 3DM-CX5-25,
+ * 3DM-GX5-15 and -45; likely or assumed on 11 more. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On
+ * the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
  *
  * Rejected while the filter has no valid attitude.
  *
@@ -1755,8 +1788,9 @@ export declare class TareOrientation<R extends Response | undefined = undefined 
  *
  * Informs the filter once that the device is at rest.
  *
- * Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.NedVelocityUncertainty` and
- * `filter_data.EcefVelocityUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Probably affects `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.NedVelocityUncertainty` and
+ * `filter_data.EcefVelocityUncertainty`. Confirmed on 3DM-GX5-45; likely or assumed on 5 more. Known only from the
+ * MicroStrain MIP SDK.
  *
  * The maximum rate depends on the device.
  *
@@ -1771,8 +1805,9 @@ export declare class CommandedZupt extends Command<undefined> {
  *
  * Informs the filter once that the device is not rotating.
  *
- * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+ * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on
+ * 12 more.
  *
  * At most 10 per second.
  *
@@ -1787,8 +1822,9 @@ export declare class CommandedAngularZupt extends Command<undefined> {
  *
  * Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ReferencePositionResponse`. Changes
- * `filter_data.Wgs84GravityMagnitude` and `filter_data.MagneticModel`. Supported by 3DM-GX5-15.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ReferencePositionResponse`. Affects
+ * `filter_data.Wgs84GravityMagnitude` and `filter_data.MagneticModel`. Confirmed on 3DM-GX5-15; likely or assumed on 8
+ * more.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -1803,8 +1839,8 @@ export declare class ReferencePosition<R extends Response | undefined = undefine
     /** Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for `write`. */
     longitude?: number;
     /**
-     * Altitude of the reference position. Unit: m. Required for `write`. Uncertain: Whether it counts from the
-     * ellipsoid or from sea level. The manual does not state it; its glossary counts altitudes from sea level.
+     * Altitude of the reference position. Unit: m. Required for `write`. Uncertain: The reference, ellipsoid or sea
+     * level, is inferred. The manual does not state it; its glossary counts altitudes from sea level.
      */
     altitude?: number;
     /** Apply the new setting. */
@@ -1824,9 +1860,9 @@ export declare class ReferencePosition<R extends Response | undefined = undefine
  *
  * Moves the result of the automatic magnetometer calibration into the fixed calibration.
  *
- * Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Changes `sensor.ScaledMag`,
- * `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
- * SDK.
+ * Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Affects `sensor.ScaledMag`,
+ * `filter_data.MagOffset` and `filter_data.MagMatrix`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known only
+ * from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * A write combines the automatic calibration with `3dm.MagHardIronOffset` and `3dm.MagSoftIronMatrix`, then resets the
  * automatic calibration. A save has the same effect as saving both of these settings.
@@ -1848,9 +1884,9 @@ export declare class MagCaptureAutoCalibration extends Command<undefined> {
  *
  * Sets the standard deviation of the gravity noise that the filter assumes (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GravityNoiseResponse`. Probably changes
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GX5-15 and 3DM-GX5-45.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GravityNoiseResponse`. Probably affects
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-CV7-GNSS/INS,
+ * 3DM-GX5-15 and -45; likely or assumed on 16 more.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1880,9 +1916,9 @@ export declare class GravityNoise<R extends Response | undefined = undefined | G
  *
  * Sets the standard deviation of the pressure altitude noise that the filter assumes.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `PressureAltitudeNoiseResponse`. Probably changes
- * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `PressureAltitudeNoiseResponse`. Probably affects
+ * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Confirmed on 3DM-GX5-45; likely or assumed on 4
+ * more. Known only from the MicroStrain MIP SDK. Requires a pressure sensor.
  *
  * With a small value, the altitude follows the pressure faster, but weather and draughts appear as changes of height.
  *
@@ -1911,9 +1947,9 @@ export declare class PressureAltitudeNoise<R extends Response | undefined = unde
  *
  * Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `HardIronOffsetNoiseResponse`. Probably changes
- * `filter_data.MagOffset` and `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `HardIronOffsetNoiseResponse`. Probably affects
+ * `filter_data.MagOffset` and `filter_data.MagOffsetUncertainty`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more.
+ * Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
  */
@@ -1940,9 +1976,9 @@ export declare class HardIronOffsetNoise<R extends Response | undefined = undefi
  *
  * Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SoftIronMatrixNoiseResponse`. Probably changes
- * `filter_data.MagMatrix` and `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SoftIronMatrixNoiseResponse`. Probably affects
+ * `filter_data.MagMatrix` and `filter_data.MagMatrixUncertainty`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more.
+ * Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
  */
@@ -1972,9 +2008,10 @@ export declare class SoftIronMatrixNoise<R extends Response | undefined = undefi
  *
  * Selects the inertial measurements that the filter uses.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EnableMeasurementsResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EnableMeasurementsResponse`. Probably affects
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15.
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-15; likely
+ * or assumed on 6 more.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -1985,7 +2022,7 @@ export declare class EnableMeasurements<R extends Response | undefined = undefin
     /**
      * Measurements to use. Required for `write`.
      *
-     * - On the 3DM-GX5-15: only `MeasurementFlags.ACCEL`.
+     * - On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `MeasurementFlags.ACCEL`.
      */
     control?: MeasurementFlags;
     /** Apply the new setting. */
@@ -2005,10 +2042,10 @@ export declare class EnableMeasurements<R extends Response | undefined = undefin
  *
  * Sets the standard deviation of the magnetometer noise that the filter assumes.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagNoiseResponse`. Probably changes
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
- * only from the MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
- * measurement.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagNoiseResponse`. Probably affects
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-45; likely
+ * or assumed on 9 more. Known only from the MicroStrain MIP SDK. Requires a magnetometer. Uncertain: The SDK calls it
+ * process noise, although the noise is that of a measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -2036,8 +2073,8 @@ export declare class MagNoise<R extends Response | undefined = undefined | MagNo
  * Selects the source of the local declination of the magnetic field.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagneticDeclinationSourceResponse`. Probably
- * changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on
+ * 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 14 more. Requires a magnetometer.
  *
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
@@ -2051,15 +2088,15 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
     /**
      * Source of the declination. Required for `write`.
      *
-     * - On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only `MagParameterSource.NONE` and
-     *   `MagParameterSource.MANUAL`.
+     * - On the 3DM-CX7-AHRS and 3DM-GV7-AHRS: only `MagParameterSource.NONE` and `MagParameterSource.MANUAL`.
      * - On the 3DM-GQ7-GNSS/INS: only `MagParameterSource.WMM` and `MagParameterSource.MANUAL`.
      */
     source?: MagParameterSource;
     /**
-     * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Required
-     * for `write`. Uncertain: Whether it may be omitted if `source` is not manual. The manuals, that of the 3DM-GQ7
-     * included, require it only if it is, but state one length, with the value. Sending it always fits both.
+     * Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to
+     * pi. Positive: magnetic north is east of true north. Required for `write`. Uncertain: The sign is the usual one;
+     * no source states it. Uncertain: The manuals, that of the 3DM-GQ7 included, require it only if `source` is manual,
+     * but state one length, with the value. Always send it.
      */
     declination?: number;
     /** Apply the new setting. */
@@ -2080,9 +2117,9 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
  * Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelMagnitudeErrorAdaptiveMeasurementResponse`.
- * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45.
+ * Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-15 and
+ * -45; likely or assumed on 13 more.
  *
  * Also called accelerometer magnitude error adaptive measurement. All parameters after the selector keep their values
  * if they are omitted. The low-pass filter and the limits take effect only with `fixed`. Raise the limits where
@@ -2098,7 +2135,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
     /**
      * Kind of adaptation. Required for `write`.
      *
-     * - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+     * - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, -25, -45, 3DM-RQ1-45-LT and -45-ST: only
      *   `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
      */
     adaptiveMeasurement?: AdaptiveMeasurementSelector;
@@ -2132,10 +2169,10 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
  * Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagMagnitudeErrorAdaptiveMeasurementResponse`.
- * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
- * only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be omitted on write, as
- * those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
+ * Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-45; likely
+ * or assumed on 10 more. Known only from the MicroStrain MIP SDK. Requires a magnetometer. Uncertain: The parameters
+ * after the selector can possibly be omitted on write, like those of `AccelMagnitudeErrorAdaptiveMeasurement`.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device determines the limits. High
  * limits suit high dynamics but do not reject disturbances of the field; low limits can degrade the heading.
@@ -2149,35 +2186,37 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
     /**
      * Kind of adaptation. Required for `write`.
      *
-     * - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+     * - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, -45, 3DM-RQ1-45-LT and -45-ST: only
      *   `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
      */
     adaptiveMeasurement?: AdaptiveMeasurementSelector;
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
     frequency?: number;
     /**
-     * Lower limit of the magnetic field magnitude error. Unit: gauss. Required for `write`. Uncertain: The unit. The
-     * SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Lower limit of the magnetic field magnitude error. Unit: gauss. Required for `write`. Uncertain: The unit gauss
+     * is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
      */
     lowLimit?: number;
     /**
-     * Upper limit of the magnetic field magnitude error. Unit: gauss. Required for `write`. Uncertain: The unit. The
-     * SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Upper limit of the magnetic field magnitude error. Unit: gauss. Required for `write`. Uncertain: The unit gauss
+     * is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
      */
     highLimit?: number;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit.
-     * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit
+     * gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the
+     * response.
      */
     lowLimitUncertainty?: number;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit.
-     * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit
+     * gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the
+     * response.
      */
     highLimitUncertainty?: number;
     /**
-     * Smallest standard deviation. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Smallest standard deviation. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit gauss is
+     * inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
      */
     minimumUncertainty?: number;
     /** Apply the new setting. */
@@ -2198,9 +2237,9 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
  * Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagDipAngleErrorAdaptiveMeasurementResponse`.
- * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
- * only from the MicroStrain MIP SDK.
+ * Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-45; likely
+ * or assumed on 9 more. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or `MagMagnitudeErrorAdaptiveMeasurement` is set to
  * `auto`. High limits suit high dynamics but do not reject disturbances of the field; low limits can degrade the
@@ -2217,18 +2256,18 @@ export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | un
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
     frequency?: number;
     /**
-     * Upper limit of the dip angle error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK states m/s^2;
-     * rad is inferred from the quantity.
+     * Upper limit of the dip angle error. Unit: rad. Range: at least 0. Required for `write`. Uncertain: The unit rad
+     * is inferred from the quantity; the SDK states m/s^2.
      */
     highLimit?: number;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for `write`. Uncertain: The unit.
-     * The SDK states m/s^2; rad is inferred from the quantity.
+     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for `write`. Uncertain: The unit
+     * rad is inferred from the quantity; the SDK states m/s^2.
      */
     highLimitUncertainty?: number;
     /**
-     * Smallest standard deviation. Unit: rad. Range: at least 0. Required for `write`. Uncertain: The unit. The SDK
-     * states m/s^2; rad is inferred from the quantity.
+     * Smallest standard deviation. Unit: rad. Range: at least 0. Required for `write`. Uncertain: The unit rad is
+     * inferred from the quantity; the SDK states m/s^2.
      */
     minimumUncertainty?: number;
     /** Apply the new setting. */
@@ -2248,9 +2287,9 @@ export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | un
  *
  * Selects the source that aids the altitude in addition to GNSS.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AltitudeAidingResponse`. Probably changes
- * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AltitudeAidingResponse`. Probably affects
+ * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Confirmed on 3DM-GX5-45; likely or assumed on 4
+ * more. Known only from the MicroStrain MIP SDK. Requires a pressure sensor.
  *
  * GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and location shift the
  * pressure altitude, sometimes by more than 40 m.
@@ -2280,10 +2319,10 @@ export declare class AltitudeAiding<R extends Response | undefined = undefined |
  *
  * Selects the source that aids pitch and roll while the motion is gentle.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `PitchRollAidingResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `PitchRollAidingResponse`. Probably affects
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45.
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-15 and
+ * -45; likely or assumed on 6 more.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -2311,8 +2350,9 @@ export declare class PitchRollAiding<R extends Response | undefined = undefined 
  * Selects the source of the local inclination (dip angle) of the magnetic field.
  *
  * Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `MagneticInclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
- * `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * `MagneticInclinationSourceResponse`. Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+ * `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a
+ * magnetometer.
  *
  * Without a good inclination source, keep automatic magnetometer calibration off.
  *
@@ -2325,9 +2365,10 @@ export declare class MagneticInclinationSource<R extends Response | undefined = 
     /** Source of the inclination. Required for `write`. */
     source?: MagParameterSource;
     /**
-     * Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966.
-     * Required for `write`. Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
-     * `MagneticDeclinationSource`. The SDK always sends it.
+     * Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range:
+     * -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Required for `write`. Uncertain: The
+     * sign is the usual one; no source states it. Uncertain: It can possibly be omitted if `source` is not manual, as
+     * with `MagneticDeclinationSource`. The SDK always sends it.
      */
     inclination?: number;
     /** Apply the new setting. */
@@ -2348,8 +2389,9 @@ export declare class MagneticInclinationSource<R extends Response | undefined = 
  * Selects the source of the local magnitude of the magnetic field.
  *
  * Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `MagneticMagnitudeSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
- * `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * `MagneticMagnitudeSourceResponse`. Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+ * `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a
+ * magnetometer.
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off. `MagMagnitudeErrorAdaptiveMeasurement`
  * relies on it too.
@@ -2363,9 +2405,8 @@ export declare class MagneticMagnitudeSource<R extends Response | undefined = un
     /** Source of the magnitude. Required for `write`. */
     source?: MagParameterSource;
     /**
-     * Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required for `write`. Uncertain:
-     * Whether it may be left out if `source` is not manual, as the manuals state for `MagneticDeclinationSource`. The
-     * SDK always sends it.
+     * Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: It
+     * can possibly be omitted if `source` is not manual, as with `MagneticDeclinationSource`. The SDK always sends it.
      */
     magnitude?: number;
     /** Apply the new setting. */
@@ -2385,10 +2426,10 @@ export declare class MagneticMagnitudeSource<R extends Response | undefined = un
  *
  * Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleRotationDcmResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleRotationDcmResponse`. Affects
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
- * `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes `filter_data.CompAccel`. Not listed
+ * `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably affects `filter_data.CompAccel`. Not listed
  * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * It is the inverse of the matrix that `3dm.SensorToVehicleTransformDcm` accepts. The device rejects a matrix that is
@@ -2424,9 +2465,9 @@ export declare class SensorToVehicleRotationDcm<R extends Response | undefined =
  * Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleRotationQuaternionResponse`.
- * Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+ * Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
- * `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes `filter_data.CompAccel`. Not listed
+ * `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably affects `filter_data.CompAccel`. Not listed
  * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * It is the inverse of the quaternion that `3dm.SensorToVehicleTransformQuaternion` accepts. The device normalizes it,
@@ -2460,9 +2501,9 @@ export declare class SensorToVehicleRotationQuaternion<R extends Response | unde
  *
  * Enables or disables one source of aiding measurements.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AidingMeasurementEnableResponse`. Changes
- * `filter_data.AidingMeasurementSummary`. Probably changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR
- * and 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AidingMeasurementEnableResponse`. Affects
+ * `filter_data.AidingMeasurementSummary`. Probably affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, -AR and
+ * -GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -2504,10 +2545,10 @@ export declare class AidingMeasurementEnable<R extends Response | undefined = un
  *
  * Sets the assumptions about the motion that the filter uses in place of measurements.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `KinematicConstraintResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `KinematicConstraintResponse`. Probably affects
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`
  * and `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
- * Whether there are further values. The SDK uses plain numbers and lists the values in comments.
+ * There may be further values, because the SDK uses plain numbers and lists values in comments only.
  *
  * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
@@ -2539,13 +2580,14 @@ export declare class KinematicConstraint<R extends Response | undefined = undefi
  * Sets the sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `InitializationConfigResponse`. Probably changes `filter_data.Status`, `filter_data.LlhPosition`,
+ * `InitializationConfigResponse`. Probably affects `filter_data.Status`, `filter_data.LlhPosition`,
  * `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`,
- * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
- * 3DM-GQ7-GNSS/INS.
+ * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS;
+ * likely or assumed on 2 more.
  *
- * Single precision resolves the latitude and longitude of the initial position to about a metre only. Kinematic
- * alignment sets the heading once the speed reaches 2 m/s. External alignment needs a heading at least every 5 seconds.
+ * The initial angles are in degrees, unlike those of `SetInitialAttitude`, which are in radians. Single precision
+ * resolves the latitude and longitude of the initial position to about a metre only. Kinematic alignment sets the
+ * heading once the speed reaches 2 m/s. External alignment needs a heading at least every 5 seconds.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -2566,11 +2608,14 @@ export declare class InitializationConfig<R extends Response | undefined = undef
      *   `HeadingAlignment.MAG`.
      */
     autoHeadingAlignmentSelector?: HeadingAlignment;
-    /** Initial heading that your program provides. Unit: deg. Required for `write`. */
+    /**
+     * Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Required for
+     * `write`.
+     */
     initialHeading?: number;
-    /** Initial pitch that your program provides. Unit: deg. Required for `write`. */
+    /** Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up. Required for `write`. */
     initialPitch?: number;
-    /** Initial roll that your program provides. Unit: deg. Required for `write`. */
+    /** Initial roll angle. Unit: deg. Frame: ned. Positive: right side down. Required for `write`. */
     initialRoll?: number;
     /**
      * Initial position that your program provides. Elements: x, y, z. Required for `write`.
@@ -2606,8 +2651,8 @@ export declare class InitializationConfig<R extends Response | undefined = undef
  *
  * Sets how the filter adapts to measurements that do not fit its model.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AdaptiveFilterOptionsResponse`. Probably changes
- * filter_data (0x82). Supported by 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AdaptiveFilterOptionsResponse`. Probably affects
+ * filter_data (0x82). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 12 more.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -2640,10 +2685,11 @@ export declare class AdaptiveFilterOptions<R extends Response | undefined = unde
  *
  * Sets the position of the antenna of one receiver on devices with several antennas.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MultiAntennaOffsetResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MultiAntennaOffsetResponse`. Probably affects
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Supported by 3DM-CV7-GNSS/INS.
+ * `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Confirmed on 3DM-CV7-GNSS/INS;
+ * likely or assumed on 1 more. Requires a receiver.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -2654,8 +2700,8 @@ export declare class MultiAntennaOffset<R extends Response | undefined = undefin
     /** Number of the receiver, from 1. Range: at least 1. */
     receiverId?: number;
     /**
-     * Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
-     * Required for `write`.
+     * Lever arm from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most
+     * 10. Required for `write`.
      */
     antennaOffset?: types.Vector3f;
     /** Apply the new setting. */
@@ -2676,7 +2722,8 @@ export declare class MultiAntennaOffset<R extends Response | undefined = undefin
  * Sets the reference point of the relative position that the filter reports.
  *
  * Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS.
+ * `RelativePositionConfigResponse`. Affects `filter_data.NedRelativePosition`. Confirmed on 3DM-CV7-GNSS/INS; likely or
+ * assumed on 4 more.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -2714,9 +2761,9 @@ export declare class RelativePositionConfig<R extends Response | undefined = und
  * Moves the point to which the position and the velocity of the filter refer.
  *
  * Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
- * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * `ReferencePointLeverArmResponse`. Affects `filter_data.LlhPosition`, `filter_data.EcefPosition`,
+ * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 4 more.
  *
  * The shift in position depends on the attitude; the shift in velocity also depends on the angular rate.
  *
@@ -2729,7 +2776,7 @@ export declare class ReferencePointLeverArm<R extends Response | undefined = und
     /** Point to move; it must be 1. Required for `write`. */
     referencePoint?: ReferencePoint;
     /**
-     * Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
+     * Lever arm from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
      * Required for `write`.
      */
     leverArmOffset?: types.Vector3f;
@@ -2762,9 +2809,12 @@ export declare class SpeedMeasurement extends Command<undefined> {
     constructor(values: Values<SpeedMeasurement, "source">);
     /** Send 1. Reserved: send 1. */
     source: number;
-    /** GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the SDK states none. */
+    /**
+     * GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit is inferred; the SDK states
+     * none.
+     */
     tow: number;
-    /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
+    /** Speed along the x axis of the vehicle. Unit: m/s. Frame: vehicle. Positive: forward. */
     speed: number;
     /** Standard deviation of the speed. Unit: m/s. Range: at least 0. */
     speedUncertainty: number;
@@ -2775,9 +2825,9 @@ export declare class SpeedMeasurement extends Command<undefined> {
  *
  * Sets the position of the point whose speed is measured, such as the wheel that drives the odometer.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SpeedLeverArmResponse`. Probably changes
- * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.OdometerScaleFactorError`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SpeedLeverArmResponse`. Probably affects
+ * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.OdometerScaleFactorError`. Confirmed on
+ * 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
  *
@@ -2790,7 +2840,7 @@ export declare class SpeedLeverArm<R extends Response | undefined = undefined | 
     /** Reserved: send 1. */
     source?: number;
     /**
-     * Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
+     * Lever arm from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
      * `write`.
      */
     leverArmOffset?: types.Vector3f;
@@ -2812,7 +2862,7 @@ export declare class SpeedLeverArm<R extends Response | undefined = undefined | 
  * Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `VerticalGyroConstraintControlResponse`. Probably
- * changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not listed in any
+ * affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not listed in any
  * device profile. Known only from the MicroStrain MIP SDK.
  *
  * It assumes that the linear acceleration is zero.
@@ -2843,8 +2893,8 @@ export declare class VerticalGyroConstraintControl<R extends Response | undefine
  * Sets whether the filter assumes that the vehicle moves only along its x axis.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `WheeledVehicleConstraintControlResponse`.
- * Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`,
- * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS.
+ * Probably affects `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`,
+ * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not use it for vehicles
  * that move sideways, such as aircraft.
@@ -2875,8 +2925,9 @@ export declare class WheeledVehicleConstraintControl<R extends Response | undefi
  * Enables antenna offset calibration.
  *
  * Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `GnssAntennaCalibrationControlResponse`. Changes `filter_data.MultiAntennaOffsetCorrection`. Probably changes
- * `filter_data.MultiAntennaOffsetCorrectionUncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * `GnssAntennaCalibrationControlResponse`. Affects `filter_data.MultiAntennaOffsetCorrection`. Probably affects
+ * `filter_data.MultiAntennaOffsetCorrectionUncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Requires a
+ * receiver.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

@@ -25,9 +25,9 @@ export type HeadingSourceFlags = Flavor<number, "filter_data.heading_source_flag
  * - 3dm-gx5-45: 5.3.27 Heading Update Source State (0x82, 0x14)
  */
 export declare const HeadingSourceFlags: Bitfield<HeadingSourceFlags> & {
-    /** The magnetometer. Bit 0. */
+    /** The magnetometer. Bit 0. Requires a magnetometer. */
     readonly MAG: HeadingSourceFlags;
-    /** The velocity that the GNSS receiver measures. Bit 1. */
+    /** The velocity that the GNSS receiver measures. Bit 1. Requires a receiver. */
     readonly GNSS_VELOCITY: HeadingSourceFlags;
     /** Heading messages that your program sends. Bit 2. */
     readonly EXTERNAL: HeadingSourceFlags;
@@ -203,6 +203,11 @@ export declare const Gx5DynamicsMode: Enumeration<Gx5DynamicsMode> & {
     readonly AUTOMOTIVE: Gx5DynamicsMode & 2;
     /** Aircraft. */
     readonly AIRBORNE: Gx5DynamicsMode & 3;
+    /**
+     * Aircraft with high acceleration. Uncertain: The manual of the 3DM-GX5-15 lists 1 to 3;
+     * `filter.VehicleDynamicsMode` sets 4, too.
+     */
+    readonly AIRBORNE_HIGH_G: Gx5DynamicsMode & 4;
 };
 
 export type Cv7DynamicsMode = Flavor<number, "filter_data.cv7_dynamics_mode">;
@@ -214,53 +219,99 @@ export declare const Cv7DynamicsMode: Enumeration<Cv7DynamicsMode> & {
 
 export type Gx5StatusFlags = Flavor<number, "filter_data.gx5_status_flags">;
 /**
- * Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`, the others while the
- * filter runs.
+ * Problems of the filter of a 5-series device; their meaning depends on the state of the filter.
  *
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 export declare const Gx5StatusFlags: Bitfield<Gx5StatusFlags> & {
-    /** No inertial data. Bit 0. Concerns `sensor.ScaledAccel` and `sensor.ScaledGyro`. */
+    /**
+     * No inertial data. Bit 0. Only while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID` or
+     * `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `sensor.ScaledAccel` and `sensor.ScaledGyro`.
+     */
     readonly RUN_IMU_UNAVAILABLE: Gx5StatusFlags;
-    /** No GNSS data; only on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`. */
+    /**
+     * No GNSS data; only on models with GNSS. Bit 1. Only while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID`
+     * or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `LlhPosition` and `NedVelocity`.
+     */
     readonly RUN_GPS_UNAVAILABLE: Gx5StatusFlags;
-    /** A matrix in the computation is singular. Bit 3. Concerns `filter.Reset`. */
+    /**
+     * A matrix in the computation is singular. Bit 3. Only while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID`
+     * or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `filter.Reset`.
+     */
     readonly RUN_MATRIX_SINGULARITY: Gx5StatusFlags;
-    /** A position covariance is above its normal limit. Bit 4. Concerns `LlhPosition` and `LlhPositionUncertainty`. */
+    /**
+     * A position covariance is above its normal limit. Bit 4. Only while `filter_state` is
+     * `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `LlhPosition` and
+     * `LlhPositionUncertainty`.
+     */
     readonly RUN_POSITION_COVARIANCE_WARNING: Gx5StatusFlags;
-    /** A velocity covariance is above its normal limit. Bit 5. Concerns `NedVelocity` and `NedVelocityUncertainty`. */
+    /**
+     * A velocity covariance is above its normal limit. Bit 5. Only while `filter_state` is
+     * `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `NedVelocity` and
+     * `NedVelocityUncertainty`.
+     */
     readonly RUN_VELOCITY_COVARIANCE_WARNING: Gx5StatusFlags;
-    /** An attitude covariance is above its normal limit. Bit 6. Concerns `EulerAngles` and `EulerAnglesUncertainty`. */
+    /**
+     * An attitude covariance is above its normal limit. Bit 6. Only while `filter_state` is
+     * `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `EulerAngles` and
+     * `EulerAnglesUncertainty`.
+     */
     readonly RUN_ATTITUDE_COVARIANCE_WARNING: Gx5StatusFlags;
-    /** The solution contains NaN values. Bit 7. Concerns `filter.Reset`. */
+    /**
+     * The solution contains NaN values. Bit 7. Only while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID` or
+     * `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `filter.Reset`.
+     */
     readonly RUN_NAN_IN_SOLUTION_WARNING: Gx5StatusFlags;
-    /** The estimated gyroscope bias is high. Bit 8. Concerns `GyroBias`. */
+    /**
+     * The estimated gyroscope bias is high. Bit 8. Only while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID` or
+     * `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `GyroBias`.
+     */
     readonly RUN_GYRO_BIAS_EST_HIGH_WARNING: Gx5StatusFlags;
-    /** The estimated accelerometer bias is high. Bit 9. Concerns `AccelBias`. */
+    /**
+     * The estimated accelerometer bias is high. Bit 9. Only while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID`
+     * or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `AccelBias`.
+     */
     readonly RUN_ACCEL_BIAS_EST_HIGH_WARNING: Gx5StatusFlags;
-    /** The estimated gyroscope scale factor is high. Bit 10. Concerns `GyroScaleFactor`. */
+    /**
+     * The estimated gyroscope scale factor is high. Bit 10. Only while `filter_state` is
+     * `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `GyroScaleFactor`.
+     */
     readonly RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING: Gx5StatusFlags;
-    /** The estimated accelerometer scale factor is high. Bit 11. Concerns `AccelScaleFactor`. */
+    /**
+     * The estimated accelerometer scale factor is high. Bit 11. Only while `filter_state` is
+     * `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `AccelScaleFactor`.
+     */
     readonly RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING: Gx5StatusFlags;
-    /** The estimated magnetometer bias is high. Bit 12. Concerns `MagBias`. */
+    /**
+     * The estimated magnetometer bias is high. Bit 12. Only while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID`
+     * or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `MagBias`.
+     */
     readonly RUN_MAG_BIAS_EST_HIGH_WARNING: Gx5StatusFlags;
     /**
-     * The estimated correction of the antenna offset is high; on models with GNSS. Bit 13. Concerns
-     * `AntennaOffsetCorrection` and `filter.AntennaOffset`.
+     * The estimated correction of the antenna offset is high; on models with GNSS. Bit 13. Only while `filter_state` is
+     * `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `AntennaOffsetCorrection` and
+     * `filter.AntennaOffset`.
      */
     readonly RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING: Gx5StatusFlags;
-    /** The estimated hard-iron offset is high. Bit 14. Concerns `MagOffset`. */
+    /**
+     * The estimated hard-iron offset is high. Bit 14. Only while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID`
+     * or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `MagOffset`.
+     */
     readonly RUN_MAG_HARD_IRON_EST_HIGH_WARNING: Gx5StatusFlags;
-    /** The estimated soft-iron correction is high. Bit 15. Concerns `MagMatrix`. */
+    /**
+     * The estimated soft-iron correction is high. Bit 15. Only while `filter_state` is
+     * `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `MagMatrix`.
+     */
     readonly RUN_MAG_SOFT_IRON_EST_HIGH_WARNING: Gx5StatusFlags;
     /**
-     * The attitude is not initialized. Bit 12. Overlaps other bits. Concerns `AttitudeQuaternion`, `AttitudeDcm` and
-     * `EulerAngles`.
+     * The attitude is not initialized. Bit 12. Overlaps other bits. Only while `filter_state` is `Gx5FilterState.INIT`.
+     * Affects `AttitudeQuaternion`, `AttitudeDcm` and `EulerAngles`.
      */
     readonly INIT_NO_ATTITUDE: Gx5StatusFlags;
     /**
-     * Position and velocity are not initialized. Bit 13. Overlaps other bits. Concerns `LlhPosition` and `NedVelocity`.
+     * Position and velocity are not initialized. Bit 13. Overlaps other bits. Only while `filter_state` is
+     * `Gx5FilterState.INIT`. Affects `LlhPosition` and `NedVelocity`.
      */
     readonly INIT_NO_POSITION_VELOCITY: Gx5StatusFlags;
 };
@@ -293,48 +344,47 @@ export declare const Cv7StatusFlags: Bitfield<Cv7StatusFlags> & {
     /** Convergence of the estimates. Bits 0 to 1. A value of `FilterCondition`. */
     readonly FILTER_CONDITION: Cv7StatusFlags;
     /**
-     * Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns `AttitudeQuaternion`,
+     * Roll and pitch are doubtful; check the mounting transformation. Bit 2. Affects `AttitudeQuaternion`,
      * `AttitudeDcm` and `EulerAngles`.
      */
     readonly ROLL_PITCH_WARNING: Cv7StatusFlags;
     /**
-     * The heading is doubtful; check the heading source. Bit 3. Concerns `AttitudeQuaternion`, `AttitudeDcm` and
+     * The heading is doubtful; check the heading source. Bit 3. Affects `AttitudeQuaternion`, `AttitudeDcm` and
      * `EulerAngles`.
      */
     readonly HEADING_WARNING: Cv7StatusFlags;
     /**
-     * The position is doubtful; check the GNSS reception and antennas. Bit 4. Concerns `LlhPosition`, `EcefPosition`
-     * and `NedRelativePosition`.
+     * The position is doubtful; check the GNSS reception and antennas. Bit 4. Affects `LlhPosition`, `EcefPosition` and
+     * `NedRelativePosition`.
      */
     readonly POSITION_WARNING: Cv7StatusFlags;
     /**
-     * The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Concerns `NedVelocity` and
-     * `EcefVelocity`.
+     * The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Affects `NedVelocity` and `EcefVelocity`.
      */
     readonly VELOCITY_WARNING: Cv7StatusFlags;
     /**
-     * The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Concerns `AccelBias`, `GyroBias` and
+     * The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Affects `AccelBias`, `GyroBias` and
      * `3dm.CaptureGyroBias`.
      */
     readonly IMU_BIAS_WARNING: Cv7StatusFlags;
-    /** The GNSS clock is doubtful; navigation continues. Bit 7. Concerns `Timestamp` and `ClockCorrection`. */
+    /** The GNSS clock is doubtful; navigation continues. Bit 7. Affects `Timestamp` and `ClockCorrection`. */
     readonly GNSS_CLOCK_WARNING: Cv7StatusFlags;
     /**
-     * The antenna offsets are probably wrong. Bit 8. Concerns `MultiAntennaOffsetCorrection` and
+     * The antenna offsets are probably wrong. Bit 8. Affects `MultiAntennaOffsetCorrection` and
      * `filter.MultiAntennaOffset`.
      */
     readonly ANTENNA_LEVER_ARM_WARNING: Cv7StatusFlags;
     /**
-     * The mounting transformation is probably wrong. Bit 9. Concerns `3dm.SensorToVehicleTransformEuler` and
+     * The mounting transformation is probably wrong. Bit 9. Affects `3dm.SensorToVehicleTransformEuler` and
      * `3dm.SensorToVehicleTransformDcm`.
      */
     readonly MOUNTING_TRANSFORM_WARNING: Cv7StatusFlags;
     /**
-     * No pulse per second is detected, or the time of an external heading is too old. Bit 10. Concerns
+     * No pulse per second is detected, or the time of an external heading is too old. Bit 10. Affects
      * `3dm.PpsSourceControl`.
      */
     readonly TIME_SYNC_WARNING: Cv7StatusFlags;
-    /** Not 0 if the solution contains NaN values; reset the filter. Bits 12 to 15. Concerns `filter.Reset`. */
+    /** Not 0 if the solution contains NaN values; reset the filter. Bits 12 to 15. Affects `filter.Reset`. */
     readonly SOLUTION_ERROR: Cv7StatusFlags;
 };
 
@@ -343,7 +393,7 @@ export declare const Cv7StatusFlags: Bitfield<Cv7StatusFlags> & {
  *
  * Estimated position as latitude, longitude and height.
  *
- * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `position_llh`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
  */
@@ -370,7 +420,7 @@ export declare class LlhPosition extends Data {
  *
  * Estimated velocity in the NED frame.
  *
- * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `velocity_ned`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
  */
@@ -397,9 +447,9 @@ export declare class NedVelocity extends Data {
  *
  * Estimated orientation of the vehicle frame in the NED frame as a quaternion.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17 more.
  *
- * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
+ * `v_ned = q * v_vehicle * q^-1` The 3DM-GX5-15 manual documents the inverse rotation, which is taken for a misprint.
  *
  * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
  * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -407,8 +457,8 @@ export declare class NedVelocity extends Data {
 export declare class AttitudeQuaternion extends Data {
     constructor(values: Values<AttitudeQuaternion>);
     /**
-     * Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if
-     * `ValidFlags.VALID` of `validFlags` is set.
+     * Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Elements: w, x, y, z.
+     * Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     q: types.Quatf;
     /** Validity of the values of a field. */
@@ -420,7 +470,7 @@ export declare class AttitudeQuaternion extends Data {
  *
  * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 17 more.
  *
  * The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`.
  *
@@ -443,8 +493,8 @@ export declare class AttitudeDcm extends Data {
  *
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The
- * ranges of the angles. Uncertain: which no source states.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 20 more.
+ * Uncertain: The ranges of the angles are inferred; no source states them.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
@@ -454,8 +504,8 @@ export declare class AttitudeDcm extends Data {
 export declare class EulerAngles extends Data {
     constructor(values: Values<EulerAngles>);
     /**
-     * Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
-     * At rest and level: 0. Positive: right side down. Valid if `ValidFlags.VALID` of `validFlags` is set.
+     * Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0.
+     * Positive: right side down. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     roll: number;
     /**
@@ -464,8 +514,8 @@ export declare class EulerAngles extends Data {
      */
     pitch: number;
     /**
-     * Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
-     * Positive: clockwise seen from above. Valid if `ValidFlags.VALID` of `validFlags` is set.
+     * Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from
+     * above. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     yaw: number;
     /** Validity of the values of a field. */
@@ -477,7 +527,7 @@ export declare class EulerAngles extends Data {
  *
  * Estimated bias of the gyroscope.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
  * - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -498,7 +548,7 @@ export declare class GyroBias extends Data {
  *
  * Estimated bias of the accelerometer.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 6 more.
  *
  * - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
  */
@@ -518,7 +568,8 @@ export declare class AccelBias extends Data {
  *
  * Standard deviation of the estimated position, in the NED frame.
  *
- * Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `position_llh_uncertainty`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 5
+ * more.
  *
  * - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
  */
@@ -548,7 +599,8 @@ export declare class LlhPositionUncertainty extends Data {
  *
  * Standard deviation of the estimated velocity in the NED frame.
  *
- * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `velocity_ned_uncertainty`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 5
+ * more.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
  */
@@ -578,7 +630,7 @@ export declare class NedVelocityUncertainty extends Data {
  *
  * Standard deviation of the estimated Euler angles.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 19 more.
  *
  * 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70 degrees of pitch up or
  * down.
@@ -605,7 +657,7 @@ export declare class EulerAnglesUncertainty extends Data {
  *
  * Standard deviation of the estimated gyroscope bias.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 20 more.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
  * - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -626,7 +678,7 @@ export declare class GyroBiasUncertainty extends Data {
  *
  * Standard deviation of the estimated accelerometer bias.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 6 more.
  *
  * - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
  */
@@ -646,7 +698,7 @@ export declare class AccelBiasUncertainty extends Data {
  *
  * Rate of change of the velocity, with the effect of gravity removed.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17 more.
  *
  * - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
  * - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -667,7 +719,7 @@ export declare class LinearAccel extends Data {
  *
  * Angular rate with the estimated bias removed.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 16 more.
  *
  * - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
  * - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -688,7 +740,7 @@ export declare class CompAngularRate extends Data {
  *
  * Magnitude of gravity at the position of the device according to the WGS84 model.
  *
- * Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+ * Also called `wgs84_gravity_mag`. Confirmed on 3DM-GX5-15; likely or assumed on 10 more.
  *
  * The model is valid up to an altitude of 20 km.
  *
@@ -710,10 +762,11 @@ export declare class Wgs84GravityMagnitude extends Data {
  *
  * State, dynamics mode, condition and warnings of the filter.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17 more.
  *
- * The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default
- * mode, stable). 5-series: bits 12 and 13 of the flags have other meanings in state `init` than while the filter runs.
+ * 7-series: state 1 is initialization, 2 vertical gyro, 3 AHRS, 4 full navigation. On the 3DM-CV7, normal operation is
+ * state 4, mode 1, flags 1 (stable). 5-series and older: state 0 is start-up, 1 initialization, 2 a valid solution, 3 a
+ * solution with an error. Bits 12 and 13 of the flags have other meanings in state 1 than in states 2 and 3.
  *
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -723,12 +776,12 @@ export declare class Status extends Data {
     /**
      * Progress of the filter from start-up to its full solution.
      *
-     * - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-     *   3DM-GX5-25 and 3DM-GX5-45: values of `Gx5FilterState`. Inferred: The 3DM-GX5-15 has them, and the SDK lists the
-     *   same states for all generations up to the fifth.
-     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-     *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7FilterState`. Inferred: The 3DM-CV7-GNSS/INS has them,
-     *   and the SDK lists the same states for its generation.
+     * - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of
+     *   `Gx5FilterState` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up
+     *   to the fifth).
+     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values
+     *   of `Cv7FilterState` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
+     *   generation).
      * - On the 3DM-CV7-GNSS/INS: values of `Cv7FilterState`.
      * - On the 3DM-GX5-15: values of `Gx5FilterState`.
      */
@@ -736,12 +789,12 @@ export declare class Status extends Data {
     /**
      * Motion for which the filter is configured.
      *
-     * - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-     *   3DM-GX5-25 and 3DM-GX5-45: values of `Gx5DynamicsMode`. Inferred: The 3DM-GX5-15 has them, and the SDK lists
-     *   the same states for all generations up to the fifth.
-     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-     *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7DynamicsMode`. Inferred: The 3DM-CV7-GNSS/INS has them,
-     *   and the SDK lists the same states for its generation.
+     * - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of
+     *   `Gx5DynamicsMode` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up
+     *   to the fifth).
+     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values
+     *   of `Cv7DynamicsMode` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
+     *   generation).
      * - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
      * - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
      */
@@ -749,12 +802,12 @@ export declare class Status extends Data {
     /**
      * Condition and warnings.
      *
-     * - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-     *   3DM-GX5-25 and 3DM-GX5-45: values of `Gx5StatusFlags`. Inferred: The 3DM-GX5-15 has them, and the SDK lists the
-     *   same states for all generations up to the fifth.
-     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-     *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7StatusFlags`. Inferred: The 3DM-CV7-GNSS/INS has them,
-     *   and the SDK lists the same states for its generation.
+     * - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of
+     *   `Gx5StatusFlags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up
+     *   to the fifth).
+     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values
+     *   of `Cv7StatusFlags` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
+     *   generation).
      * - On the 3DM-CV7-GNSS/INS: values of `Cv7StatusFlags`.
      * - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
      */
@@ -766,7 +819,7 @@ export declare class Status extends Data {
  *
  * GPS time of the filter data.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 10 more.
  *
  * Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without synchronization to a
  * receiver or an external clock it is the internal system time. 3DM-CV7: this field may be withdrawn; prefer
@@ -793,7 +846,7 @@ export declare class Timestamp extends Data {
  *
  * Standard deviation of the elements of the estimated attitude quaternion.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 20 more.
  *
  * - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
  * - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -814,7 +867,7 @@ export declare class QuaternionAttitudeUncertainty extends Data {
  *
  * Estimated gravity.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
  *
  * - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
  * - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -823,7 +876,7 @@ export declare class GravityVector extends Data {
     constructor(values: Values<GravityVector>);
     /**
      * Gravity vector, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z
-     * 9.8. Valid if `ValidFlags.VALID` of `validFlags` is set. Uncertain: The sign, which no source states.
+     * 9.8. Valid if `ValidFlags.VALID` of `validFlags` is set. Uncertain: No source states the sign.
      */
     gravity: types.Vector3f;
     /** Validity of the values of a field. */
@@ -835,7 +888,7 @@ export declare class GravityVector extends Data {
  *
  * The last heading that updated the filter, and its source.
  *
- * Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Confirmed on 3DM-GX5-15 and -45; likely or assumed on 8 more.
  *
  * The valid bit means that the source provided data within the last 2 seconds.
  *
@@ -844,8 +897,8 @@ export declare class GravityVector extends Data {
 export declare class HeadingUpdateState extends Data {
     constructor(values: Values<HeadingUpdateState>);
     /**
-     * Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from above. Valid if
-     * `ValidFlags.VALID` of `validFlags` is set.
+     * Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Positive: clockwise seen from above.
+     * Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     heading: number;
     /**
@@ -856,7 +909,9 @@ export declare class HeadingUpdateState extends Data {
     /**
      * Sources of the heading.
      *
-     * - On the 3DM-GX5-15: only `HeadingSourceFlags.EXTERNAL`.
+     * - On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `HeadingSourceFlags.EXTERNAL`.
+     * - On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only `HeadingSourceFlags.MAG` and
+     *   `HeadingSourceFlags.EXTERNAL`.
      */
     source: HeadingSourceFlags;
     /** Validity of the values of a field. */
@@ -868,7 +923,7 @@ export declare class HeadingUpdateState extends Data {
  *
  * Magnetic field at the position of the device according to the World Magnetic Model.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 11 more.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -883,13 +938,13 @@ export declare class MagneticModel extends Data {
     /** Down component of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `validFlags` is set. */
     intensityDown: number;
     /**
-     * Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid
-     * if `ValidFlags.VALID` of `validFlags` is set.
+     * Angle of the field below the horizontal plane. Unit: rad. Frame: ned. Range: -1.5707963267948966 to
+     * 1.5707963267948966. Positive: the field points down. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     inclination: number;
     /**
-     * Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if
-     * `ValidFlags.VALID` of `validFlags` is set.
+     * Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is
+     * east of true north. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     declination: number;
     /** Validity of the values of a field. */
@@ -981,7 +1036,7 @@ export declare class AccelScaleFactorUncertainty extends Data {
  *
  * Estimated bias of the magnetometer.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Mag Bias (0x82,0x1A)
  */
@@ -1001,7 +1056,7 @@ export declare class MagBias extends Data {
  *
  * Standard deviation of the estimated bias of the magnetometer.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
  */
@@ -1019,9 +1074,9 @@ export declare class MagBiasUncertainty extends Data {
 /**
  * Compensated acceleration (0x82,0x1C).
  *
- * Acceleration with the estimated bias removed. It includes gravity.
+ * Specific force with the estimated bias removed.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 14 more.
  *
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1029,8 +1084,8 @@ export declare class MagBiasUncertainty extends Data {
 export declare class CompAccel extends Data {
     constructor(values: Values<CompAccel>);
     /**
-     * Acceleration with the estimated bias removed; gravity is included. Elements: x, y, z. Unit: m/s^2. Frame:
-     * vehicle. At rest and level: x 0, y 0, z -9.8. Valid if `ValidFlags.VALID` of `validFlags` is set.
+     * Specific force: acceleration minus gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x
+     * 0, y 0, z -9.8. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     accel: types.Vector3f;
     /** Validity of the values of a field. */
@@ -1081,7 +1136,7 @@ export declare class StandardAtmosphere extends Data {
  *
  * Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17 more. Requires a pressure sensor.
  *
  * It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
  *
@@ -1126,7 +1181,7 @@ export declare class DensityAltitude extends Data {
  * Estimated hard iron offset of the magnetometer.
  *
  * No device is known for certain to support it. Also called `magnetometer_offset`. Known only from the MicroStrain MIP
- * SDK.
+ * SDK. Requires a magnetometer.
  *
  * The filter adds it to the stored offset of `3dm.MagHardIronOffset`.
  *
@@ -1149,7 +1204,7 @@ export declare class MagOffset extends Data {
  * Estimated soft iron matrix of the magnetometer.
  *
  * No device is known for certain to support it. Also called `magnetometer_matrix`. Known only from the MicroStrain MIP
- * SDK.
+ * SDK. Requires a magnetometer.
  *
  * The filter multiplies the stored matrix of `3dm.MagSoftIronMatrix` by this matrix on the right.
  *
@@ -1172,7 +1227,7 @@ export declare class MagMatrix extends Data {
  * Standard deviation of the estimated hard iron offset.
  *
  * No device is known for certain to support it. Also called `magnetometer_offset_uncertainty`. Known only from the
- * MicroStrain MIP SDK.
+ * MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
  */
@@ -1193,7 +1248,7 @@ export declare class MagOffsetUncertainty extends Data {
  * Standard deviation of the estimated soft iron matrix.
  *
  * No device is known for certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only from the
- * MicroStrain MIP SDK.
+ * MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
  */
@@ -1214,7 +1269,7 @@ export declare class MagMatrixUncertainty extends Data {
  * Covariance of the magnetometer measurement.
  *
  * Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only from the MicroStrain MIP
- * SDK.
+ * SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Magnetometer covariance matrix (0x82,0x2A)
  */
@@ -1222,7 +1277,8 @@ export declare class MagCovarianceMatrix extends Data {
     constructor(values: Values<MagCovarianceMatrix>);
     /**
      * Covariance matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Valid if
-     * `ValidFlags.VALID` of `validFlags` is set. Uncertain: The unit, which is likely gauss^2, and the frame.
+     * `ValidFlags.VALID` of `validFlags` is set. Uncertain: No source states the unit, which is likely gauss^2, or the
+     * frame.
      */
     covariance: types.Matrix3f;
     /** Validity of the values of a field. */
@@ -1235,7 +1291,7 @@ export declare class MagCovarianceMatrix extends Data {
  * Residual of the magnetometer measurement.
  *
  * Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only from the MicroStrain MIP
- * SDK.
+ * SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Magnetometer residual vector (0x82,0x2C)
  */
@@ -1344,7 +1400,7 @@ export declare class ClockCorrectionUncertainty extends Data {
  *
  * Estimated error of one GNSS antenna's offset.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Requires a receiver.
  *
  * The filter adds it to the stored offset.
  *
@@ -1368,7 +1424,7 @@ export declare class MultiAntennaOffsetCorrection extends Data {
  *
  * Standard deviation of the estimated error of one GNSS antenna's offset.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more. Requires a receiver.
  *
  * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
  */
@@ -1390,7 +1446,7 @@ export declare class MultiAntennaOffsetCorrectionUncertainty extends Data {
  *
  * Standard deviation of the estimated position in Earth-fixed coordinates.
  *
- * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `ecef_pos_uncertainty`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
  */
@@ -1410,7 +1466,7 @@ export declare class EcefPositionUncertainty extends Data {
  *
  * Standard deviation of the estimated velocity in Earth-fixed coordinates.
  *
- * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `ecef_vel_uncertainty`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
  */
@@ -1430,7 +1486,7 @@ export declare class EcefVelocityUncertainty extends Data {
  *
  * Estimated position in Earth-fixed coordinates.
  *
- * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `ecef_pos`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
  */
@@ -1450,7 +1506,7 @@ export declare class EcefPosition extends Data {
  *
  * Estimated velocity in Earth-fixed coordinates.
  *
- * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `ecef_vel`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
  */
@@ -1470,7 +1526,7 @@ export declare class EcefVelocity extends Data {
  *
  * Estimated position relative to the point that `filter.RelativePositionConfig` sets.
  *
- * Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `rel_pos_ned`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
  *
  * - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
  */
@@ -1490,7 +1546,7 @@ export declare class NedRelativePosition extends Data {
  *
  * Use of the position measurements of one GNSS receiver by the filter.
  *
- * Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `gnss_pos_aid_status`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -1522,8 +1578,8 @@ export declare class GnssPositionAidingStatus extends Data {
 export declare class GnssAttitudeAidingStatus extends Data {
     constructor(values: Values<GnssAttitudeAidingStatus, "reserved">);
     /**
-     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of
-     * the measurement or that of its processing.
+     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is not known whether
+     * this is the time of the measurement or that of its processing.
      */
     tow: number;
     /** Use of the measurements. */
@@ -1546,8 +1602,8 @@ export declare class GnssAttitudeAidingStatus extends Data {
 export declare class HeadingAidingStatus extends Data {
     constructor(values: Values<HeadingAidingStatus, "reserved">);
     /**
-     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of
-     * the measurement or that of its processing.
+     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is not known whether
+     * this is the time of the measurement or that of its processing.
      */
     tow: number;
     /** Source of the heading. */
@@ -1561,7 +1617,7 @@ export declare class HeadingAidingStatus extends Data {
  *
  * Use of one kind of aiding measurement in the last measurement interval.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -1584,7 +1640,7 @@ export declare class AidingMeasurementSummary extends Data {
  *
  * Estimated relative error of the odometer scale factor.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * Estimated scale factor = configured scale factor * (1 + error).
  *
@@ -1603,7 +1659,7 @@ export declare class OdometerScaleFactorError extends Data {
  *
  * Uncertainty of the estimated error of the odometer scale factor.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
  */
@@ -1623,7 +1679,7 @@ export declare class OdometerScaleFactorErrorUncertainty extends Data {
  *
  * Heading from two GNSS antennas.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Requires 2 antennas.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -1637,8 +1693,8 @@ export declare class GnssDualAntennaStatus extends Data {
      */
     tow: number;
     /**
-     * Heading derived from the baseline of the antennas. Unit: rad. Positive: clockwise seen from above. Valid if
-     * `ValidFlags.VALID` of `validFlags` is set.
+     * Heading derived from the baseline of the antennas. Unit: rad. Frame: ned. Positive: clockwise seen from above.
+     * Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     heading: number;
     /**
@@ -1659,7 +1715,7 @@ export declare class GnssDualAntennaStatus extends Data {
  *
  * Estimated error of a frame that `aiding.FrameConfig` defines. The filter corrects for it.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and -INS; likely or assumed on 2 more.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */
@@ -1678,7 +1734,7 @@ export declare class AidingFrameConfigError extends Data {
  *
  * Uncertainty of the error in `AidingFrameConfigError`.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */

@@ -96,6 +96,7 @@ export const Gx5DynamicsMode = /* @__PURE__ */ codec.enumeration(codec.u16, {
     PORTABLE: 1,
     AUTOMOTIVE: 2,
     AIRBORNE: 3,
+    AIRBORNE_HIGH_G: 4,
 });
 
 export const Cv7DynamicsMode = /* @__PURE__ */ codec.enumeration(codec.u16, {
@@ -147,6 +148,8 @@ export const LlhPosition = /* @__PURE__ */ field.data("filter_data.llh_position"
     longitude: codec.double,
     ellipsoid_height: codec.double,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { latitude: 0x1, longitude: 0x1, ellipsoidHeight: 0x1 } }),
 });
 
 export const NedVelocity = /* @__PURE__ */ field.data("filter_data.ned_velocity", 0x82, 0x02, {
@@ -154,16 +157,22 @@ export const NedVelocity = /* @__PURE__ */ field.data("filter_data.ned_velocity"
     east: codec.float,
     down: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { north: 0x1, east: 0x1, down: 0x1 } }),
 });
 
 export const AttitudeQuaternion = /* @__PURE__ */ field.data("filter_data.attitude_quaternion", 0x82, 0x03, {
     q: types.Quatf,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { q: 0x1 } }),
 });
 
 export const AttitudeDcm = /* @__PURE__ */ field.data("filter_data.attitude_dcm", 0x82, 0x04, {
     dcm: types.Matrix3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { dcm: 0x1 } }),
 });
 
 export const EulerAngles = /* @__PURE__ */ field.data("filter_data.euler_angles", 0x82, 0x05, {
@@ -171,16 +180,22 @@ export const EulerAngles = /* @__PURE__ */ field.data("filter_data.euler_angles"
     pitch: codec.float,
     yaw: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { roll: 0x1, pitch: 0x1, yaw: 0x1 } }),
 });
 
 export const GyroBias = /* @__PURE__ */ field.data("filter_data.gyro_bias", 0x82, 0x06, {
     bias: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1 } }),
 });
 
 export const AccelBias = /* @__PURE__ */ field.data("filter_data.accel_bias", 0x82, 0x07, {
     bias: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1 } }),
 });
 
 export const LlhPositionUncertainty = /* @__PURE__ */ field.data("filter_data.llh_position_uncertainty", 0x82, 0x08, {
@@ -188,6 +203,8 @@ export const LlhPositionUncertainty = /* @__PURE__ */ field.data("filter_data.ll
     east: codec.float,
     down: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { north: 0x1, east: 0x1, down: 0x1 } }),
 });
 
 export const NedVelocityUncertainty = /* @__PURE__ */ field.data("filter_data.ned_velocity_uncertainty", 0x82, 0x09, {
@@ -195,6 +212,8 @@ export const NedVelocityUncertainty = /* @__PURE__ */ field.data("filter_data.ne
     east: codec.float,
     down: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { north: 0x1, east: 0x1, down: 0x1 } }),
 });
 
 export const EulerAnglesUncertainty = /* @__PURE__ */ field.data("filter_data.euler_angles_uncertainty", 0x82, 0x0a, {
@@ -202,31 +221,43 @@ export const EulerAnglesUncertainty = /* @__PURE__ */ field.data("filter_data.eu
     pitch: codec.float,
     yaw: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { roll: 0x1, pitch: 0x1, yaw: 0x1 } }),
 });
 
 export const GyroBiasUncertainty = /* @__PURE__ */ field.data("filter_data.gyro_bias_uncertainty", 0x82, 0x0b, {
     bias_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { biasUncertainty: 0x1 } }),
 });
 
 export const AccelBiasUncertainty = /* @__PURE__ */ field.data("filter_data.accel_bias_uncertainty", 0x82, 0x0c, {
     bias_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { biasUncertainty: 0x1 } }),
 });
 
 export const LinearAccel = /* @__PURE__ */ field.data("filter_data.linear_accel", 0x82, 0x0d, {
     accel: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { accel: 0x1 } }),
 });
 
 export const CompAngularRate = /* @__PURE__ */ field.data("filter_data.comp_angular_rate", 0x82, 0x0e, {
     gyro: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { gyro: 0x1 } }),
 });
 
 export const Wgs84GravityMagnitude = /* @__PURE__ */ field.data("filter_data.wgs84_gravity_magnitude", 0x82, 0x0f, {
     gravity_magnitude: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { gravityMagnitude: 0x1 } }),
 });
 
 export const Status = /* @__PURE__ */ field.data("filter_data.status", 0x82, 0x10, {
@@ -239,16 +270,22 @@ export const Timestamp = /* @__PURE__ */ field.data("filter_data.timestamp", 0x8
     tow: codec.double,
     week_number: codec.u16,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x1 } }),
 });
 
 export const QuaternionAttitudeUncertainty = /* @__PURE__ */ field.data("filter_data.quaternion_attitude_uncertainty", 0x82, 0x12, {
     q: types.Quatf,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { q: 0x1 } }),
 });
 
 export const GravityVector = /* @__PURE__ */ field.data("filter_data.gravity_vector", 0x82, 0x13, {
     gravity: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { gravity: 0x1 } }),
 });
 
 export const HeadingUpdateState = /* @__PURE__ */ field.data("filter_data.heading_update_state", 0x82, 0x14, {
@@ -256,6 +293,8 @@ export const HeadingUpdateState = /* @__PURE__ */ field.data("filter_data.headin
     heading_uncertainty: codec.float,
     source: HeadingSourceFlags,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { heading: 0x1, headingUncertainty: 0x1 } }),
 });
 
 export const MagneticModel = /* @__PURE__ */ field.data("filter_data.magnetic_model", 0x82, 0x15, {
@@ -265,41 +304,57 @@ export const MagneticModel = /* @__PURE__ */ field.data("filter_data.magnetic_mo
     inclination: codec.float,
     declination: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { intensityNorth: 0x1, intensityEast: 0x1, intensityDown: 0x1, inclination: 0x1, declination: 0x1 } }),
 });
 
 export const GyroScaleFactor = /* @__PURE__ */ field.data("filter_data.gyro_scale_factor", 0x82, 0x16, {
     scale_factor: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactor: 0x1 } }),
 });
 
 export const AccelScaleFactor = /* @__PURE__ */ field.data("filter_data.accel_scale_factor", 0x82, 0x17, {
     scale_factor: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactor: 0x1 } }),
 });
 
 export const GyroScaleFactorUncertainty = /* @__PURE__ */ field.data("filter_data.gyro_scale_factor_uncertainty", 0x82, 0x18, {
     scale_factor_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactorUncertainty: 0x1 } }),
 });
 
 export const AccelScaleFactorUncertainty = /* @__PURE__ */ field.data("filter_data.accel_scale_factor_uncertainty", 0x82, 0x19, {
     scale_factor_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactorUncertainty: 0x1 } }),
 });
 
 export const MagBias = /* @__PURE__ */ field.data("filter_data.mag_bias", 0x82, 0x1a, {
     bias: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1 } }),
 });
 
 export const MagBiasUncertainty = /* @__PURE__ */ field.data("filter_data.mag_bias_uncertainty", 0x82, 0x1b, {
     bias_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { biasUncertainty: 0x1 } }),
 });
 
 export const CompAccel = /* @__PURE__ */ field.data("filter_data.comp_accel", 0x82, 0x1c, {
     accel: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { accel: 0x1 } }),
 });
 
 export const StandardAtmosphere = /* @__PURE__ */ field.data("filter_data.standard_atmosphere", 0x82, 0x20, {
@@ -309,56 +364,78 @@ export const StandardAtmosphere = /* @__PURE__ */ field.data("filter_data.standa
     standard_pressure: codec.float,
     standard_density: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { geometricAltitude: 0x1, geopotentialAltitude: 0x1, standardTemperature: 0x1, standardPressure: 0x1, standardDensity: 0x1 } }),
 });
 
 export const PressureAltitude = /* @__PURE__ */ field.data("filter_data.pressure_altitude", 0x82, 0x21, {
     pressure_altitude: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { pressureAltitude: 0x1 } }),
 });
 
 export const DensityAltitude = /* @__PURE__ */ field.data("filter_data.density_altitude", 0x82, 0x22, {
     density_altitude: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { densityAltitude: 0x1 } }),
 });
 
 export const MagOffset = /* @__PURE__ */ field.data("filter_data.mag_offset", 0x82, 0x25, {
     hard_iron: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { hardIron: 0x1 } }),
 });
 
 export const MagMatrix = /* @__PURE__ */ field.data("filter_data.mag_matrix", 0x82, 0x26, {
     soft_iron: types.Matrix3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { softIron: 0x1 } }),
 });
 
 export const MagOffsetUncertainty = /* @__PURE__ */ field.data("filter_data.mag_offset_uncertainty", 0x82, 0x28, {
     hard_iron_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { hardIronUncertainty: 0x1 } }),
 });
 
 export const MagMatrixUncertainty = /* @__PURE__ */ field.data("filter_data.mag_matrix_uncertainty", 0x82, 0x29, {
     soft_iron_uncertainty: types.Matrix3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { softIronUncertainty: 0x1 } }),
 });
 
 export const MagCovarianceMatrix = /* @__PURE__ */ field.data("filter_data.mag_covariance_matrix", 0x82, 0x2a, {
     covariance: types.Matrix3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { covariance: 0x1 } }),
 });
 
 export const MagResidualVector = /* @__PURE__ */ field.data("filter_data.mag_residual_vector", 0x82, 0x2c, {
     residual: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { residual: 0x1 } }),
 });
 
 export const AntennaOffsetCorrection = /* @__PURE__ */ field.data("filter_data.antenna_offset_correction", 0x82, 0x30, {
     offset: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { offset: 0x1 } }),
 });
 
 export const AntennaOffsetCorrectionUncertainty = /* @__PURE__ */ field.data("filter_data.antenna_offset_correction_uncertainty", 0x82, 0x31, {
     offset_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { offsetUncertainty: 0x1 } }),
 });
 
 export const ClockCorrection = /* @__PURE__ */ field.data("filter_data.clock_correction", 0x82, 0x32, {
@@ -366,6 +443,8 @@ export const ClockCorrection = /* @__PURE__ */ field.data("filter_data.clock_cor
     bias: codec.float,
     bias_drift: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1, biasDrift: 0x1 } }),
 });
 
 export const ClockCorrectionUncertainty = /* @__PURE__ */ field.data("filter_data.clock_correction_uncertainty", 0x82, 0x33, {
@@ -373,43 +452,59 @@ export const ClockCorrectionUncertainty = /* @__PURE__ */ field.data("filter_dat
     bias_uncertainty: codec.float,
     bias_drift_uncertainty: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { biasUncertainty: 0x1, biasDriftUncertainty: 0x1 } }),
 });
 
 export const MultiAntennaOffsetCorrection = /* @__PURE__ */ field.data("filter_data.multi_antenna_offset_correction", 0x82, 0x34, {
     receiver_id: codec.u8,
     offset: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { offset: 0x1 } }),
 });
 
 export const MultiAntennaOffsetCorrectionUncertainty = /* @__PURE__ */ field.data("filter_data.multi_antenna_offset_correction_uncertainty", 0x82, 0x35, {
     receiver_id: codec.u8,
     offset_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { offsetUncertainty: 0x1 } }),
 });
 
 export const EcefPositionUncertainty = /* @__PURE__ */ field.data("filter_data.ecef_position_uncertainty", 0x82, 0x36, {
     position_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { positionUncertainty: 0x1 } }),
 });
 
 export const EcefVelocityUncertainty = /* @__PURE__ */ field.data("filter_data.ecef_velocity_uncertainty", 0x82, 0x37, {
     velocity_uncertainty: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { velocityUncertainty: 0x1 } }),
 });
 
 export const EcefPosition = /* @__PURE__ */ field.data("filter_data.ecef_position", 0x82, 0x40, {
     position: types.Vector3d,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { position: 0x1 } }),
 });
 
 export const EcefVelocity = /* @__PURE__ */ field.data("filter_data.ecef_velocity", 0x82, 0x41, {
     velocity: types.Vector3f,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: 0x1 } }),
 });
 
 export const NedRelativePosition = /* @__PURE__ */ field.data("filter_data.ned_relative_position", 0x82, 0x42, {
     relative_position: types.Ned3d,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { relativePosition: 0x1 } }),
 });
 
 export const GnssPositionAidingStatus = /* @__PURE__ */ field.data("filter_data.gnss_position_aiding_status", 0x82, 0x43, {
@@ -441,11 +536,15 @@ export const AidingMeasurementSummary = /* @__PURE__ */ field.data("filter_data.
 export const OdometerScaleFactorError = /* @__PURE__ */ field.data("filter_data.odometer_scale_factor_error", 0x82, 0x47, {
     scale_factor_error: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactorError: 0x1 } }),
 });
 
 export const OdometerScaleFactorErrorUncertainty = /* @__PURE__ */ field.data("filter_data.odometer_scale_factor_error_uncertainty", 0x82, 0x48, {
     scale_factor_error_uncertainty: codec.float,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactorErrorUncertainty: 0x1 } }),
 });
 
 export const GnssDualAntennaStatus = /* @__PURE__ */ field.data("filter_data.gnss_dual_antenna_status", 0x82, 0x49, {
@@ -455,6 +554,8 @@ export const GnssDualAntennaStatus = /* @__PURE__ */ field.data("filter_data.gns
     fix_type: DualAntennaFixType,
     status_flags: DualAntennaStatusFlags,
     valid_flags: ValidFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, heading: 0x1, headingUncertainty: 0x1 } }),
 });
 
 export const AidingFrameConfigError = /* @__PURE__ */ field.data("filter_data.aiding_frame_config_error", 0x82, 0x50, {

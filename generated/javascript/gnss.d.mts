@@ -97,14 +97,14 @@ export declare const ReceiverResetType: Enumeration<ReceiverResetType> & {
     /** Restarts all software of the receiver. */
     readonly COLD: ReceiverResetType & 2;
     /**
-     * Restarts the positioning engine only. Uncertain: The name. An earlier branch of the SDK calls 3 hot and 4 warm,
-     * with the same descriptions of the two numbers; GNSS receivers usually keep their satellite data in a hot start
-     * and lose it in a warm one.
+     * Restarts the positioning engine only. Uncertain: An earlier branch of the SDK calls 3 hot and 4 warm, with the
+     * same descriptions of the two numbers. GNSS receivers usually keep their satellite data in a hot start and lose it
+     * in a warm one.
      */
     readonly WARM: ReceiverResetType & 3;
     /**
-     * Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The name, which an earlier
-     * branch of the SDK swaps with that of 3.
+     * Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: An earlier branch of the SDK
+     * swaps this name with that of 3.
      */
     readonly HOT: ReceiverResetType & 4;
 };
@@ -112,7 +112,7 @@ export declare const ReceiverResetType: Enumeration<ReceiverResetType> & {
 export type AmbiguityFixMode = Flavor<number, "gnss.ambiguity_fix_mode">;
 /**
  * Strategy for fixing the RTK carrier phase ambiguities to whole numbers. Uncertain: The descriptions of `conservative`
- * and `moderate`, which are inferred from the names.
+ * and `moderate` are inferred from their names.
  *
  * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
  */
@@ -141,7 +141,7 @@ export declare const SpartnConnection: Enumeration<SpartnConnection> & {
 /**
  * Receiver info response (0x0E,0x81).
  *
- * Response to `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `ReceiverInfo`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -155,7 +155,8 @@ export declare class ReceiverInfoResponse extends Response {
 /**
  * Signal configuration response (0x0E,0x82).
  *
- * Also called `signal_configuration_response`. Response to `SignalConfig`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `signal_configuration_response`. Response to `SignalConfig`. Confirmed on 3DM-CV7-GNSS/INS; likely or
+ * assumed on 1 more.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
@@ -201,7 +202,7 @@ export declare class RtkDongleConfigResponse extends Response {
     constructor(values: Values<RtkDongleConfigResponse, "reserved">);
     /** 1 enables the dongle, 0 disables it. Range: 0 to 1. */
     enable: number;
-    /** Reserved. Uncertain: What to send; 0 is assumed. */
+    /** Reserved. Uncertain: No source states what to send; 0 is assumed. */
     reserved: [number, number, number];
 }
 
@@ -239,7 +240,7 @@ export declare class SpartnConfigResponse extends Response {
  *
  * Gets the GNSS receivers of the device.
  *
- * Response: `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
+ * Response: `ReceiverInfoResponse`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -253,8 +254,8 @@ export declare class ReceiverInfo extends Command<ReceiverInfoResponse> {
  * Selects the GNSS signals that the device uses.
  *
  * Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SatelliteStatus` and `gnss_data.Raw`.
- * Supported by 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * `SignalConfigResponse`. Probably affects `gnss_data.FixInfo`, `gnss_data.SatelliteStatus` and `gnss_data.Raw`.
+ * Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * A device accepts only certain combinations. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou
  * L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or
@@ -294,8 +295,8 @@ export declare class SignalConfig<R extends Response | undefined = undefined | S
  *
  * Resets a GNSS receiver of the device.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which devices support it. The
- * SDK does not name any.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK names no device that
+ * supports it.
  *
  * Only internal receivers can be reset. Some devices do not support all reset types.
  *
@@ -315,9 +316,9 @@ export declare class ReceiverReset extends Command<undefined> {
  * Sets how readily the device fixes the ambiguities of an RTK solution.
  *
  * Also called `rtk_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `RtkConfigResponse`. Probably changes `gnss_data.FixInfo` and `gnss_data.LlhPosition`. Not listed in any device
- * profile. Known only from the MicroStrain MIP SDK. Uncertain: Which devices support it. Users of the vendor's ROS
- * driver report it as experimental on the 3DM-GQ7, which accepts `conservative` only.
+ * `RtkConfigResponse`. Probably affects `gnss_data.FixInfo` and `gnss_data.LlhPosition`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK. Uncertain: No source lists the devices that support it. Users of
+ * the vendor's ROS driver report it as experimental on the 3DM-GQ7, which accepts `conservative` only.
  *
  * The available modes differ by device.
  *
@@ -349,7 +350,7 @@ export declare class RtkConfig<R extends Response | undefined = undefined | RtkC
  * Switches the communication with a connected RTK dongle on or off.
  *
  * No device is known for certain to support it. Also called `rtk_dongle_configuration`. Functions: `write`, `read`,
- * `save`, `load` and `default`. Response: `RtkDongleConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`.
+ * `save`, `load` and `default`. Response: `RtkDongleConfigResponse`. Probably affects `gnss_data.RtkCorrectionsStatus`.
  * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
@@ -360,7 +361,7 @@ export declare class RtkDongleConfig<R extends Response | undefined = undefined 
     function: FunctionSelector;
     /** 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for `write`. */
     enable?: number;
-    /** Reserved: send 0. Required for `write`. Uncertain: What to send; 0 is assumed. */
+    /** Reserved: send 0. Required for `write`. Uncertain: No source states what to send; 0 is assumed. */
     reserved?: [number, number, number];
     /** Apply the new setting. */
     static write(values: { enable: number }): RtkDongleConfig<undefined>;
@@ -380,9 +381,9 @@ export declare class RtkDongleConfig<R extends Response | undefined = undefined 
  * Sets the source and the keys of SPARTN corrections.
  *
  * Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `SpartnConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Supported by 3DM-CV7-GNSS/INS. Uncertain:
- * Whether the device accepts upper and lower case. The section on UART uses the digits 0-9 and A-F, the description of
- * the command uses "bc" for 0xBC.
+ * `SpartnConfigResponse`. Probably affects `gnss_data.RtkCorrectionsStatus`. Supported by 3DM-CV7-GNSS/INS. Uncertain:
+ * The device may not accept lower case: the section on UART uses the digits 0-9 and A-F, the description of the command
+ * uses "bc" for 0xBC.
  *
  * A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any time. While SPARTN
  * corrections are enabled, RTCM corrections are blocked. A key has 16 bytes, none of them 0. Send it as 32 hexadecimal
@@ -422,4 +423,24 @@ export declare class SpartnConfig<R extends Response | undefined = undefined | S
     static load(): SpartnConfig<undefined>;
     /** Load the factory default setting. */
     static default(): SpartnConfig<undefined>;
+}
+
+/**
+ * Receiver safe mode (0x0E,0x60).
+ *
+ * Switches the safe mode of one receiver on or off. In safe mode, it sends no valid data.
+ *
+ * Affects gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
+ * gnss_external_2 (0x95). Not listed in any device profile. Known only from the MicroStrain MIP SDK, versions 1 to 3.
+ * Uncertain: The layout is that of version 1.0.0 of the SDK; later versions do not have it. Uncertain: No source lists
+ * the devices that support it.
+ *
+ * - mip-sdk-3: Receiver Safe Mode (0x0E,0x60), tag v1.0.0
+ */
+export declare class ReceiverSafeMode extends Command<undefined> {
+    constructor(values: Values<ReceiverSafeMode>);
+    /** Number of the receiver, from 1. Range: at least 1. */
+    receiverId: number;
+    /** 1 switches safe mode on, 0 off. Range: 0 to 1. */
+    enable: number;
 }

@@ -149,3 +149,8 @@ export const SpartnConfig = /* @__PURE__ */ field.command("gnss.spartn_config", 
     calls: { 1: 8, 2: 0, 3: 0, 4: 0, 5: 0 },
     REPLIES: [[[2], [], [SpartnConfigResponse]]],
 });
+
+export const ReceiverSafeMode = /* @__PURE__ */ field.command("gnss.receiver_safe_mode", 0x0e, 0x60, {
+    receiver_id: codec.u8,
+    enable: codec.u8,
+});

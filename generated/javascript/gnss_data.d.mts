@@ -3,8 +3,8 @@
  *
  * Measurements and status of GNSS receivers. Each receiver has a descriptor set; all have the same fields.
  *
- * Uncertain: Which devices send the fields that no manual lists for a set. The SDK lists the same fields for all GNSS
- * data sets.
+ * Uncertain: Some devices may not send a field in every set: the SDK lists the same fields for all GNSS data sets, the
+ * manuals fewer.
  *
  * - gnss_data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.
  * - gnss_1 (0x91): Measurements and status of the first internal GNSS receiver.
@@ -12,8 +12,8 @@
  * - gnss_corrections (0x93): RTK corrections that the device receives. Data is sent as it is received.
  * - gnss_external (0x94): Data that an external GNSS receiver sends to the device in NMEA sentences. A field may need
  *   several sentences; a value that NMEA does not provide is not valid. Times are taken from the sentences.
- * - gnss_external_2 (0x95): Data that a second external GNSS receiver sends to the device. Uncertain: The name. It is
- *   from a page on the 3DM-CV7-INS that the vendor published for trial; the SDK calls the set GNSS 5.
+ * - gnss_external_2 (0x95): Data that a second external GNSS receiver sends to the device. Uncertain: The name is from
+ *   a page on the 3DM-CV7-INS that the vendor published for trial; the SDK calls the set GNSS 5.
  */
 import type { Bitfield, Command, Data, Enumeration, Flavor, Response, Values } from "./mip/index.mjs";
 import type { FunctionSelector } from "./protocol.mjs";
@@ -105,7 +105,7 @@ export declare const UtcTimeFlags: Bitfield<UtcTimeFlags> & {
     readonly GNSS_DATE_TIME: UtcTimeFlags;
     /** The leap seconds between GPS time and UTC are known. Bit 1. */
     readonly LEAP_SECONDS_KNOWN: UtcTimeFlags;
-    /** All values are valid. Bits 0 to 1. Overlaps other bits. */
+    /** Date and time come from GNSS, and the leap seconds are known. Bits 0 to 1. Overlaps other bits. */
     readonly FLAGS: UtcTimeFlags;
 };
 
@@ -588,7 +588,7 @@ export declare const EphemerisFlags: Bitfield<EphemerisFlags> & {
     readonly MODERN_DATA: EphemerisFlags;
     /** `isc_l2c` is the correction for L5, not for L2. Bit 2. */
     readonly ISC_L5: EphemerisFlags;
-    /** All values are valid. Bits 0 to 2. Overlaps other bits. */
+    /** The ephemeris is valid, with modernized data and the correction for L5. Bits 0 to 2. Overlaps other bits. */
     readonly FLAGS: EphemerisFlags;
 };
 
@@ -661,7 +661,8 @@ export declare const BeidouIonoCorrectionFlags: Bitfield<BeidouIonoCorrectionFla
  * GNSS position as latitude, longitude and height.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Also called `pos_llh`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or
+ * assumed on 11 more.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -706,7 +707,8 @@ export declare class LlhPosition extends Data {
  * GNSS position in Earth-fixed coordinates.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Also called `pos_ecef`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or
+ * assumed on 3 more.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
@@ -733,7 +735,8 @@ export declare class EcefPosition extends Data {
  * GNSS velocity in the local level frame.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Also called `vel_ned`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or
+ * assumed on 11 more.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
  * - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -777,8 +780,8 @@ export declare class NedVelocity extends Data {
  * GNSS velocity in Earth-fixed coordinates.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS and
- * 3DM-GX5-35.
+ * gnss_external_2 (0x95). Also called `vel_ecef`. Confirmed on 3DM-CV7-GNSS/INS, -INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35;
+ * likely or assumed on 2 more.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -806,7 +809,7 @@ export declare class EcefVelocity extends Data {
  * Dilution of precision of the satellite geometry.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on 4 more.
  *
  * - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
  * - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
@@ -837,7 +840,7 @@ export declare class Dop extends Data {
  * Coordinated universal time (UTC) according to the receiver.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on 6 more.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
  * - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
@@ -871,7 +874,7 @@ export declare class UtcTime extends Data {
  * GPS time according to the receiver.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
  * - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
@@ -922,7 +925,7 @@ export declare class ClockInfo extends Data {
  * Type of the position fix, with the satellites and corrections used.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or assumed on 5 more.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
  * - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -948,8 +951,8 @@ export declare class FixInfo extends Data {
  * State of one tracked satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet
- * holds one of these fields or several.
+ * gnss_external_2 (0x95). Confirmed on 3DM-GX5-45; likely or assumed on 2 more. Known only from the MicroStrain MIP
+ * SDK. Uncertain: It is not known whether a packet contains one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -965,11 +968,14 @@ export declare class SvInfo extends Data {
      * Carrier to noise density ratio. Unit: dB-Hz. Valid if `SvInfoFlags.CARRIER_NOISE_RATIO` of `validFlags` is set.
      */
     carrierNoiseRatio: number;
-    /** Direction of the satellite, from north. Unit: deg. Valid if `SvInfoFlags.AZIMUTH` of `validFlags` is set. */
+    /**
+     * Direction of the satellite, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if
+     * `SvInfoFlags.AZIMUTH` of `validFlags` is set.
+     */
     azimuth: number;
     /**
-     * Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if `SvInfoFlags.ELEVATION` of
-     * `validFlags` is set.
+     * Angle between the horizon and the satellite. Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the
+     * horizon. Valid if `SvInfoFlags.ELEVATION` of `validFlags` is set.
      */
     elevation: number;
     /** State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `validFlags` is set. */
@@ -984,7 +990,8 @@ export declare class SvInfo extends Data {
  * State of the receiver and of its antenna.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * gnss_external_2 (0x95). Also called `hw_status`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45;
+ * likely or assumed on 2 more.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
@@ -1007,9 +1014,9 @@ export declare class HardwareStatus extends Data {
  * State of the differential corrections.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its data. Supported by 3DM-GX5-35 and
- * 3DM-GX5-45. Uncertain: Whether any device sends `DgpsInfoSatellite`, the layout of the SDK, instead. Only this one
- * agrees with the valid flags, which are the same in all sources.
+ * gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its data. Confirmed on 3DM-GX5-35 and
+ * -45; likely or assumed on 1 more. Uncertain: Devices could also send `DgpsInfoSatellite`, the layout of the SDK, but
+ * only this one agrees with the valid flags, which are the same in all sources.
  *
  * The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in the SDK of 2014.
  *
@@ -1021,7 +1028,7 @@ export declare class DgpsInfo extends Data {
     constructor(values: Values<DgpsInfo>);
     /**
      * Age of the corrections. Unit: s. Range: at least 0. Valid if `DgpsInfoFlags.AGE` of `validFlags` is set.
-     * Uncertain: The unit, which follows from `DgpsChannel`.
+     * Uncertain: The unit is that of `DgpsChannel`; no source states it here.
      */
     age: number;
     /** Number of the base station. Valid if `DgpsInfoFlags.BASE_STATION_ID` of `validFlags` is set. */
@@ -1047,8 +1054,8 @@ export declare class DgpsInfo extends Data {
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Distinguished from `DgpsInfo` by the size of its data. Not listed in any device profile.
- * Known only from the MicroStrain MIP SDK. Uncertain: Whether any device sends it. The values are those of
- * `DgpsChannel`, but the flags are those of `DgpsInfo`, so a mistake in the SDK is likely.
+ * Known only from the MicroStrain MIP SDK. Uncertain: Possibly no device sends it: the values are those of
+ * `DgpsChannel`, but the flags those of `DgpsInfo`, so a mistake in the SDK is likely.
  *
  * The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document `DgpsInfo` instead. The flags of
  * `base_station_id`, `base_station_status` and `num_channels` correspond to no value in this layout.
@@ -1061,12 +1068,18 @@ export declare class DgpsInfoSatellite extends Data {
     satelliteId: number;
     /**
      * Age of the correction. Unit: s. Range: at least 0. Valid if `DgpsInfoFlags.AGE` of `validFlags` is set.
-     * Uncertain: The unit, which follows from `DgpsChannel`.
+     * Uncertain: The unit is that of `DgpsChannel`; no source states it here.
      */
     age: number;
-    /** Differential correction of the pseudorange. Unit: m. Uncertain: The unit, which follows from `DgpsChannel`. */
+    /**
+     * Differential correction of the pseudorange. Unit: m. Uncertain: The unit is that of `DgpsChannel`; no source
+     * states it here.
+     */
     rangeCorrection: number;
-    /** Rate of change of the correction. Unit: m/s. Uncertain: The unit, which follows from `DgpsChannel`. */
+    /**
+     * Rate of change of the correction. Unit: m/s. Uncertain: The unit is that of `DgpsChannel`; no source states it
+     * here.
+     */
     rangeRateCorrection: number;
     /** Validity flags for the state of the corrections. */
     validFlags: DgpsInfoFlags;
@@ -1078,8 +1091,8 @@ export declare class DgpsInfoSatellite extends Data {
  * Differential correction for one satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MIP SDK of 2014, MicroStrain Communication
- * Library and MicroStrain MIP SDK.
+ * gnss_external_2 (0x95). Confirmed on 3DM-GX5-45; likely or assumed on 2 more. Known only from the MIP SDK of 2014,
+ * MicroStrain Communication Library and MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
@@ -1113,7 +1126,8 @@ export declare class DgpsChannel extends Data {
  * Bias and drift of the receiver clock.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on 1 more. Uncertain: The units are
+ * inferred from those of the ephemerides; no source states them.
  *
  * It supersedes clock info.
  *
@@ -1146,7 +1160,7 @@ export declare class ClockInfo2 extends Data {
  * Difference between GPS time and UTC.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on 1 more.
  *
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
@@ -1273,21 +1287,23 @@ export declare class RfErrorDetection extends Data {
  * Heading that the receiver computes from its antennas.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
- * devices send it. The SDK does not name any.
+ * gnss_external_2 (0x95). Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+ * names no device that sends it.
  *
  * - mip-sdk-4: Heading (0x81,0x15)
  */
 export declare class Heading extends Data {
     constructor(values: Values<Heading>);
     /**
-     * Heading of the baseline between the antennas. Unit: deg. Valid if `HeadingFlags.HEADING` of `validFlags` is set.
-     * Uncertain: The reference and the range. Clockwise from true north is usual; the SDK only states degrees.
+     * Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned. Positive: clockwise seen
+     * from above. Valid if `HeadingFlags.HEADING` of `validFlags` is set. Uncertain: Clockwise from true north is
+     * usual; the SDK only states degrees, and no range. Uncertain: No source states from which antenna to which the
+     * baseline points. The opposite one differs by 180 degrees.
      */
     heading: number;
     /**
      * Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if `HeadingFlags.UNCERTAINTY` of `validFlags` is
-     * set. Uncertain: Whether it is one standard deviation.
+     * set. Uncertain: It is not known whether this is one standard deviation.
      */
     uncertainty: number;
     /** Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `validFlags` is set. */
@@ -1302,7 +1318,7 @@ export declare class Heading extends Data {
  * Direction to one satellite, and its health.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on 3 more.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
@@ -1328,11 +1344,14 @@ export declare class SatelliteStatus extends Data {
     /** Satellite within the constellation. Valid if `SatelliteStatusFlags.SATELLITE_ID` of `validFlags` is set. */
     satelliteId: number;
     /**
-     * Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if `SatelliteStatusFlags.ELEVATION` of
-     * `validFlags` is set.
+     * Angle between the horizon and the satellite, seen from the rover. Unit: deg. Frame: ned. Range: -90 to 90.
+     * Positive: above the horizon. Valid if `SatelliteStatusFlags.ELEVATION` of `validFlags` is set.
      */
     elevation: number;
-    /** Azimuth, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.AZIMUTH` of `validFlags` is set. */
+    /**
+     * Direction of the satellite from the rover, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from
+     * above. Valid if `SatelliteStatusFlags.AZIMUTH` of `validFlags` is set.
+     */
     azimuth: number;
     /** True if the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `validFlags` is set. */
     health: boolean;
@@ -1346,7 +1365,7 @@ export declare class SatelliteStatus extends Data {
  * Raw observation of one signal of one satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * An epoch is sent as one field for each signal; `index` and `count` number the fields. The greatest lock time depends
  * on the receiver.
@@ -1519,7 +1538,7 @@ export declare class RtkCorrectionsStatus extends Data {
  * Broadcast orbit and clock of one GPS satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
@@ -1643,7 +1662,7 @@ export declare class GpsEphemeris extends Data {
  * Broadcast orbit and clock of one GLONASS satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
+ * gnss_external_2 (0x95). Also called `glo_ephemeris`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * The GLONASS interface control document explains p and ft. A period of four years has 1461 days; no source states how
  * nt, a u8, counts them.
@@ -1743,7 +1762,7 @@ export declare class GlonassEphemeris extends Data {
  * Broadcast orbit and clock of one Galileo satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
  * changes with the clock data; according to the manual, it rolls over at 4.
@@ -1871,7 +1890,7 @@ export declare class GalileoEphemeris extends Data {
  * Broadcast orbit and clock of one BeiDou satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+ * gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
  *
  * It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
  * changes with the clock data; according to the manual, it rolls over at 4.
@@ -2014,11 +2033,13 @@ export declare class GpsIonoCorrection extends Data {
     /** GPS week number. Unit: week. Valid if `GpsIonoCorrectionFlags.WEEK_NUMBER` of `validFlags` is set. */
     weekNumber: number;
     /**
-     * Coefficients alpha 0 to 3. Valid if `GpsIonoCorrectionFlags.ALPHA` of `validFlags` is set. Uncertain: The units.
+     * Coefficients alpha 0 to 3. Valid if `GpsIonoCorrectionFlags.ALPHA` of `validFlags` is set. Uncertain: No source
+     * states the units.
      */
     alpha: [number, number, number, number];
     /**
-     * Coefficients beta 0 to 3. Valid if `GpsIonoCorrectionFlags.BETA` of `validFlags` is set. Uncertain: The units.
+     * Coefficients beta 0 to 3. Valid if `GpsIonoCorrectionFlags.BETA` of `validFlags` is set. Uncertain: No source
+     * states the units.
      */
     beta: [number, number, number, number];
     /** Validity flags for the model. */
@@ -2047,13 +2068,13 @@ export declare class GalileoIonoCorrection extends Data {
     weekNumber: number;
     /**
      * The three coefficients of the model. Valid if `GalileoIonoCorrectionFlags.ALPHA` of `validFlags` is set.
-     * Uncertain: The units.
+     * Uncertain: No source states the units.
      */
     alpha: [number, number, number];
     /**
      * Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if
-     * `GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `validFlags` is set. Uncertain: Whether the bits count from 0
-     * or from 1, and which region each represents.
+     * `GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `validFlags` is set. Uncertain: No source states whether the
+     * bits count from 0 or from 1, or the region of each.
      */
     disturbanceFlags: number;
     /** Validity flags for the model. */
@@ -2081,17 +2102,18 @@ export declare class BeidouIonoCorrection extends Data {
     /** GPS week number. Unit: week. Valid if `BeidouIonoCorrectionFlags.WEEK_NUMBER` of `validFlags` is set. */
     weekNumber: number;
     /**
-     * Coefficients alpha 0 to 3. Valid if `BeidouIonoCorrectionFlags.ALPHA` of `validFlags` is set. Uncertain: The
-     * units.
+     * Coefficients alpha 0 to 3. Valid if `BeidouIonoCorrectionFlags.ALPHA` of `validFlags` is set. Uncertain: No
+     * source states the units.
      */
     alpha: [number, number, number, number];
     /**
-     * Coefficients beta 0 to 3. Valid if `BeidouIonoCorrectionFlags.BETA` of `validFlags` is set. Uncertain: The units.
+     * Coefficients beta 0 to 3. Valid if `BeidouIonoCorrectionFlags.BETA` of `validFlags` is set. Uncertain: No source
+     * states the units.
      */
     beta: [number, number, number, number];
     /**
      * Nine further coefficients of the delay. Valid if `BeidouIonoCorrectionFlags.ALPHA_CORRECTION` of `validFlags` is
-     * set. Uncertain: The units.
+     * set. Uncertain: No source states the units.
      */
     alphaCorrection: number[];
     /** Validity flags for the model. */

@@ -358,12 +358,16 @@ export const LlhPosition = /* @__PURE__ */ field.data("gnss_data.llh_position", 
     horizontal_accuracy: codec.float,
     vertical_accuracy: codec.float,
     valid_flags: LlhPositionFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { latitude: 0x1, longitude: 0x1, ellipsoidHeight: 0x2, mslHeight: 0x4, horizontalAccuracy: 0x8, verticalAccuracy: 0x10 } }),
 });
 
 export const EcefPosition = /* @__PURE__ */ field.data("gnss_data.ecef_position", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x04, {
     position: types.Vector3d,
     position_accuracy: codec.float,
     valid_flags: EcefPositionFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { position: 0x1, positionAccuracy: 0x2 } }),
 });
 
 export const NedVelocity = /* @__PURE__ */ field.data("gnss_data.ned_velocity", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x05, {
@@ -374,12 +378,16 @@ export const NedVelocity = /* @__PURE__ */ field.data("gnss_data.ned_velocity", 
     speed_accuracy: codec.float,
     heading_accuracy: codec.float,
     valid_flags: NedVelocityFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: 0x1, speed: 0x2, groundSpeed: 0x4, heading: 0x8, speedAccuracy: 0x10, headingAccuracy: 0x20 } }),
 });
 
 export const EcefVelocity = /* @__PURE__ */ field.data("gnss_data.ecef_velocity", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x06, {
     velocity: types.Vector3f,
     velocity_accuracy: codec.float,
     valid_flags: EcefVelocityFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: 0x1, velocityAccuracy: 0x2 } }),
 });
 
 export const Dop = /* @__PURE__ */ field.data("gnss_data.dop", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x07, {
@@ -391,6 +399,8 @@ export const Dop = /* @__PURE__ */ field.data("gnss_data.dop", [0x81, 0x91, 0x92
     ndop: codec.float,
     edop: codec.float,
     valid_flags: DopFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { gdop: 0x1, pdop: 0x2, hdop: 0x4, vdop: 0x8, tdop: 0x10, ndop: 0x20, edop: 0x40 } }),
 });
 
 export const UtcTime = /* @__PURE__ */ field.data("gnss_data.utc_time", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x08, {
@@ -402,12 +412,16 @@ export const UtcTime = /* @__PURE__ */ field.data("gnss_data.utc_time", [0x81, 0
     sec: codec.u8,
     msec: codec.u32,
     valid_flags: UtcTimeFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { year: 0x1, month: 0x1, day: 0x1, hour: 0x1, min: 0x1, sec: 0x1, msec: 0x1 } }),
 });
 
 export const GpsTime = /* @__PURE__ */ field.data("gnss_data.gps_time", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x09, {
     tow: codec.double,
     week_number: codec.u16,
     valid_flags: GpsTimeFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2 } }),
 });
 
 export const ClockInfo = /* @__PURE__ */ field.data("gnss_data.clock_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0a, {
@@ -415,6 +429,8 @@ export const ClockInfo = /* @__PURE__ */ field.data("gnss_data.clock_info", [0x8
     drift: codec.double,
     accuracy_estimate: codec.double,
     valid_flags: ClockInfoFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1, drift: 0x2, accuracyEstimate: 0x4 } }),
 });
 
 export const FixInfo = /* @__PURE__ */ field.data("gnss_data.fix_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0b, {
@@ -422,6 +438,8 @@ export const FixInfo = /* @__PURE__ */ field.data("gnss_data.fix_info", [0x81, 0
     num_sv: codec.u8,
     fix_flags: FixFlags,
     valid_flags: FixInfoFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { fixType: 0x1, numSv: 0x2, fixFlags: 0x4 } }),
 });
 
 export const SvInfo = /* @__PURE__ */ field.data("gnss_data.sv_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0c, {
@@ -432,6 +450,8 @@ export const SvInfo = /* @__PURE__ */ field.data("gnss_data.sv_info", [0x81, 0x9
     elevation: codec.s16,
     sv_flags: SvFlags,
     valid_flags: SvInfoFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { channel: 0x1, satelliteId: 0x2, carrierNoiseRatio: 0x4, azimuth: 0x8, elevation: 0x10, svFlags: 0x20 } }),
 });
 
 export const HardwareStatus = /* @__PURE__ */ field.data("gnss_data.hardware_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0d, {
@@ -439,6 +459,8 @@ export const HardwareStatus = /* @__PURE__ */ field.data("gnss_data.hardware_sta
     antenna_state: AntennaState,
     antenna_power: AntennaPower,
     valid_flags: HardwareStatusFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { receiverState: 0x1, antennaState: 0x2, antennaPower: 0x4 } }),
 });
 
 export const DgpsInfo = /* @__PURE__ */ field.data("gnss_data.dgps_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0e, {
@@ -449,6 +471,7 @@ export const DgpsInfo = /* @__PURE__ */ field.data("gnss_data.dgps_info", [0x81,
     valid_flags: DgpsInfoFlags,
 }, {
     fits: [0, 14, []],
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { age: 0x1, baseStationId: 0x2, baseStationStatus: 0x4, numChannels: 0x8 } }),
 });
 
 export const DgpsInfoSatellite = /* @__PURE__ */ field.data("gnss_data.dgps_info_satellite", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0e, {
@@ -459,6 +482,7 @@ export const DgpsInfoSatellite = /* @__PURE__ */ field.data("gnss_data.dgps_info
     valid_flags: DgpsInfoFlags,
 }, {
     fits: [15, 253, []],
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { age: 0x1 } }),
 });
 
 export const DgpsChannel = /* @__PURE__ */ field.data("gnss_data.dgps_channel", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0f, {
@@ -467,6 +491,8 @@ export const DgpsChannel = /* @__PURE__ */ field.data("gnss_data.dgps_channel", 
     range_correction: codec.float,
     range_rate_correction: codec.float,
     valid_flags: DgpsChannelFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { satelliteId: 0x1, age: 0x2, rangeCorrection: 0x4, rangeRateCorrection: 0x8 } }),
 });
 
 export const ClockInfo2 = /* @__PURE__ */ field.data("gnss_data.clock_info_2", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x10, {
@@ -475,11 +501,15 @@ export const ClockInfo2 = /* @__PURE__ */ field.data("gnss_data.clock_info_2", [
     bias_accuracy_estimate: codec.double,
     drift_accuracy_estimate: codec.double,
     valid_flags: ClockInfo2Flags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1, drift: 0x2, biasAccuracyEstimate: 0x4, driftAccuracyEstimate: 0x8 } }),
 });
 
 export const GpsLeapSeconds = /* @__PURE__ */ field.data("gnss_data.gps_leap_seconds", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x11, {
     leap_seconds: codec.u8,
     valid_flags: GpsLeapSecondsFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { leapSeconds: 0x2 } }),
 });
 
 export const SbasInfo = /* @__PURE__ */ field.data("gnss_data.sbas_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x12, {
@@ -490,6 +520,8 @@ export const SbasInfo = /* @__PURE__ */ field.data("gnss_data.sbas_info", [0x81,
     count: codec.u8,
     sbas_status: SbasStatus,
     valid_flags: SbasInfoFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, sbasSystem: 0x4, sbasId: 0x8, count: 0x10, sbasStatus: 0x20 } }),
 });
 
 export const SbasCorrection = /* @__PURE__ */ field.data("gnss_data.sbas_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x13, {
@@ -503,6 +535,8 @@ export const SbasCorrection = /* @__PURE__ */ field.data("gnss_data.sbas_correct
     pseudorange_correction: codec.float,
     iono_correction: codec.float,
     valid_flags: SbasCorrectionFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { udrei: 0x1, pseudorangeCorrection: 0x2, ionoCorrection: 0x4 } }),
 });
 
 export const RfErrorDetection = /* @__PURE__ */ field.data("gnss_data.rf_error_detection", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x14, {
@@ -512,6 +546,8 @@ export const RfErrorDetection = /* @__PURE__ */ field.data("gnss_data.rf_error_d
     frequency: codec.u16,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u8, 0), 2), Array(2).fill(0)),
     valid_flags: RfErrorDetectionFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { rfBand: 0x1, jammingState: 0x2, spoofingState: 0x4, frequency: 0x8 } }),
 });
 
 export const Heading = /* @__PURE__ */ field.data("gnss_data.heading", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x15, {
@@ -519,6 +555,8 @@ export const Heading = /* @__PURE__ */ field.data("gnss_data.heading", [0x81, 0x
     uncertainty: codec.float,
     fix_type: HeadingFixType,
     valid_flags: HeadingFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { heading: 0x1, uncertainty: 0x2, fixType: 0x4 } }),
 });
 
 export const SatelliteStatus = /* @__PURE__ */ field.data("gnss_data.satellite_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x20, {
@@ -532,6 +570,8 @@ export const SatelliteStatus = /* @__PURE__ */ field.data("gnss_data.satellite_s
     azimuth: codec.float,
     health: codec.bool,
     valid_flags: SatelliteStatusFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, gnssId: 0x4, satelliteId: 0x8, elevation: 0x10, azimuth: 0x20, health: 0x40 } }),
 });
 
 export const Raw = /* @__PURE__ */ field.data("gnss_data.raw", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x22, {
@@ -554,6 +594,8 @@ export const Raw = /* @__PURE__ */ field.data("gnss_data.raw", [0x81, 0x91, 0x92
     doppler_uncertainty: codec.float,
     lock_time: codec.float,
     valid_flags: RawFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, receiverId: 0x4, trackingChannel: 0x8, gnssId: 0x10, satelliteId: 0x20, signalId: 0x40, signalStrength: 0x80, quality: 0x100, pseudorange: 0x200, carrierPhase: 0x400, doppler: 0x800, rangeUncertainty: 0x1000, phaseUncertainty: 0x2000, dopplerUncertainty: 0x4000, lockTime: 0x8000 } }),
 });
 
 export const BaseStationInfo = /* @__PURE__ */ field.data("gnss_data.base_station_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x30, {
@@ -564,6 +606,8 @@ export const BaseStationInfo = /* @__PURE__ */ field.data("gnss_data.base_statio
     station_id: codec.u16,
     indicators: BaseStationIndicators,
     valid_flags: BaseStationInfoFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, ecefPosition: 0x4, height: 0x8, stationId: 0x10, indicators: 0x20 } }),
 });
 
 export const RtkCorrectionsStatus = /* @__PURE__ */ field.data("gnss_data.rtk_corrections_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x31, {
@@ -577,6 +621,8 @@ export const RtkCorrectionsStatus = /* @__PURE__ */ field.data("gnss_data.rtk_co
     beidou_correction_latency: codec.float,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u32, 0), 4), Array(4).fill(0)),
     valid_flags: RtkCorrectionsStatusFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, epochStatus: 0x4, dongleStatus: 0x8, gpsCorrectionLatency: 0x10, glonassCorrectionLatency: 0x20, galileoCorrectionLatency: 0x40, beidouCorrectionLatency: 0x80 } }),
 });
 
 export const GpsEphemeris = /* @__PURE__ */ field.data("gnss_data.gps_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x61, {
@@ -614,6 +660,8 @@ export const GpsEphemeris = /* @__PURE__ */ field.data("gnss_data.gps_ephemeris"
     c_rc: codec.double,
     c_rs: codec.double,
     valid_flags: EphemerisFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { health: 0x1, iodc: 0x1, iode: 0x1, tOc: 0x1, af0: 0x1, af1: 0x1, af2: 0x1, tGd: 0x1, iscL1ca: 0x1, iscL2c: 0x1, tOe: 0x1, a: 0x1, aDot: 0x1, meanAnomaly: 0x1, deltaMeanMotion: 0x1, deltaMeanMotionDot: 0x1, eccentricity: 0x1, argumentOfPerigee: 0x1, omega: 0x1, omegaDot: 0x1, inclination: 0x1, inclinationDot: 0x1, cIc: 0x1, cIs: 0x1, cUc: 0x1, cUs: 0x1, cRc: 0x1, cRs: 0x1 } }),
 });
 
 export const GlonassEphemeris = /* @__PURE__ */ field.data("gnss_data.glonass_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x62, {
@@ -642,6 +690,8 @@ export const GlonassEphemeris = /* @__PURE__ */ field.data("gnss_data.glonass_ep
     p3: codec.u8,
     p4: codec.u8,
     valid_flags: GlonassEphemerisFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { frequencyNumber: 0x1, tk: 0x1, tb: 0x1, satelliteType: 0x1, gamma: 0x1, tauN: 0x1, position: 0x1, velocity: 0x1, accel: 0x1, health: 0x1, p: 0x1, nt: 0x1, deltaTauN: 0x1, ft: 0x1, en: 0x1, p1: 0x1, p2: 0x1, p3: 0x1, p4: 0x1 } }),
 });
 
 export const GalileoEphemeris = /* @__PURE__ */ field.data("gnss_data.galileo_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x63, {
@@ -679,6 +729,8 @@ export const GalileoEphemeris = /* @__PURE__ */ field.data("gnss_data.galileo_ep
     c_rc: codec.double,
     c_rs: codec.double,
     valid_flags: EphemerisFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { health: 0x1, iodc: 0x1, iode: 0x1, tOc: 0x1, af0: 0x1, af1: 0x1, af2: 0x1, tGd: 0x1, iscL1ca: 0x1, iscL2c: 0x1, tOe: 0x1, a: 0x1, aDot: 0x1, meanAnomaly: 0x1, deltaMeanMotion: 0x1, deltaMeanMotionDot: 0x1, eccentricity: 0x1, argumentOfPerigee: 0x1, omega: 0x1, omegaDot: 0x1, inclination: 0x1, inclinationDot: 0x1, cIc: 0x1, cIs: 0x1, cUc: 0x1, cUs: 0x1, cRc: 0x1, cRs: 0x1 } }),
 });
 
 export const BeidouEphemeris = /* @__PURE__ */ field.data("gnss_data.beidou_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x64, {
@@ -716,6 +768,8 @@ export const BeidouEphemeris = /* @__PURE__ */ field.data("gnss_data.beidou_ephe
     c_rc: codec.double,
     c_rs: codec.double,
     valid_flags: EphemerisFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { health: 0x1, iodc: 0x1, iode: 0x1, tOc: 0x1, af0: 0x1, af1: 0x1, af2: 0x1, tGd: 0x1, iscL1ca: 0x1, iscL2c: 0x1, tOe: 0x1, a: 0x1, aDot: 0x1, meanAnomaly: 0x1, deltaMeanMotion: 0x1, deltaMeanMotionDot: 0x1, eccentricity: 0x1, argumentOfPerigee: 0x1, omega: 0x1, omegaDot: 0x1, inclination: 0x1, inclinationDot: 0x1, cIc: 0x1, cIs: 0x1, cUc: 0x1, cUs: 0x1, cRc: 0x1, cRs: 0x1 } }),
 });
 
 export const GpsIonoCorrection = /* @__PURE__ */ field.data("gnss_data.gps_iono_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x71, {
@@ -724,6 +778,8 @@ export const GpsIonoCorrection = /* @__PURE__ */ field.data("gnss_data.gps_iono_
     alpha: /* @__PURE__ */ codec.array(codec.double, 4),
     beta: /* @__PURE__ */ codec.array(codec.double, 4),
     valid_flags: GpsIonoCorrectionFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, alpha: 0x4, beta: 0x8 } }),
 });
 
 export const GalileoIonoCorrection = /* @__PURE__ */ field.data("gnss_data.galileo_iono_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x73, {
@@ -732,6 +788,8 @@ export const GalileoIonoCorrection = /* @__PURE__ */ field.data("gnss_data.galil
     alpha: /* @__PURE__ */ codec.array(codec.double, 3),
     disturbance_flags: codec.u8,
     valid_flags: GalileoIonoCorrectionFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, alpha: 0x4, disturbanceFlags: 0x8 } }),
 });
 
 export const BeidouIonoCorrection = /* @__PURE__ */ field.data("gnss_data.beidou_iono_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x74, {
@@ -741,4 +799,6 @@ export const BeidouIonoCorrection = /* @__PURE__ */ field.data("gnss_data.beidou
     beta: /* @__PURE__ */ codec.array(codec.double, 4),
     alpha_correction: /* @__PURE__ */ codec.array(codec.double, 9),
     valid_flags: BeidouIonoCorrectionFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, alpha: 0x4, beta: 0x8, alphaCorrection: 0x10 } }),
 });

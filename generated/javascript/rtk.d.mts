@@ -3,8 +3,8 @@
  *
  * Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
  *
- * Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the names. Uncertain: How
- * the strings are padded or terminated.
+ * Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the names. Uncertain: No
+ * source states how strings are padded or terminated.
  *
  * - mip-sdk-4: Rtk Commands (0x0F)
  */
@@ -130,9 +130,9 @@ export declare class GetRssiResponse extends Response {
     constructor(values: Values<GetRssiResponse>);
     /** True if the modem is connected. */
     valid: boolean;
-    /** Received signal strength. Valid if `valid` is true. Uncertain: The unit; dBm is likely. */
+    /** Received signal strength. Valid if `valid` is true. Uncertain: No source states the unit; dBm is likely. */
     rssi: number;
-    /** Quality of the modem's radio signal. Valid if `valid` is true. Uncertain: The unit. */
+    /** Quality of the modem's radio signal. Valid if `valid` is true. Uncertain: No source states the unit. */
     signalQuality: number;
 }
 
@@ -181,7 +181,8 @@ export declare class GetModemFirmwareVersionResponse extends Response {
  *
  * Connection status according to the server.
  *
- * Response to `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the counters count.
+ * Response to `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: No source states what the counters
+ * count.
  *
  * - mip-sdk-4: Service status (0x0F,0x0A)
  */
@@ -193,7 +194,7 @@ export declare class ServiceStatusResponse extends Response {
     receivedBytes: number;
     /** Number of bytes in the last transfer. Unit: byte. */
     lastBytes: number;
-    /** Time of the last transfer. Uncertain: The unit and the epoch. */
+    /** Time of the last transfer. Uncertain: No source states the unit and the epoch. */
     lastBytesTime: bigint;
 }
 
@@ -335,9 +336,9 @@ export declare class GetModemFirmwareVersion extends Command<GetModemFirmwareVer
  */
 export declare class ServiceStatus extends Command<ServiceStatusResponse> {
     constructor(values: Values<ServiceStatus, "reserved1" | "reserved2">);
-    /** Reserved: send 0. Uncertain: What the modem sends; 0 is assumed. */
+    /** Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed. */
     reserved1: number;
-    /** Reserved: send 0. Uncertain: What the modem sends; 0 is assumed. */
+    /** Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed. */
     reserved2: number;
 }
 
@@ -372,13 +373,13 @@ export declare class EraseStorage extends Command<undefined> {
  */
 export declare class LedControl extends Command<undefined> {
     constructor(values: Values<LedControl>);
-    /** First colour. Uncertain: The order of its parts; red, green, blue is likely. */
+    /** First colour. Uncertain: No source states the order of its parts; red, green, blue is likely. */
     primaryColor: [number, number, number];
-    /** Second colour. Uncertain: The order of its parts; red, green, blue is likely. */
+    /** Second colour. Uncertain: No source states the order of its parts; red, green, blue is likely. */
     alternateColor: [number, number, number];
     /** Pattern. */
     action: LedAction;
-    /** Period of the pattern. Uncertain: The unit; ms is likely. */
+    /** Period of the pattern. Uncertain: No source states the unit; ms is likely. */
     period: number;
 }
 

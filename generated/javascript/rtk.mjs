@@ -46,6 +46,8 @@ export const GetRssiResponse = /* @__PURE__ */ field.response("rtk.get_rssi_resp
     valid: codec.bool,
     rssi: codec.s32,
     signal_quality: codec.s32,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ valid: { rssi: 0x0, signalQuality: 0x0 } }),
 });
 
 export const ConnectedDeviceTypeResponse = /* @__PURE__ */ field.response("rtk.connected_device_type_response", 0x0f, 0x86, {

@@ -13,25 +13,27 @@ import type * as types from "./types.mjs";
 export type OverrangeFlags = Flavor<number, "sensor.overrange_flags">;
 /** Sensor axes that were near or outside their range. */
 export declare const OverrangeFlags: Bitfield<OverrangeFlags> & {
-    /** The accelerometer x axis is near or outside its range. Bit 0. Concerns `ScaledAccel`. */
+    /** The accelerometer x axis is near or outside its range. Bit 0. Affects `ScaledAccel`. */
     readonly ACCEL_X: OverrangeFlags;
-    /** The accelerometer y axis is near or outside its range. Bit 1. Concerns `ScaledAccel`. */
+    /** The accelerometer y axis is near or outside its range. Bit 1. Affects `ScaledAccel`. */
     readonly ACCEL_Y: OverrangeFlags;
-    /** The accelerometer z axis is near or outside its range. Bit 2. Concerns `ScaledAccel`. */
+    /** The accelerometer z axis is near or outside its range. Bit 2. Affects `ScaledAccel`. */
     readonly ACCEL_Z: OverrangeFlags;
-    /** The gyroscope x axis is near or outside its range. Bit 4. Concerns `ScaledGyro`. */
+    /** The gyroscope x axis is near or outside its range. Bit 4. Affects `ScaledGyro`. */
     readonly GYRO_X: OverrangeFlags;
-    /** The gyroscope y axis is near or outside its range. Bit 5. Concerns `ScaledGyro`. */
+    /** The gyroscope y axis is near or outside its range. Bit 5. Affects `ScaledGyro`. */
     readonly GYRO_Y: OverrangeFlags;
-    /** The gyroscope z axis is near or outside its range. Bit 6. Concerns `ScaledGyro`. */
+    /** The gyroscope z axis is near or outside its range. Bit 6. Affects `ScaledGyro`. */
     readonly GYRO_Z: OverrangeFlags;
-    /** The magnetometer x axis is near or outside its range. Bit 8. Concerns `ScaledMag`. */
+    /** The magnetometer x axis is near or outside its range. Bit 8. Affects `ScaledMag`. Requires a magnetometer. */
     readonly MAG_X: OverrangeFlags;
-    /** The magnetometer y axis is near or outside its range. Bit 9. Concerns `ScaledMag`. */
+    /** The magnetometer y axis is near or outside its range. Bit 9. Affects `ScaledMag`. Requires a magnetometer. */
     readonly MAG_Y: OverrangeFlags;
-    /** The magnetometer z axis is near or outside its range. Bit 10. Concerns `ScaledMag`. */
+    /** The magnetometer z axis is near or outside its range. Bit 10. Affects `ScaledMag`. Requires a magnetometer. */
     readonly MAG_Z: OverrangeFlags;
-    /** The pressure sensor is near or outside its range. Bit 12. Concerns `ScaledPressure`. */
+    /**
+     * The pressure sensor is near or outside its range. Bit 12. Affects `ScaledPressure`. Requires a pressure sensor.
+     */
     readonly PRESSURE: OverrangeFlags;
 };
 
@@ -79,7 +81,8 @@ export declare class RawGyro extends Data {
  *
  * Raw magnetic field in counts of the sensor, temperature compensated.
  *
- * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Requires a
+ * magnetometer.
  *
  * - mip-sdk-4: Raw mag (0x80,0x03)
  * - mip-sdk-2014: Raw mag (0x80,0x03)
@@ -87,8 +90,8 @@ export declare class RawGyro extends Data {
 export declare class RawMag extends Data {
     constructor(values: Values<RawMag>);
     /**
-     * Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame. The SDK has the
-     * vehicle frame here, but the sensor frame for raw acceleration and raw angular rate.
+     * Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame is doubtful: the SDK
+     * has the vehicle frame here, but the sensor frame for raw acceleration and raw angular rate.
      */
     rawMag: types.Vector3f;
 }
@@ -98,8 +101,8 @@ export declare class RawMag extends Data {
  *
  * Specific force, temperature compensated: about -1 g on z when level and at rest.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
- * 3DM-GX5-45.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and -45; likely or assumed
+ * on 24 more.
  *
  * At rest, it is the opposite of the gravity vector.
  *
@@ -120,8 +123,8 @@ export declare class ScaledAccel extends Data {
  *
  * Measured angular rate, temperature compensated.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
- * 3DM-GX5-45.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and -45; likely or assumed
+ * on 24 more.
  *
  * - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -140,7 +143,8 @@ export declare class ScaledGyro extends Data {
  *
  * Measured magnetic field, temperature compensated.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+ * Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and -45; likely or assumed on 16 more.
+ * Requires a magnetometer.
  *
  * - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
  */
@@ -155,7 +159,7 @@ export declare class ScaledMag extends Data {
  *
  * Time integral of the angular rate over the period set by the message format.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -35; likely or assumed on 21 more.
  *
  * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -172,19 +176,22 @@ export declare class DeltaTheta extends Data {
 /**
  * Delta velocity (0x80,0x08).
  *
- * Time integral of the acceleration over the period set by the message format.
+ * Time integral of the specific force over the period set by the message format.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 22 more.
  *
- * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. It includes gravity. Divided by the period,
- * z is -1 g on a device that is level and at rest.
+ * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. Divided by the period, z is -1 g on a device
+ * that is level and at rest.
  *
  * - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
  * - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
  */
 export declare class DeltaVelocity extends Data {
     constructor(values: Values<DeltaVelocity>);
-    /** Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle. At rest and level: x 0, y 0. */
+    /**
+     * Integral of the specific force: acceleration minus gravity. Elements: x, y, z. Unit: g*s. Frame: vehicle. At rest
+     * and level: x 0, y 0.
+     */
     deltaVelocity: types.Vector3f;
 }
 
@@ -193,7 +200,7 @@ export declare class DeltaVelocity extends Data {
  *
  * Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 21 more.
  *
  * `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
  *
@@ -216,9 +223,9 @@ export declare class CompOrientationMatrix extends Data {
  *
  * Attitude from the complementary filter as a quaternion, relative to the NED frame.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
  *
- * `v_vehicle = q^-1 * v_ned * q`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
+ * The 3DM-GX5-15 uses the sensor frame in place of the vehicle frame. `v_ned = q * v_vehicle * q^-1`
  *
  * - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
  * - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
@@ -226,10 +233,10 @@ export declare class CompOrientationMatrix extends Data {
 export declare class CompQuaternion extends Data {
     constructor(values: Values<CompQuaternion>);
     /**
-     * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and
-     * level: x 0, y 0.
+     * Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Elements: w, x, y, z.
+     * Unit: 1. Frame: ned. At rest and level: x 0, y 0.
      *
-     * - On the 3DM-GX5-15: Rotation between the NED frame and the sensor frame.
+     * - On the 3DM-GX5-15: Rotates vectors of the sensor frame into the NED frame; Hamilton quaternion, w first.
      */
     q: types.Quatf;
 }
@@ -240,8 +247,8 @@ export declare class CompQuaternion extends Data {
  * Change in the complementary filter's attitude, as a matrix.
  *
  * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device profile. Known only
- * from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of the change and the frames. The SDK and
- * the SDK of 2014 state only the name and the layout.
+ * from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: No source states the interval of the change and the
+ * frames; the SDKs state only the name and the layout.
  *
  * - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
  * - mip-sdk-2014: Orientation Update Matrix (0x80,0x0B)
@@ -257,7 +264,8 @@ export declare class CompOrientationUpdateMatrix extends Data {
  *
  * Attitude from the complementary filter as Euler angles, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: The ranges of the angles. Uncertain: which no source states.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 19 more. Uncertain: The ranges of the
+ * angles are inferred; no source states them.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -266,20 +274,14 @@ export declare class CompOrientationUpdateMatrix extends Data {
  */
 export declare class CompEulerAngles extends Data {
     constructor(values: Values<CompEulerAngles>);
-    /**
-     * Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0.
-     * Positive: right side down.
-     */
+    /** Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. */
     roll: number;
     /**
      * Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0.
      * Positive: nose up.
      */
     pitch: number;
-    /**
-     * Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from
-     * above.
-     */
+    /** Yaw angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. */
     yaw: number;
 }
 
@@ -299,7 +301,7 @@ export declare class CompEulerAngles extends Data {
  */
 export declare class OrientationRawTemperature extends Data {
     constructor(values: Values<OrientationRawTemperature>);
-    /** Temperatures in counts. Unit: 1. Uncertain: The scale, and which axes the numbers 1 to 3 are. */
+    /** Temperatures in counts. Unit: 1. Uncertain: No source states the scale, or the axes of the numbers 1 to 3. */
     rawTemperature: [number, number, number, number];
 }
 
@@ -309,8 +311,8 @@ export declare class OrientationRawTemperature extends Data {
  * Free-running counter of the device.
  *
  * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device profile. Known only
- * from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: Which devices send it. The SDK of 2014 is for devices of
- * the 3-series and 4-series.
+ * from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: No source lists the devices that send it; the SDK of
+ * 2014 is for devices of the 3-series and 4-series.
  *
  * - mip-sdk-4: Internal timestamp (0x80,0x0E)
  * - mip-sdk-2014: Internal timestamp (0x80,0x0E)
@@ -327,8 +329,8 @@ export declare class InternalTimestamp extends Data {
  * Time counted by the pulse per second.
  *
  * Deprecated: the SDK marks it as deprecated and names no replacement. Distinguished from `PpsTimestampWithFlags` by
- * the size of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether
- * any device sends it. `PpsTimestampWithFlags` has more sources. Uncertain: The epoch.
+ * the size of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Possibly
+ * no device sends it; `PpsTimestampWithFlags` has more sources. Uncertain: No source states the epoch.
  *
  * The sources contradict each other. Only the SDK has this layout.
  *
@@ -336,9 +338,9 @@ export declare class InternalTimestamp extends Data {
  */
 export declare class PpsTimestamp extends Data {
     constructor(values: Values<PpsTimestamp>);
-    /** Whole seconds. Unit: s. Uncertain: The unit; it follows from the name. */
+    /** Whole seconds. Unit: s. Uncertain: The unit is inferred from the name. */
     seconds: number;
-    /** Fraction of the second. Unit: us. Uncertain: The unit; it follows from the name. */
+    /** Fraction of the second. Unit: us. Uncertain: The unit is inferred from the name. */
     useconds: number;
 }
 
@@ -349,8 +351,8 @@ export declare class PpsTimestamp extends Data {
  *
  * Deprecated: the SDK marks the descriptor as deprecated and names no replacement. Distinguished from `PpsTimestamp` by
  * the size of its data. Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library. Uncertain: Which devices send it. The SDK of 2014 dates from the time of the 3DM-GX3 devices.
- * Uncertain: The epoch.
+ * Communication Library. Uncertain: No source lists the devices that send it; the SDK of 2014 dates from the time of
+ * the 3DM-GX3. Uncertain: No source states the epoch.
  *
  * The sources disagree on the layout; this one is from MSCL and the SDK of 2014.
  *
@@ -359,7 +361,7 @@ export declare class PpsTimestamp extends Data {
  */
 export declare class PpsTimestampWithFlags extends Data {
     constructor(values: Values<PpsTimestampWithFlags>);
-    /** State of the time. Uncertain: The meaning of the bits, which no source states. */
+    /** State of the time. Uncertain: No source states the meaning of the bits. */
     flags: number;
     /** Whole seconds. Unit: s. */
     seconds: number;
@@ -372,7 +374,7 @@ export declare class PpsTimestampWithFlags extends Data {
  *
  * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
  *
- * Supported by 3DM-GX5-15.
+ * Confirmed on 3DM-GX5-15; likely or assumed on 11 more.
  *
  * Without magnetic disturbance it equals the measured magnetic field, unless a sensor-to-vehicle transformation moves
  * the latter out of the sensor frame. A lasting disturbance is not compensated.
@@ -382,8 +384,8 @@ export declare class PpsTimestampWithFlags extends Data {
 export declare class NorthVector extends Data {
     constructor(values: Values<NorthVector>);
     /**
-     * Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame. The SDK has the vehicle
-     * frame, but the lists of what the sensor-to-vehicle transformation changes lack this vector.
+     * Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame is doubtful: the SDK has
+     * the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this vector.
      */
     stabilizedMag: types.Vector3f;
 }
@@ -393,7 +395,7 @@ export declare class NorthVector extends Data {
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * Supported by 3DM-GX5-15 and 3DM-GX5-35.
+ * Confirmed on 3DM-GX5-15 and -35; likely or assumed on 10 more.
  *
  * At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation moves the latter out of the
  * sensor frame.
@@ -405,8 +407,8 @@ export declare class UpVector extends Data {
     constructor(values: Values<UpVector>);
     /**
      * Opposite of the gravity vector, as the accelerometers measure it. Elements: x, y, z. Unit: g. Frame: sensor. At
-     * rest and level: x 0, y 0, z -1. Uncertain: The frame. The SDK has the vehicle frame, but the lists of what the
-     * sensor-to-vehicle transformation changes lack this vector.
+     * rest and level: x 0, y 0, z -1. Uncertain: The frame is doubtful: the SDK has the vehicle frame, but the lists of
+     * what the sensor-to-vehicle transformation changes lack this vector.
      */
     stabilizedAccel: types.Vector3f;
 }
@@ -416,7 +418,7 @@ export declare class UpVector extends Data {
  *
  * GPS time of the sensor data.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -35; likely or assumed on 12 more.
  *
  * Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction of the time of week is
  * the time since the last pulse. Without external synchronization it is the internal system time. Where the device has
@@ -431,21 +433,25 @@ export declare class GpsTimestamp extends Data {
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
      * `types.SensorGpsTimestampFlags.TOW_VALID` of `validFlags` is set.
      *
-     * - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags`
-     *   is set.
+     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: valid if
+     *   `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set (inferred: the 3DM-GX5-15 has it).
+     * - On the 3DM-GX5-15 and -35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set.
      */
     tow: number;
     /**
      * GPS week number. Unit: week. Valid if `types.SensorGpsTimestampFlags.WEEK_NUMBER_VALID` of `validFlags` is set.
      *
-     * - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags`
-     *   is set.
+     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: valid if
+     *   `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set (inferred: the 3DM-GX5-15 has it).
+     * - On the 3DM-GX5-15 and -35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set.
      */
     weekNumber: number;
     /**
      * State of the time.
      *
-     * - On the 3DM-GX5-15 and 3DM-GX5-35: values of `types.Gx5SensorGpsTimestampFlags`.
+     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of
+     *   `types.Gx5SensorGpsTimestampFlags` (inferred: the 3DM-GX5-15 has it).
+     * - On the 3DM-GX5-15 and -35: values of `types.Gx5SensorGpsTimestampFlags`.
      */
     validFlags: types.SensorGpsTimestampFlags;
 }
@@ -455,7 +461,7 @@ export declare class GpsTimestamp extends Data {
  *
  * Temperatures since the last power-on or reset.
  *
- * Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `temperature_abs`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 9 more.
  *
  * The values come from the inertial sensors, alone or together with sensors on the board.
  *
@@ -476,7 +482,7 @@ export declare class TemperatureStatistics extends Data {
  *
  * Raw ambient pressure in counts of the sensor, temperature compensated.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a pressure sensor.
  *
  * - mip-sdk-4: Raw pressure (0x80,0x16)
  */
@@ -491,7 +497,8 @@ export declare class RawPressure extends Data {
  *
  * Measured ambient pressure, temperature compensated.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -35; likely or assumed on 17 more.
+ * Requires a pressure sensor.
  *
  * - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
  * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -507,13 +514,19 @@ export declare class ScaledPressure extends Data {
  *
  * Sensor axes that are near or outside their range.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
  *
  * - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
  */
 export declare class OverrangeStatus extends Data {
     constructor(values: Values<OverrangeStatus>);
-    /** One bit for each axis. */
+    /**
+     * One bit for each axis.
+     *
+     * - On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `OverrangeFlags.ACCEL_X`, `OverrangeFlags.ACCEL_Y`,
+     *   `OverrangeFlags.ACCEL_Z`, `OverrangeFlags.GYRO_X`, `OverrangeFlags.GYRO_Y`, `OverrangeFlags.GYRO_Z` and
+     *   `OverrangeFlags.PRESSURE`.
+     */
     status: OverrangeFlags;
 }
 
@@ -529,8 +542,8 @@ export declare class OverrangeStatus extends Data {
 export declare class Odometer extends Data {
     constructor(values: Values<Odometer>);
     /**
-     * Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if
-     * `OdometerFlags.ODOMETER` of `validFlags` is set.
+     * Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Frame: vehicle.
+     * Positive: forward. Valid if `OdometerFlags.ODOMETER` of `validFlags` is set.
      */
     speed: number;
     /**

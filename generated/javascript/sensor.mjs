@@ -107,6 +107,10 @@ export const GpsTimestamp = /* @__PURE__ */ field.data("sensor.gps_timestamp", 0
     tow: codec.double,
     week_number: codec.u16,
     valid_flags: types.SensorGpsTimestampFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x8, weekNumber: 0x10 } }, [
+        [["3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-15", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"], 0xfff8, "validFlags", { validFlags: { tow: 0x4, weekNumber: 0x4 } }],
+    ]),
 });
 
 export const TemperatureStatistics = /* @__PURE__ */ field.data("sensor.temperature_statistics", 0x80, 0x14, {
@@ -131,4 +135,6 @@ export const Odometer = /* @__PURE__ */ field.data("sensor.odometer", 0x80, 0x40
     speed: codec.float,
     uncertainty: codec.float,
     valid_flags: OdometerFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { speed: 0x1, uncertainty: 0x1 } }),
 });

@@ -35,6 +35,8 @@ export const GpsTimestamp = /* @__PURE__ */ field.data("shared.gps_timestamp", /
     tow: codec.double,
     week_number: codec.u16,
     valid_flags: GpsTimestampFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2 } }),
 });
 
 export const DeltaTime = /* @__PURE__ */ field.data("shared.delta_time", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd4, {
@@ -52,9 +54,13 @@ export const ReferenceTimeDelta = /* @__PURE__ */ field.data("shared.reference_t
 export const ExternalTimestamp = /* @__PURE__ */ field.data("shared.external_timestamp", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd7, {
     nanoseconds: codec.u64,
     valid_flags: ExternalTimestampFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { nanoseconds: 0x1 } }),
 });
 
 export const ExternalTimeDelta = /* @__PURE__ */ field.data("shared.external_time_delta", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd8, {
     dt_nanos: codec.u64,
     valid_flags: ExternalTimeDeltaFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { dtNanos: 0x1 } }),
 });

@@ -35,7 +35,7 @@ export declare const ProtocolMode: Enumeration<ProtocolMode> & {
     readonly STANDARD: ProtocolMode & 1;
     /** The internal inertial sensor; the protocol is MIP. */
     readonly SENSOR_DIRECT: ProtocolMode & 2;
-    /** The internal GNSS receiver, if there is one; the protocols are NMEA and UBX. */
+    /** The internal GNSS receiver; the protocols are NMEA and UBX. Requires a receiver. */
     readonly GNSS_DIRECT: ProtocolMode & 3;
 };
 
@@ -49,7 +49,7 @@ export declare const ProtocolMode: Enumeration<ProtocolMode> & {
  */
 export declare class InterfaceControlResponse extends Response {
     constructor(values: Values<InterfaceControlResponse>);
-    /** Port whose protocols are set or read. Uncertain: Whether write and read accept `all`. */
+    /** Port whose protocols are set or read. Uncertain: No source states whether write and read accept `all`. */
     port: types.CommInterface;
     /** Protocols that the port receives. */
     protocolsIncoming: CommProtocols;
@@ -60,7 +60,7 @@ export declare class InterfaceControlResponse extends Response {
 /**
  * Communication mode response (0x7F,0x90).
  *
- * Response to `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Response to `CommMode`. Confirmed on 3DM-GX5-15, -35 and -45; likely or assumed on 17 more.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
@@ -91,7 +91,7 @@ export declare class InterfaceControl<R extends Response | undefined = undefined
     constructor(values: Values<InterfaceControl>);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /** Port whose protocols are set or read. Uncertain: Whether write and read accept `all`. */
+    /** Port whose protocols are set or read. Uncertain: No source states whether write and read accept `all`. */
     port?: types.CommInterface;
     /** Protocols that the port receives. Required for `write`. */
     protocolsIncoming?: CommProtocols;
@@ -114,8 +114,8 @@ export declare class InterfaceControl<R extends Response | undefined = undefined
  *
  * Switches the port between the device and one of its internal sensors.
  *
- * For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommModeResponse`. Supported
- * by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommModeResponse`. Confirmed
+ * on 3DM-GX5-15, -35 and -45; likely or assumed on 17 more.
  *
  * The ACK is sent in the old mode, just before the switch. In a direct mode, the device itself replies only to this
  * command and `3dm.DeviceStatus`.
@@ -129,6 +129,8 @@ export declare class CommMode<R extends Response | undefined = undefined | CommM
     /**
      * Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`.
      *
+     * - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, 3DM-GX4-15, -25, 3DM-GX5-15 and -25: only `ProtocolMode.STANDARD` and
+     *   `ProtocolMode.SENSOR_DIRECT`.
      * - On the 3DM-GX5-35: default `ProtocolMode.STANDARD`.
      */
     mode?: ProtocolMode;

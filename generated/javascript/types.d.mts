@@ -13,11 +13,11 @@ export declare const Gx5BuiltInTest: Bitfield<Gx5BuiltInTest> & {
     readonly WATCHDOG_RESET: Gx5BuiltInTest;
     /** No communication with the inertial sensor. Bit 8. */
     readonly IMU_COMM_FAULT: Gx5BuiltInTest;
-    /** Magnetometer fault, on devices that have one. Bit 9. Concerns `sensor.ScaledMag`. */
+    /** Magnetometer fault, on devices that have one. Bit 9. Affects `sensor.ScaledMag`. */
     readonly MAG_FAULT: Gx5BuiltInTest;
-    /** Pressure sensor fault, on devices that have one. Bit 10. Concerns `sensor.ScaledPressure`. */
+    /** Pressure sensor fault, on devices that have one. Bit 10. Affects `sensor.ScaledPressure`. */
     readonly PRESSURE_SENSOR_FAULT: Gx5BuiltInTest;
-    /** Fault of the estimation filter solution. Bit 24. Concerns `filter.Reset`. */
+    /** Fault of the estimation filter solution. Bit 24. Affects `filter.Reset`. */
     readonly SOLUTION_FAULT: Gx5BuiltInTest;
 };
 
@@ -36,19 +36,19 @@ export declare const Cv7BuiltInTest: Bitfield<Cv7BuiltInTest> & {
     readonly TIMING_OVERLOAD: Cv7BuiltInTest;
     /** A data buffer was full, usually because too much data is streamed. Bit 3. */
     readonly BUFFER_OVERRUN: Cv7BuiltInTest;
-    /** The accelerometer is damaged or does not work. Bit 12. Concerns `sensor.ScaledAccel`. */
+    /** The accelerometer is damaged or does not work. Bit 12. Affects `sensor.ScaledAccel`. */
     readonly ACCEL_FAULT: Cv7BuiltInTest;
-    /** The gyroscope is damaged or does not work. Bit 13. Concerns `sensor.ScaledGyro`. */
+    /** The gyroscope is damaged or does not work. Bit 13. Affects `sensor.ScaledGyro`. */
     readonly GYRO_FAULT: Cv7BuiltInTest;
-    /** The magnetometer is damaged or does not work. Bit 14. Concerns `sensor.ScaledMag`. */
+    /** The magnetometer is damaged or does not work. Bit 14. Affects `sensor.ScaledMag`. */
     readonly MAG_FAULT: Cv7BuiltInTest;
-    /** The pressure sensor is damaged or does not work. Bit 15. Concerns `sensor.ScaledPressure`. */
+    /** The pressure sensor is damaged or does not work. Bit 15. Affects `sensor.ScaledPressure`. */
     readonly PRESSURE_SENSOR_FAULT: Cv7BuiltInTest;
     /** At least one calibration table of the sensors is invalid. Bit 18. */
     readonly CALIBRATION_ERROR: Cv7BuiltInTest;
     /** A fault of the inertial sensor subsystem that no other bit covers. Bit 19. */
     readonly GENERAL_IMU_FAULT: Cv7BuiltInTest;
-    /** The filter output is invalid (not a number); reset the filter. Bit 22. Concerns `filter.Reset`. */
+    /** The filter output is invalid (not a number); reset the filter. Bit 22. Affects `filter.Reset`. */
     readonly FILTER_SOLUTION_FAULT: Cv7BuiltInTest;
     /** A fault of the filter subsystem that no other bit covers. Bit 23. */
     readonly GENERAL_FILTER_FAULT: Cv7BuiltInTest;
@@ -94,53 +94,53 @@ export declare const Cv7ContinuousBuiltInTest: Bitfield<Cv7ContinuousBuiltInTest
     readonly GNSS_SUBSYSTEM_FAULT: Cv7ContinuousBuiltInTest;
     /** The main GNSS process did not run in time. Bit 24. */
     readonly GNSS_MAIN_PROCESS_FAULT: Cv7ContinuousBuiltInTest;
-    /** No data from internal receiver 1 in time. Bit 25. Concerns `gnss_data.FixInfo`. */
+    /** No data from internal receiver 1 in time. Bit 25. Affects `gnss_data.FixInfo`. */
     readonly GNSS_RECEIVER_1_STALL: Cv7ContinuousBuiltInTest;
-    /** No data from internal receiver 2 in time. Bit 26. Concerns `gnss_data.FixInfo`. */
+    /** No data from internal receiver 2 in time. Bit 26. Affects `gnss_data.FixInfo`. */
     readonly GNSS_RECEIVER_2_STALL: Cv7ContinuousBuiltInTest;
     /** No communication with the inertial sensors. Bit 33. */
     readonly IMU_COMM_FAULT: Cv7ContinuousBuiltInTest;
     /** Inertial sensor processes take longer than their time slot. Bit 34. */
     readonly IMU_TIMING_OVERRUN: Cv7ContinuousBuiltInTest;
-    /** Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`. */
+    /** Accelerometer calibration fault. Bit 36. Affects `sensor.ScaledAccel`. */
     readonly IMU_CALIBRATION_ERROR_ACCEL: Cv7ContinuousBuiltInTest;
-    /** Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`. */
+    /** Gyroscope calibration fault. Bit 37. Affects `sensor.ScaledGyro`. */
     readonly IMU_CALIBRATION_ERROR_GYRO: Cv7ContinuousBuiltInTest;
-    /** Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`. */
+    /** Magnetometer calibration fault. Bit 38. Affects `sensor.ScaledMag`. */
     readonly IMU_CALIBRATION_ERROR_MAG: Cv7ContinuousBuiltInTest;
-    /** The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`. */
+    /** The accelerometer failed to initialize. Bit 40. Affects `sensor.ScaledAccel`. */
     readonly ACCEL_GENERAL_FAULT: Cv7ContinuousBuiltInTest;
-    /** The acceleration along an axis is near or outside the selected range. Bit 41. Concerns `sensor.ScaledAccel`. */
+    /** The acceleration along an axis is near or outside the selected range. Bit 41. Affects `sensor.ScaledAccel`. */
     readonly ACCEL_OVER_RANGE: Cv7ContinuousBuiltInTest;
     /**
-     * The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42. Concerns
+     * The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42. Affects
      * `sensor.ScaledAccel`.
      */
     readonly ACCEL_SELF_TEST_FAIL: Cv7ContinuousBuiltInTest;
-    /** The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`. */
+    /** The gyroscope failed to initialize. Bit 44. Affects `sensor.ScaledGyro`. */
     readonly GYRO_GENERAL_FAULT: Cv7ContinuousBuiltInTest;
-    /** The angular rate about an axis is near or outside the selected range. Bit 45. Concerns `sensor.ScaledGyro`. */
+    /** The angular rate about an axis is near or outside the selected range. Bit 45. Affects `sensor.ScaledGyro`. */
     readonly GYRO_OVER_RANGE: Cv7ContinuousBuiltInTest;
     /**
-     * The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46. Concerns
+     * The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46. Affects
      * `sensor.ScaledGyro`.
      */
     readonly GYRO_SELF_TEST_FAIL: Cv7ContinuousBuiltInTest;
-    /** The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`. */
+    /** The magnetometer failed to initialize. Bit 48. Affects `sensor.ScaledMag`. */
     readonly MAG_GENERAL_FAULT: Cv7ContinuousBuiltInTest;
-    /** The magnetic field along an axis is near or outside the supported range. Bit 49. Concerns `sensor.ScaledMag`. */
+    /** The magnetic field along an axis is near or outside the supported range. Bit 49. Affects `sensor.ScaledMag`. */
     readonly MAG_OVER_RANGE: Cv7ContinuousBuiltInTest;
     /**
-     * The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50. Concerns
+     * The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50. Affects
      * `sensor.ScaledMag`.
      */
     readonly MAG_SELF_TEST_FAIL: Cv7ContinuousBuiltInTest;
-    /** The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`. */
+    /** The pressure sensor failed to initialize. Bit 52. Affects `sensor.ScaledPressure`. */
     readonly PRESSURE_SENSOR_GENERAL_FAULT: Cv7ContinuousBuiltInTest;
-    /** The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`. */
+    /** The pressure is outside the supported range. Bit 53. Affects `sensor.ScaledPressure`. */
     readonly PRESSURE_SENSOR_OVER_RANGE: Cv7ContinuousBuiltInTest;
     /**
-     * The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54. Concerns
+     * The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54. Affects
      * `sensor.ScaledPressure`.
      */
     readonly PRESSURE_SENSOR_SELF_TEST_FAIL: Cv7ContinuousBuiltInTest;
@@ -150,16 +150,16 @@ export declare const Cv7ContinuousBuiltInTest: Bitfield<Cv7ContinuousBuiltInTest
     readonly FILTER_TIMING_OVERRUN: Cv7ContinuousBuiltInTest;
     /** Filter processes are skipped. Bit 67. */
     readonly FILTER_TIMING_UNDERRUN: Cv7ContinuousBuiltInTest;
-    /** No communication with internal receiver 1. Bit 105. Concerns `gnss_data.FixInfo`. */
+    /** No communication with internal receiver 1. Bit 105. Affects `gnss_data.FixInfo`. */
     readonly RECEIVER_1_FAULT: Cv7ContinuousBuiltInTest;
     /**
-     * Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108. Concerns `gnss_data.FixInfo`.
+     * Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108. Affects `gnss_data.FixInfo`.
      */
     readonly RECEIVER_1_NO_SOLUTION: Cv7ContinuousBuiltInTest;
-    /** No communication with internal receiver 2. Bit 110. Concerns `gnss_data.FixInfo`. */
+    /** No communication with internal receiver 2. Bit 110. Affects `gnss_data.FixInfo`. */
     readonly RECEIVER_2_FAULT: Cv7ContinuousBuiltInTest;
     /**
-     * Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113. Concerns `gnss_data.FixInfo`.
+     * Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113. Affects `gnss_data.FixInfo`.
      */
     readonly RECEIVER_2_NO_SOLUTION: Cv7ContinuousBuiltInTest;
 };
@@ -167,7 +167,7 @@ export declare const Cv7ContinuousBuiltInTest: Bitfield<Cv7ContinuousBuiltInTest
 export type Cv7InertialContinuousBuiltInTest = Flavor<bigint, "cv7_inertial_continuous_built_in_test">;
 /**
  * Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits 0-31 system, 32-63
- * inertial sensors, 64-95 navigation. Uncertain: The meaning of the bits. The sources list only numbers and names; the
+ * inertial sensors, 64-95 navigation. Uncertain: The sources list only the numbers and names of the bits; the
  * descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
  *
  * - ros-driver: Built-in test of the CV7
@@ -206,45 +206,45 @@ export declare const Cv7InertialContinuousBuiltInTest: Bitfield<Cv7InertialConti
     readonly IMU_COMM_FAULT: Cv7InertialContinuousBuiltInTest;
     /** Inertial sensor processes take longer than their time slot. Bit 34. */
     readonly IMU_TIMING_OVERRUN: Cv7InertialContinuousBuiltInTest;
-    /** Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`. */
+    /** Accelerometer calibration fault. Bit 36. Affects `sensor.ScaledAccel`. */
     readonly IMU_CALIBRATION_ERROR_ACCEL: Cv7InertialContinuousBuiltInTest;
-    /** Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`. */
+    /** Gyroscope calibration fault. Bit 37. Affects `sensor.ScaledGyro`. */
     readonly IMU_CALIBRATION_ERROR_GYRO: Cv7InertialContinuousBuiltInTest;
-    /** Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`. */
+    /** Magnetometer calibration fault. Bit 38. Affects `sensor.ScaledMag`. */
     readonly IMU_CALIBRATION_ERROR_MAG: Cv7InertialContinuousBuiltInTest;
-    /** The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`. */
+    /** The accelerometer failed to initialize. Bit 40. Affects `sensor.ScaledAccel`. */
     readonly ACCEL_GENERAL_FAULT: Cv7InertialContinuousBuiltInTest;
-    /** The acceleration along an axis is near or outside the selected range. Bit 41. Concerns `sensor.ScaledAccel`. */
+    /** The acceleration along an axis is near or outside the selected range. Bit 41. Affects `sensor.ScaledAccel`. */
     readonly ACCEL_OVER_RANGE: Cv7InertialContinuousBuiltInTest;
     /**
-     * The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42. Concerns
+     * The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42. Affects
      * `sensor.ScaledAccel`.
      */
     readonly ACCEL_SELF_TEST_FAIL: Cv7InertialContinuousBuiltInTest;
-    /** The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`. */
+    /** The gyroscope failed to initialize. Bit 44. Affects `sensor.ScaledGyro`. */
     readonly GYRO_GENERAL_FAULT: Cv7InertialContinuousBuiltInTest;
-    /** The angular rate about an axis is near or outside the selected range. Bit 45. Concerns `sensor.ScaledGyro`. */
+    /** The angular rate about an axis is near or outside the selected range. Bit 45. Affects `sensor.ScaledGyro`. */
     readonly GYRO_OVER_RANGE: Cv7InertialContinuousBuiltInTest;
     /**
-     * The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46. Concerns
+     * The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46. Affects
      * `sensor.ScaledGyro`.
      */
     readonly GYRO_SELF_TEST_FAIL: Cv7InertialContinuousBuiltInTest;
-    /** The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`. */
+    /** The magnetometer failed to initialize. Bit 48. Affects `sensor.ScaledMag`. */
     readonly MAG_GENERAL_FAULT: Cv7InertialContinuousBuiltInTest;
-    /** The magnetic field along an axis is near or outside the supported range. Bit 49. Concerns `sensor.ScaledMag`. */
+    /** The magnetic field along an axis is near or outside the supported range. Bit 49. Affects `sensor.ScaledMag`. */
     readonly MAG_OVER_RANGE: Cv7InertialContinuousBuiltInTest;
     /**
-     * The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50. Concerns
+     * The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50. Affects
      * `sensor.ScaledMag`.
      */
     readonly MAG_SELF_TEST_FAIL: Cv7InertialContinuousBuiltInTest;
-    /** The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`. */
+    /** The pressure sensor failed to initialize. Bit 52. Affects `sensor.ScaledPressure`. */
     readonly PRESSURE_SENSOR_GENERAL_FAULT: Cv7InertialContinuousBuiltInTest;
-    /** The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`. */
+    /** The pressure is outside the supported range. Bit 53. Affects `sensor.ScaledPressure`. */
     readonly PRESSURE_SENSOR_OVER_RANGE: Cv7InertialContinuousBuiltInTest;
     /**
-     * The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54. Concerns
+     * The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54. Affects
      * `sensor.ScaledPressure`.
      */
     readonly PRESSURE_SENSOR_SELF_TEST_FAIL: Cv7InertialContinuousBuiltInTest;
@@ -261,8 +261,8 @@ export declare const Cv7InertialContinuousBuiltInTest: Bitfield<Cv7InertialConti
 export type Gq7ContinuousBuiltInTest = Flavor<bigint, "gq7_continuous_built_in_test">;
 /**
  * Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors, 64-95 navigation,
- * 96-127 GNSS. Uncertain: The meaning of the bits. The sources list only numbers and names; the descriptions are those
- * of the 3DM-CV7-GNSS/INS where the names are the same.
+ * 96-127 GNSS. Uncertain: The sources list only the numbers and names of the bits; the descriptions are those of the
+ * 3DM-CV7-GNSS/INS where the names are the same.
  *
  * - ros-driver: Built-in test of the GQ7
  * - mscl: Continuous built-in test
@@ -290,45 +290,45 @@ export declare const Gq7ContinuousBuiltInTest: Bitfield<Gq7ContinuousBuiltInTest
     readonly IMU_COMM_FAULT: Gq7ContinuousBuiltInTest;
     /** Inertial sensor processes take longer than their time slot. Bit 34. */
     readonly IMU_TIMING_OVERRUN: Gq7ContinuousBuiltInTest;
-    /** Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`. */
+    /** Accelerometer calibration fault. Bit 36. Affects `sensor.ScaledAccel`. */
     readonly IMU_CALIBRATION_ERROR_ACCEL: Gq7ContinuousBuiltInTest;
-    /** Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`. */
+    /** Gyroscope calibration fault. Bit 37. Affects `sensor.ScaledGyro`. */
     readonly IMU_CALIBRATION_ERROR_GYRO: Gq7ContinuousBuiltInTest;
-    /** Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`. */
+    /** Magnetometer calibration fault. Bit 38. Affects `sensor.ScaledMag`. */
     readonly IMU_CALIBRATION_ERROR_MAG: Gq7ContinuousBuiltInTest;
-    /** The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`. */
+    /** The accelerometer failed to initialize. Bit 40. Affects `sensor.ScaledAccel`. */
     readonly ACCEL_GENERAL_FAULT: Gq7ContinuousBuiltInTest;
-    /** The acceleration along an axis is near or outside the selected range. Bit 41. Concerns `sensor.ScaledAccel`. */
+    /** The acceleration along an axis is near or outside the selected range. Bit 41. Affects `sensor.ScaledAccel`. */
     readonly ACCEL_OVER_RANGE: Gq7ContinuousBuiltInTest;
     /**
-     * The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42. Concerns
+     * The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42. Affects
      * `sensor.ScaledAccel`.
      */
     readonly ACCEL_SELF_TEST_FAIL: Gq7ContinuousBuiltInTest;
-    /** The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`. */
+    /** The gyroscope failed to initialize. Bit 44. Affects `sensor.ScaledGyro`. */
     readonly GYRO_GENERAL_FAULT: Gq7ContinuousBuiltInTest;
-    /** The angular rate about an axis is near or outside the selected range. Bit 45. Concerns `sensor.ScaledGyro`. */
+    /** The angular rate about an axis is near or outside the selected range. Bit 45. Affects `sensor.ScaledGyro`. */
     readonly GYRO_OVER_RANGE: Gq7ContinuousBuiltInTest;
     /**
-     * The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46. Concerns
+     * The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46. Affects
      * `sensor.ScaledGyro`.
      */
     readonly GYRO_SELF_TEST_FAIL: Gq7ContinuousBuiltInTest;
-    /** The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`. */
+    /** The magnetometer failed to initialize. Bit 48. Affects `sensor.ScaledMag`. */
     readonly MAG_GENERAL_FAULT: Gq7ContinuousBuiltInTest;
-    /** The magnetic field along an axis is near or outside the supported range. Bit 49. Concerns `sensor.ScaledMag`. */
+    /** The magnetic field along an axis is near or outside the supported range. Bit 49. Affects `sensor.ScaledMag`. */
     readonly MAG_OVER_RANGE: Gq7ContinuousBuiltInTest;
     /**
-     * The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50. Concerns
+     * The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50. Affects
      * `sensor.ScaledMag`.
      */
     readonly MAG_SELF_TEST_FAIL: Gq7ContinuousBuiltInTest;
-    /** The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`. */
+    /** The pressure sensor failed to initialize. Bit 52. Affects `sensor.ScaledPressure`. */
     readonly PRESSURE_SENSOR_GENERAL_FAULT: Gq7ContinuousBuiltInTest;
-    /** The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`. */
+    /** The pressure is outside the supported range. Bit 53. Affects `sensor.ScaledPressure`. */
     readonly PRESSURE_SENSOR_OVER_RANGE: Gq7ContinuousBuiltInTest;
     /**
-     * The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54. Concerns
+     * The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54. Affects
      * `sensor.ScaledPressure`.
      */
     readonly PRESSURE_SENSOR_SELF_TEST_FAIL: Gq7ContinuousBuiltInTest;
@@ -348,33 +348,33 @@ export declare const Gq7ContinuousBuiltInTest: Bitfield<Gq7ContinuousBuiltInTest
     readonly GNSS_HARDWARE_FAULT: Gq7ContinuousBuiltInTest;
     /** GNSS processor communication errors. Bits 98 to 100. */
     readonly GNSS_COMM_ERROR: Gq7ContinuousBuiltInTest;
-    /** GPS time fault. Bit 101. Concerns `gnss_data.GpsTime`. */
+    /** GPS time fault. Bit 101. Affects `gnss_data.GpsTime`. */
     readonly GPS_TIME_FAULT: Gq7ContinuousBuiltInTest;
     /** A GNSS processor cycle exceeded its time slot. Bit 102. */
     readonly GNSS_TIMING_OVERRUN: Gq7ContinuousBuiltInTest;
-    /** Receiver 1 power supply fault. Bit 104. Concerns `gnss_data.FixInfo`. */
+    /** Receiver 1 power supply fault. Bit 104. Affects `gnss_data.FixInfo`. */
     readonly RECEIVER_1_POWER_FAULT: Gq7ContinuousBuiltInTest;
-    /** No communication with internal receiver 1. Bit 105. Concerns `gnss_data.FixInfo`. */
+    /** No communication with internal receiver 1. Bit 105. Affects `gnss_data.FixInfo`. */
     readonly RECEIVER_1_FAULT: Gq7ContinuousBuiltInTest;
-    /** Antenna 1 is shorted. Bit 106. Concerns `gnss_data.HardwareStatus`. */
+    /** Antenna 1 is shorted. Bit 106. Affects `gnss_data.HardwareStatus`. */
     readonly ANTENNA_1_SHORTED: Gq7ContinuousBuiltInTest;
-    /** Antenna 1 is not connected. Bit 107. Concerns `gnss_data.HardwareStatus`. */
+    /** Antenna 1 is not connected. Bit 107. Affects `gnss_data.HardwareStatus`. */
     readonly ANTENNA_1_OPEN: Gq7ContinuousBuiltInTest;
-    /** Receiver 1 has no solution. Bit 108. Concerns `gnss_data.FixInfo`. */
+    /** Receiver 1 has no solution. Bit 108. Affects `gnss_data.FixInfo`. */
     readonly RECEIVER_1_SOLUTION_FAULT: Gq7ContinuousBuiltInTest;
-    /** Receiver 2 power supply fault. Bit 109. Concerns `gnss_data.FixInfo`. */
+    /** Receiver 2 power supply fault. Bit 109. Affects `gnss_data.FixInfo`. */
     readonly RECEIVER_2_POWER_FAULT: Gq7ContinuousBuiltInTest;
-    /** No communication with internal receiver 2. Bit 110. Concerns `gnss_data.FixInfo`. */
+    /** No communication with internal receiver 2. Bit 110. Affects `gnss_data.FixInfo`. */
     readonly RECEIVER_2_FAULT: Gq7ContinuousBuiltInTest;
-    /** Antenna 2 is shorted. Bit 111. Concerns `gnss_data.HardwareStatus`. */
+    /** Antenna 2 is shorted. Bit 111. Affects `gnss_data.HardwareStatus`. */
     readonly ANTENNA_2_SHORTED: Gq7ContinuousBuiltInTest;
-    /** Antenna 2 is not connected. Bit 112. Concerns `gnss_data.HardwareStatus`. */
+    /** Antenna 2 is not connected. Bit 112. Affects `gnss_data.HardwareStatus`. */
     readonly ANTENNA_2_OPEN: Gq7ContinuousBuiltInTest;
-    /** Receiver 2 has no solution. Bit 113. Concerns `gnss_data.FixInfo`. */
+    /** Receiver 2 has no solution. Bit 113. Affects `gnss_data.FixInfo`. */
     readonly RECEIVER_2_SOLUTION_FAULT: Gq7ContinuousBuiltInTest;
-    /** RTCM communication fault. Bit 114. Concerns `gnss_data.RtkCorrectionsStatus`. */
+    /** RTCM communication fault. Bit 114. Affects `gnss_data.RtkCorrectionsStatus`. */
     readonly RTCM_COMM_FAULT: Gq7ContinuousBuiltInTest;
-    /** RTK modem fault. Bit 115. Concerns `rtk.GetStatusFlags`. */
+    /** RTK modem fault. Bit 115. Affects `rtk.GetStatusFlags`. */
     readonly RTK_DONGLE_FAULT: Gq7ContinuousBuiltInTest;
 };
 
@@ -386,7 +386,7 @@ export type EventTriggerType = Flavor<number, "event_trigger_type">;
  * - 3dm-cv7-gnss-ins: Types of triggers
  */
 export declare const EventTriggerType: Enumeration<EventTriggerType> & {
-    /** The slot is free. It is never active and cannot be enabled. */
+    /** The instance is not in use: it is never active and cannot be enabled. */
     readonly NONE: EventTriggerType & 0;
     /** Watches a GPIO pin. */
     readonly GPIO: EventTriggerType & 1;
@@ -404,7 +404,7 @@ export type EventActionType = Flavor<number, "event_action_type">;
  * - 3dm-cv7-gnss-ins: Types of actions
  */
 export declare const EventActionType: Enumeration<EventActionType> & {
-    /** The slot is free. */
+    /** The instance is not in use. */
     readonly NONE: EventActionType & 0;
     /** Controls a GPIO pin. */
     readonly GPIO: EventActionType & 1;
@@ -986,7 +986,7 @@ export type CommInterface = Flavor<number, "comm_interface">;
 export declare const CommInterface: Enumeration<CommInterface> & {
     /** All ports. */
     readonly ALL: CommInterface & 0;
-    /** The main port: USB while it is connected, else the main UART. */
+    /** The main port: USB while a host has it open (DTR), else the main UART. */
     readonly MAIN: CommInterface & 1;
     /** The first port that is a UART or can be one. */
     readonly UART_1: CommInterface & 17;
@@ -1002,11 +1002,10 @@ export declare const CommInterface: Enumeration<CommInterface> & {
 
 export type RtkStatusFlags = Flavor<number, "rtk_status_flags">;
 /**
- * State of the modem and of the corrections. Other models send `RtkStatusFlagsLegacy`. Uncertain: Which model sends
- * which of the two forms. The SDK states only that it depends on the model number. Uncertain: Other software of the
- * vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits are
- * `sinr`. Uncertain: The SDK lists only the names, from which the descriptions are inferred. The meaning of the values
- * is not known.
+ * State of the modem and of the corrections. Other models send `RtkStatusFlagsLegacy`. Uncertain: The SDK states only
+ * that the form depends on the model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the
+ * legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only
+ * the names, from which the descriptions are inferred. The meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -1016,8 +1015,8 @@ export declare const RtkStatusFlags: Bitfield<RtkStatusFlags> & {
     /** Kind of cellular connection. Bits 4 to 7. */
     readonly CONNECTION_TYPE: RtkStatusFlags;
     /**
-     * Received signal strength. Bits 8 to 15. Uncertain: The unit and the sign; other software of the vendor treats it
-     * as negative.
+     * Received signal strength. Bits 8 to 15. Uncertain: No source states the unit and the sign; other software of the
+     * vendor treats it as negative.
      */
     readonly RSSI: RtkStatusFlags;
     /** Quality of the modem's radio signal. Bits 16 to 19. */
@@ -1040,10 +1039,9 @@ export declare const RtkStatusFlags: Bitfield<RtkStatusFlags> & {
 
 export type RtkStatusFlagsLegacy = Flavor<number, "rtk_status_flags_legacy">;
 /**
- * State of the modem and of the corrections, in its older form. Uncertain: Which model sends which of the two forms;
- * see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but also puts the last four numbers there.
- * Uncertain: The SDK lists only the names, from which the descriptions are inferred. The meaning of the values is not
- * known.
+ * State of the modem and of the corrections, in its older form. Uncertain: The form depends on the model; see
+ * `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but also puts the last four numbers there. Uncertain:
+ * The SDK lists only the names, from which the descriptions are inferred. The meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -1116,7 +1114,7 @@ export declare const AckCode: Enumeration<AckCode> & {
 export interface DescriptorRate {
     /** Field descriptor. */
     descriptor: number;
-    /** Base rate divided by the desired rate. */
+    /** Base rate divided by the desired rate. Range: at least 1. */
     decimation: number;
 }
 

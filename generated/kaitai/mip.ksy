@@ -338,6 +338,7 @@ types:
             kind::gnss_rtk_config: gnss_rtk_config
             kind::gnss_rtk_dongle_config: gnss_rtk_dongle_config
             kind::gnss_spartn_config: gnss_spartn_config
+            kind::gnss_receiver_safe_mode: gnss_receiver_safe_mode
             kind::gnss_receiver_info_response: gnss_receiver_info_response
             kind::gnss_signal_config_response: gnss_signal_config_response
             kind::gnss_rtk_config_response: gnss_rtk_config_response
@@ -370,10 +371,12 @@ types:
             kind::displacement_get_calibration_response: displacement_get_calibration_response
             kind::displacement_output_rate_response: displacement_output_rate_response
             kind::aiding_frame_config: aiding_frame_config
+            kind::aiding_sensor_frame_map: aiding_sensor_frame_map
             kind::aiding_echo_control: aiding_echo_control
             kind::aiding_ecef_position: aiding_ecef_position
             kind::aiding_llh_position: aiding_llh_position
             kind::aiding_height_above_ellipsoid: aiding_height_above_ellipsoid
+            kind::aiding_pressure_old: aiding_pressure_old
             kind::aiding_ecef_velocity: aiding_ecef_velocity
             kind::aiding_ned_velocity: aiding_ned_velocity
             kind::aiding_body_frame_velocity: aiding_body_frame_velocity
@@ -381,6 +384,7 @@ types:
             kind::aiding_magnetic_field: aiding_magnetic_field
             kind::aiding_pressure: aiding_pressure
             kind::aiding_frame_config_response: aiding_frame_config_response
+            kind::aiding_sensor_frame_map_response: aiding_sensor_frame_map_response
             kind::aiding_echo_control_response: aiding_echo_control_response
             kind::system_interface_control: system_interface_control
             kind::system_comm_mode: system_comm_mode
@@ -1693,7 +1697,7 @@ types:
         type: b14
       - id: mag
         type: b1
-        doc: Magnetometer measurements, on models that have a magnetometer.
+        doc: Magnetometer measurements.
       - id: accel
         type: b1
         doc: Accelerometer measurements.
@@ -2078,7 +2082,7 @@ types:
         doc: All bits as a number.
       flags:
         value: "(gnss_date_time ? 1 : 0) + (leap_seconds_known ? 2 : 0)"
-        doc: All values are valid.
+        doc: Date and time come from GNSS, and the leap seconds are known.
   gnss_data_gps_time_flags:
     -kind: bits
     doc: Validity flags for the time.
@@ -2695,7 +2699,7 @@ types:
         doc: All bits as a number.
       flags:
         value: "(ephemeris ? 1 : 0) + (modern_data ? 2 : 0) + (isc_l5 ? 4 : 0)"
-        doc: All values are valid.
+        doc: The ephemeris is valid, with modernized data and the correction for L5.
   gnss_data_glonass_ephemeris_flags:
     -kind: bits
     doc: Validity of the ephemeris.
@@ -2927,7 +2931,7 @@ types:
         doc: All bits as a number.
   filter_data_gx5_status_flags:
     -kind: bits
-    doc: "Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`, the others while the filter runs."
+    doc: Problems of the filter of a 5-series device; their meaning depends on the state of the filter.
     seq:
       - id: run_mag_soft_iron_est_high_warning
         type: b1
@@ -3234,7 +3238,7 @@ types:
         doc: Field descriptor.
       - id: decimation
         type: u2
-        doc: Base rate divided by the desired rate.
+        doc: "Base rate divided by the desired rate. Range: at least 1."
   base_base_device_info:
     doc: Identity of a device. The strings are padded with spaces.
     seq:
@@ -3500,7 +3504,7 @@ types:
         doc: "Baud rate of the port. Unit: Bd."
   mip_3dm_poll_imu_data:
     -orig-id: 3dm.poll_imu_data
-    doc: Poll IMU Data. Requests one sensor data packet (0x80) with the listed fields, in the listed order.
+    doc: Poll IMU data. Requests one sensor data packet (0x80) with the listed fields, in the listed order.
     seq:
       - id: suppress_ack
         type: u1
@@ -3517,7 +3521,7 @@ types:
         doc: Fields to send.
   mip_3dm_poll_gnss_data:
     -orig-id: 3dm.poll_gnss_data
-    doc: Poll GNSS Data. Requests one GNSS data packet with the listed fields, in the listed order.
+    doc: Poll GNSS data. Requests one GNSS data packet with the listed fields, in the listed order.
     seq:
       - id: suppress_ack
         type: u1
@@ -3534,7 +3538,7 @@ types:
         doc: Fields to send.
   mip_3dm_poll_filter_data:
     -orig-id: 3dm.poll_filter_data
-    doc: Poll Estimation Filter Data. Requests one filter data packet (0x82) with the listed fields, in the listed order.
+    doc: Poll estimation filter data. Requests one filter data packet (0x82) with the listed fields, in the listed order.
     seq:
       - id: suppress_ack
         type: u1
@@ -3551,7 +3555,7 @@ types:
         doc: Fields to send.
   mip_3dm_poll_nmea_data:
     -orig-id: 3dm.poll_nmea_data
-    doc: Poll NMEA Data. Requests the listed NMEA sentences once.
+    doc: Poll NMEA data. Requests the listed NMEA sentences once.
     seq:
       - id: suppress_ack
         type: u1
@@ -3568,13 +3572,13 @@ types:
         doc: Sentences to send.
   mip_3dm_get_imu_base_rate:
     -orig-id: 3dm.get_imu_base_rate
-    doc: "Get IMU Data Base Rate. Gets the base rate, which is divided by the decimations of `mip_3dm_imu_message_format`."
+    doc: "Get IMU data base rate. Gets the base rate, which is divided by the decimations of `mip_3dm_imu_message_format`."
   mip_3dm_get_gnss_base_rate:
     -orig-id: 3dm.get_gnss_base_rate
-    doc: "Get GNSS Data Base Rate. Gets the base rate, which is divided by the decimations of `mip_3dm_gnss_message_format`."
+    doc: "Get GNSS data base rate. Gets the base rate, which is divided by the decimations of `mip_3dm_gnss_message_format`."
   mip_3dm_imu_message_format:
     -orig-id: 3dm.imu_message_format
-    doc: IMU Message Format. Sets the fields of the sensor data packets (0x80), their order and their decimations.
+    doc: IMU message format. Sets the fields of the sensor data packets (0x80), their order and their decimations.
     seq:
       - id: function_value
         -orig-id: function
@@ -3595,7 +3599,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_gnss_message_format:
     -orig-id: 3dm.gnss_message_format
-    doc: GNSS Message Format. Sets the fields of the GNSS data packets, their order and their decimations.
+    doc: GNSS message format. Sets the fields of the GNSS data packets, their order and their decimations.
     seq:
       - id: function_value
         -orig-id: function
@@ -3616,7 +3620,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_filter_message_format:
     -orig-id: 3dm.filter_message_format
-    doc: Estimation Filter Message Format. Sets the fields of the filter data packets (0x82), their order and their decimations.
+    doc: Estimation filter message format. Sets the fields of the filter data packets (0x82), their order and their decimations.
     seq:
       - id: function_value
         -orig-id: function
@@ -3637,10 +3641,10 @@ types:
         doc: Fields and decimations.
   mip_3dm_get_filter_base_rate:
     -orig-id: 3dm.get_filter_base_rate
-    doc: "Get Estimation Filter Data Base Rate. Gets the base rate, which is divided by the decimations of `mip_3dm_filter_message_format`."
+    doc: "Get estimation filter data base rate. Gets the base rate, which is divided by the decimations of `mip_3dm_filter_message_format`."
   mip_3dm_nmea_message_format:
     -orig-id: 3dm.nmea_message_format
-    doc: NMEA Message Format. Sets the NMEA sentences that the device streams.
+    doc: NMEA message format. Sets the NMEA sentences that the device streams.
     seq:
       - id: function_value
         -orig-id: function
@@ -3661,7 +3665,7 @@ types:
         doc: Sentences to stream.
   mip_3dm_poll_data:
     -orig-id: 3dm.poll_data
-    doc: Poll Data. Requests one data packet of the descriptor set with the listed fields, in the listed order.
+    doc: Poll data. Requests one data packet of the descriptor set with the listed fields, in the listed order.
     seq:
       - id: descriptor_set
         type: u1
@@ -3681,14 +3685,14 @@ types:
         doc: Field descriptors.
   mip_3dm_get_base_rate:
     -orig-id: 3dm.get_base_rate
-    doc: Get Data Base Rate. Gets the base rate, which is divided by the decimations of a descriptor set.
+    doc: Get data base rate. Gets the base rate, which is divided by the decimations of a descriptor set.
     seq:
       - id: descriptor_set
         type: u1
         doc: "Data descriptor set. Range: 0x80 to 0xFE."
   mip_3dm_message_format:
     -orig-id: 3dm.message_format
-    doc: Message Format. Sets the fields of the data packets of a descriptor set, their order and their decimations.
+    doc: Message format. Sets the fields of the data packets of a descriptor set, their order and their decimations.
     seq:
       - id: function_value
         -orig-id: function
@@ -3713,7 +3717,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_factory_streaming:
     -orig-id: 3dm.factory_streaming
-    doc: Factory Streaming. Sets all message formats to those that technical support needs in a recording.
+    doc: Factory streaming. Sets all message formats to those that technical support needs in a recording.
     seq:
       - id: action
         type: u1
@@ -3724,7 +3728,7 @@ types:
         doc: "Reserved: send 0."
   mip_3dm_data_stream_control:
     -orig-id: 3dm.data_stream_control
-    doc: Data Stream Control. Switches a data stream on or off.
+    doc: Data stream control. Switches a data stream on or off.
     seq:
       - id: function_value
         -orig-id: function
@@ -3753,7 +3757,7 @@ types:
         value: (_io.size - _io.pos) / 1
   mip_3dm_constellation_settings:
     -orig-id: 3dm.constellation_settings
-    doc: Constellation Settings. Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.
+    doc: Constellation settings. Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.
     seq:
       - id: function_value
         -orig-id: function
@@ -3778,7 +3782,7 @@ types:
         doc: One entry for each constellation.
   mip_3dm_gnss_sbas_settings:
     -orig-id: 3dm.gnss_sbas_settings
-    doc: GNSS SBAS Settings. Sets how the GNSS receivers use satellite-based augmentation (SBAS).
+    doc: GNSS SBAS settings. Sets how the GNSS receivers use satellite-based augmentation (SBAS).
     seq:
       - id: function_value
         -orig-id: function
@@ -3807,7 +3811,7 @@ types:
         doc: PRN numbers of the SBAS satellites to search for.
   mip_3dm_gnss_assisted_fix:
     -orig-id: 3dm.gnss_assisted_fix
-    doc: GNSS Assisted Fix. Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
+    doc: GNSS assisted fix. Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
     seq:
       - id: function_value
         -orig-id: function
@@ -3825,7 +3829,7 @@ types:
         doc: "Reserved: send 255."
   mip_3dm_gnss_time_assistance:
     -orig-id: 3dm.gnss_time_assistance
-    doc: GNSS Time Assistance. Sends the current GPS time to the GNSS receiver.
+    doc: GNSS time assistance. Sends the current GPS time to the GNSS receiver.
     seq:
       - id: function_value
         -orig-id: function
@@ -3846,7 +3850,7 @@ types:
         doc: "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control:
     -orig-id: 3dm.pps_source_control
-    doc: PPS Source Control. Selects the source of the pulse per second (PPS).
+    doc: PPS source control. Selects the source of the pulse per second (PPS).
     seq:
       - id: function_value
         -orig-id: function
@@ -3860,7 +3864,7 @@ types:
         doc: Source of the pulse.
   mip_3dm_get_event_support:
     -orig-id: 3dm.get_event_support
-    doc: Get Supported Events. Gets the types of event triggers or actions that the device supports, and the number of each.
+    doc: Get supported events. Gets the types of event triggers or actions that the device supports, and the number of each.
     seq:
       - id: query
         type: u1
@@ -3868,7 +3872,7 @@ types:
         doc: Triggers or actions.
   mip_3dm_event_control:
     -orig-id: 3dm.event_control
-    doc: Event Control. Enables, disables or tests an event trigger.
+    doc: Event control. Enables, disables or tests an event trigger.
     seq:
       - id: function_value
         -orig-id: function
@@ -3886,13 +3890,13 @@ types:
         doc: "New mode. Default: `disabled`."
   mip_3dm_get_event_trigger_status:
     -orig-id: 3dm.get_event_trigger_status
-    doc: Get Event Trigger Status. Gets the type and the state of event triggers.
+    doc: Get event trigger status. Gets the type and the state of event triggers.
     seq:
       - id: requested_count
         type: u1
         valid:
           expr: _ <= 252 and _ <= _io.size - _io.pos
-        doc: Number of requested triggers; 0 requests all slots.
+        doc: Number of requested triggers; 0 requests all instances.
       - id: requested_instances
         type: u1
         repeat: expr
@@ -3900,13 +3904,13 @@ types:
         doc: Numbers of the triggers to report; none for all.
   mip_3dm_get_event_action_status:
     -orig-id: 3dm.get_event_action_status
-    doc: Get Event Action Status. Gets the type and the trigger of event actions.
+    doc: Get event action status. Gets the type and the trigger of event actions.
     seq:
       - id: requested_count
         type: u1
         valid:
           expr: _ <= 252 and _ <= _io.size - _io.pos
-        doc: Number of requested actions; 0 requests all slots.
+        doc: Number of requested actions; 0 requests all instances.
       - id: requested_instances
         type: u1
         repeat: expr
@@ -3914,7 +3918,7 @@ types:
         doc: Numbers of the actions to report; none for all.
   mip_3dm_event_trigger_config:
     -orig-id: 3dm.event_trigger_config
-    doc: Event Trigger Configuration. Configures the kind and the condition of an event trigger.
+    doc: Event trigger configuration. Configures the kind and the condition of an event trigger.
     seq:
       - id: function_value
         -orig-id: function
@@ -3958,7 +3962,7 @@ types:
             if: _parent.type == event_trigger_type::combination
   mip_3dm_event_action_config:
     -orig-id: 3dm.event_action_config
-    doc: Event Action Configuration. Configures the trigger and the effect of an event action.
+    doc: Event action configuration. Configures the trigger and the effect of an event action.
     seq:
       - id: function_value
         -orig-id: function
@@ -3996,7 +4000,7 @@ types:
             if: _parent.type == event_action_type::message
   mip_3dm_device_settings:
     -orig-id: 3dm.device_settings
-    doc: Device Start Up Settings. Saves, loads or resets all settings of the device at once.
+    doc: Device start up settings. Saves, loads or resets all settings of the device at once.
     seq:
       - id: function_value
         -orig-id: function
@@ -4005,7 +4009,7 @@ types:
         doc: Operation on the setting.
   mip_3dm_sensor_to_vehicle_transform_euler:
     -orig-id: 3dm.sensor_to_vehicle_transform_euler
-    doc: Sensor-to-Vehicle Frame Transformation Euler. Sets the mounting of the sensor in the vehicle as Euler angles.
+    doc: Sensor-to-vehicle frame transformation Euler. Sets the mounting of the sensor in the vehicle as Euler angles.
     seq:
       - id: function_value
         -orig-id: function
@@ -4015,18 +4019,18 @@ types:
       - id: roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "Rotation about the x axis. Unit: rad."
+        doc: "Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
       - id: pitch
         type: f4
         if: function_value == function_selector::write or _io.size >= 9
-        doc: "Rotation about the y axis. Unit: rad."
+        doc: "Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
       - id: yaw
         type: f4
         if: function_value == function_selector::write or _io.size >= 13
-        doc: "Rotation about the z axis. Unit: rad."
+        doc: "Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
   mip_3dm_sensor_to_vehicle_transform_quaternion:
     -orig-id: 3dm.sensor_to_vehicle_transform_quaternion
-    doc: Sensor-to-Vehicle Frame Transformation Quaternion. Sets the mounting of the sensor in the vehicle as a quaternion.
+    doc: Sensor-to-vehicle frame transformation quaternion. Sets the mounting of the sensor in the vehicle as a quaternion.
     seq:
       - id: function_value
         -orig-id: function
@@ -4039,7 +4043,7 @@ types:
         doc: "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1."
   mip_3dm_sensor_to_vehicle_transform_dcm:
     -orig-id: 3dm.sensor_to_vehicle_transform_dcm
-    doc: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix. Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
+    doc: Sensor-to-vehicle frame transformation direction cosine matrix. Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
     seq:
       - id: function_value
         -orig-id: function
@@ -4126,7 +4130,7 @@ types:
         doc: "Value of the counter, in the unit that `selector` selects."
   mip_3dm_accel_bias:
     -orig-id: 3dm.accel_bias
-    doc: Accelerometer Bias Configuration. Sets the bias that is subtracted from the scaled acceleration.
+    doc: Accelerometer bias configuration. Sets the bias that is subtracted from the scaled acceleration.
     seq:
       - id: function_value
         -orig-id: function
@@ -4139,7 +4143,7 @@ types:
         doc: "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor."
   mip_3dm_gyro_bias:
     -orig-id: 3dm.gyro_bias
-    doc: Gyroscope Bias Configuration. Sets the bias that is subtracted from the scaled angular rate.
+    doc: Gyroscope bias configuration. Sets the bias that is subtracted from the scaled angular rate.
     seq:
       - id: function_value
         -orig-id: function
@@ -4152,14 +4156,14 @@ types:
         doc: "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor."
   mip_3dm_capture_gyro_bias:
     -orig-id: 3dm.capture_gyro_bias
-    doc: Capture Gyroscope Bias. Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
+    doc: Capture gyroscope bias. Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     seq:
       - id: averaging_time_ms
         type: u2
         doc: "Time to average over. Unit: ms. Range: 1000 to 30000."
   mip_3dm_mag_hard_iron_offset:
     -orig-id: 3dm.mag_hard_iron_offset
-    doc: Magnetometer Hard Iron Offset. Sets the offset that corrects the scaled magnetic field for hard iron.
+    doc: Magnetometer hard iron offset. Sets the offset that corrects the scaled magnetic field for hard iron.
     seq:
       - id: function_value
         -orig-id: function
@@ -4172,7 +4176,7 @@ types:
         doc: "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor."
   mip_3dm_mag_soft_iron_matrix:
     -orig-id: 3dm.mag_soft_iron_matrix
-    doc: Magnetometer Soft Iron Matrix. Sets the matrix that corrects the scaled magnetic field for soft iron.
+    doc: Magnetometer soft iron matrix. Sets the matrix that corrects the scaled magnetic field for soft iron.
     seq:
       - id: function_value
         -orig-id: function
@@ -4185,7 +4189,7 @@ types:
         doc: "Soft iron matrix in row-major order. Unit: 1. Frame: sensor."
   mip_3dm_coning_sculling_enable:
     -orig-id: 3dm.coning_sculling_enable
-    doc: Coning and Sculling Enable. Enables or disables coning and sculling compensation.
+    doc: Coning and sculling enable. Enables or disables coning and sculling compensation.
     seq:
       - id: function_value
         -orig-id: function
@@ -4198,7 +4202,7 @@ types:
         doc: "True if the compensation is on. Default: true."
   mip_3dm_uart_baud_rate:
     -orig-id: 3dm.uart_baud_rate
-    doc: UART Baud Rate. Sets the baud rate of the main port.
+    doc: UART baud rate. Sets the baud rate of the main port.
     seq:
       - id: function_value
         -orig-id: function
@@ -4211,7 +4215,7 @@ types:
         doc: "New baud rate; the port must support it. Unit: Bd."
   mip_3dm_gpio_config:
     -orig-id: 3dm.gpio_config
-    doc: GPIO Configuration. Sets the use of a GPIO pin.
+    doc: GPIO configuration. Sets the use of a GPIO pin.
     seq:
       - id: function_value
         -orig-id: function
@@ -4237,7 +4241,7 @@ types:
         doc: Electrical options.
   mip_3dm_gpio_state:
     -orig-id: 3dm.gpio_state
-    doc: GPIO State. Sets or reads the state of a GPIO pin.
+    doc: GPIO state. Sets or reads the state of a GPIO pin.
     seq:
       - id: function_value
         -orig-id: function
@@ -4254,7 +4258,7 @@ types:
         doc: True means high.
   mip_3dm_odometer_config:
     -orig-id: 3dm.odometer_config
-    doc: Odometer Configuration. Configures the input from a wheel encoder.
+    doc: Odometer configuration. Configures the input from a wheel encoder.
     seq:
       - id: function_value
         -orig-id: function
@@ -4276,7 +4280,7 @@ types:
         doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
   mip_3dm_imu_low_pass_filter:
     -orig-id: 3dm.imu_low_pass_filter
-    doc: Advanced Low-Pass Filter Settings. Configures the low-pass filter of one sensor data quantity.
+    doc: Advanced low-pass filter settings. Configures the low-pass filter of one sensor data quantity.
     seq:
       - id: function_value
         -orig-id: function
@@ -4305,7 +4309,7 @@ types:
         doc: "Reserved: send 0."
   mip_3dm_complementary_filter:
     -orig-id: 3dm.complementary_filter
-    doc: Complementary Filter Configuration. Configures the complementary filter, which computes the attitude independently of the estimation filter.
+    doc: Complementary filter configuration. Configures the complementary filter, which computes the attitude independently of the estimation filter.
     seq:
       - id: function_value
         -orig-id: function
@@ -4330,7 +4334,7 @@ types:
         doc: "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10."
   mip_3dm_sensor_range:
     -orig-id: 3dm.sensor_range
-    doc: Sensor Range. Sets the measuring range of a sensor.
+    doc: Sensor range. Sets the measuring range of a sensor.
     seq:
       - id: function_value
         -orig-id: function
@@ -4348,7 +4352,7 @@ types:
         doc: Number of the range.
   mip_3dm_get_calibrated_sensor_ranges:
     -orig-id: 3dm.get_calibrated_sensor_ranges
-    doc: Get Calibrated Sensor Ranges. Gets the ranges that a sensor supports.
+    doc: Get calibrated sensor ranges. Gets the ranges that a sensor supports.
     seq:
       - id: sensor
         type: u1
@@ -4356,7 +4360,7 @@ types:
         doc: "Sensor to query; `all` is not allowed."
   mip_3dm_low_pass_filter:
     -orig-id: 3dm.low_pass_filter
-    doc: Low-Pass Anti-Aliasing Filter. Configures the low-pass filter of a data field.
+    doc: Low-pass anti-aliasing filter. Configures the low-pass filter of a data field.
     seq:
       - id: function_value
         -orig-id: function
@@ -4432,7 +4436,7 @@ types:
         doc: Operation on the setting.
   mip_3dm_device_status:
     -orig-id: 3dm.device_status
-    doc: Device Status. Gets the state of the device, in basic form or with counters.
+    doc: Device status. Gets the state of the device, in basic form or with counters.
     seq:
       - id: model_number
         type: u2
@@ -4443,7 +4447,7 @@ types:
         doc: Level of detail of the reply.
   mip_3dm_imu_message_format_response:
     -orig-id: 3dm.imu_message_format_response
-    doc: "IMU Message Format response. "
+    doc: "IMU message format response. "
     seq:
       - id: num_descriptors
         type: u1
@@ -4457,7 +4461,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_gnss_message_format_response:
     -orig-id: 3dm.gnss_message_format_response
-    doc: "GNSS Message Format response. "
+    doc: "GNSS message format response. "
     seq:
       - id: num_descriptors
         type: u1
@@ -4471,7 +4475,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_filter_message_format_response:
     -orig-id: 3dm.filter_message_format_response
-    doc: "Estimation Filter Message Format response. "
+    doc: "Estimation filter message format response. "
     seq:
       - id: num_descriptors
         type: u1
@@ -4485,21 +4489,21 @@ types:
         doc: Fields and decimations.
   mip_3dm_get_imu_base_rate_response:
     -orig-id: 3dm.get_imu_base_rate_response
-    doc: "Get IMU Data Base Rate response. "
+    doc: "Get IMU data base rate response. "
     seq:
       - id: rate
         type: u2
         doc: "Base rate of the sensor data. Unit: Hz."
   mip_3dm_get_gnss_base_rate_response:
     -orig-id: 3dm.get_gnss_base_rate_response
-    doc: "Get GNSS Data Base Rate response. "
+    doc: "Get GNSS data base rate response. "
     seq:
       - id: rate
         type: u2
         doc: "Base rate of the GNSS data. Unit: Hz."
   mip_3dm_data_stream_control_response:
     -orig-id: 3dm.data_stream_control_response
-    doc: "Data Stream Control response. "
+    doc: "Data stream control response. "
     seq:
       - id: descriptor_set
         type: u1
@@ -4538,7 +4542,7 @@ types:
         doc: Reserved.
   mip_3dm_uart_baud_rate_response:
     -orig-id: 3dm.uart_baud_rate_response
-    doc: "UART Baud Rate response. "
+    doc: "UART baud rate response. "
     seq:
       - id: baud
         type: u4
@@ -4569,14 +4573,14 @@ types:
         doc: Power state of an internal sensor.
   mip_3dm_get_filter_base_rate_response:
     -orig-id: 3dm.get_filter_base_rate_response
-    doc: "Get Estimation Filter Data Base Rate response. "
+    doc: "Get estimation filter data base rate response. "
     seq:
       - id: rate
         type: u2
         doc: "Base rate of the filter data. Unit: Hz."
   mip_3dm_imu_low_pass_filter_response:
     -orig-id: 3dm.imu_low_pass_filter_response
-    doc: "Advanced Low-Pass Filter Settings response. "
+    doc: "Advanced low-pass filter settings response. "
     seq:
       - id: target_descriptor
         type: u1
@@ -4595,7 +4599,7 @@ types:
         doc: Reserved.
   mip_3dm_nmea_message_format_response:
     -orig-id: 3dm.nmea_message_format_response
-    doc: "NMEA Message Format response. "
+    doc: "NMEA message format response. "
     seq:
       - id: count
         type: u1
@@ -4609,7 +4613,7 @@ types:
         doc: Sentences to stream.
   mip_3dm_get_base_rate_response:
     -orig-id: 3dm.get_base_rate_response
-    doc: "Get Data Base Rate response. "
+    doc: "Get data base rate response. "
     seq:
       - id: descriptor_set
         type: u1
@@ -4619,7 +4623,7 @@ types:
         doc: "Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz."
   mip_3dm_message_format_response:
     -orig-id: 3dm.message_format_response
-    doc: "Message Format response. "
+    doc: "Message format response. "
     seq:
       - id: descriptor_set
         type: u1
@@ -4636,7 +4640,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_device_status_basic_rq1_imu_response:
     -orig-id: 3dm.device_status_basic_rq1_imu_response
-    doc: Basic Device Status of the inertial sensor of the 3DM-RQ1-45. Timer only, in microseconds.
+    doc: Basic device status (inertial sensor of the 3DM-RQ1-45). Timer only, in microseconds.
     seq:
       - id: model_number
         type: u2
@@ -4654,7 +4658,7 @@ types:
         doc: "Time since start-up. Unit: us."
   mip_3dm_device_status_basic_response:
     -orig-id: 3dm.device_status_basic_response
-    doc: Basic Device Status. State and timer.
+    doc: Basic device status. State and timer.
     seq:
       - id: model_number
         type: u2
@@ -4674,7 +4678,7 @@ types:
         doc: "Time since start-up. Unit: ms."
   mip_3dm_device_status_basic_without_state_response:
     -orig-id: 3dm.device_status_basic_without_state_response
-    doc: Basic Device Status without a state. Timer only.
+    doc: Basic device status (without state). Timer only.
     seq:
       - id: model_number
         type: u2
@@ -4691,7 +4695,7 @@ types:
         doc: "Time since start-up. Unit: ms."
   mip_3dm_device_status_diagnostic_response:
     -orig-id: 3dm.device_status_diagnostic_response
-    doc: Diagnostic Device Status. State, timer, and the counters of streams and port.
+    doc: Diagnostic device status. State, timer, and the counters of streams and port.
     seq:
       - id: model_number
         type: u2
@@ -4744,7 +4748,7 @@ types:
         doc: "System timer at the last IMU message. Unit: ms."
   mip_3dm_device_status_diagnostic_gnss_response:
     -orig-id: 3dm.device_status_diagnostic_gnss_response
-    doc: Diagnostic Device Status with GNSS. State, timer, and the counters of pulses, streams, port and receiver.
+    doc: Diagnostic device status (with GNSS). State, timer, and the counters of pulses, streams, port and receiver.
     seq:
       - id: model_number
         type: u2
@@ -4821,7 +4825,7 @@ types:
         doc: "System timer at the last receiver message. Unit: ms."
   mip_3dm_device_status_diagnostic_gq4_45_response:
     -orig-id: 3dm.device_status_diagnostic_gq4_45_response
-    doc: Diagnostic Device Status of the 3DM-GQ4-45. The layout with GNSS, plus flags for parts that could not be started.
+    doc: Diagnostic device status (3DM-GQ4-45). The layout with GNSS, plus flags for parts that could not be started.
     seq:
       - id: model_number
         type: u2
@@ -4907,7 +4911,7 @@ types:
         doc: True if the GNSS receiver could not be started.
   mip_3dm_device_status_diagnostic_rq1_45_response:
     -orig-id: 3dm.device_status_diagnostic_rq1_45_response
-    doc: Diagnostic Device Status of the 3DM-RQ1-45. The layout with GNSS, plus the temperature.
+    doc: Diagnostic device status (3DM-RQ1-45). The layout with GNSS, plus the temperature.
     seq:
       - id: model_number
         type: u2
@@ -4993,7 +4997,7 @@ types:
         doc: "System timer at the last receiver message. Unit: ms."
   mip_3dm_device_status_diagnostic_gx4_response:
     -orig-id: 3dm.device_status_diagnostic_gx4_response
-    doc: Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25. Timer, and counters of pulses, streams, port and USB.
+    doc: Diagnostic device status (3DM-GX4-15, 3DM-GX4-25). Timer, and counters of pulses, streams, port and USB.
     seq:
       - id: model_number
         type: u2
@@ -5061,7 +5065,7 @@ types:
         doc: "System timer at the last IMU message. Unit: ms."
   mip_3dm_device_status_diagnostic_imu_response:
     -orig-id: 3dm.device_status_diagnostic_imu_response
-    doc: Diagnostic Device Status of an IMU. Timer, available sensors, temperature, and the counters of pulses, stream and port.
+    doc: Diagnostic device status (IMU). Timer, available sensors, temperature, and the counters of pulses, stream and port.
     seq:
       - id: model_number
         type: u2
@@ -5087,10 +5091,10 @@ types:
         doc: Power state of the sensors.
       - id: gyro_range
         type: u2
-        doc: Largest angular rate that can be measured.
+        doc: Largest measurable angular rate.
       - id: accel_range
         type: u2
-        doc: Largest acceleration that can be measured.
+        doc: Largest measurable acceleration.
       - id: reserved
         type: u4
         doc: Reserved.
@@ -5129,7 +5133,7 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
   mip_3dm_device_status_diagnostic_gx4_imu_response:
     -orig-id: 3dm.device_status_diagnostic_gx4_imu_response
-    doc: Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45. Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.
+    doc: Diagnostic device status (inertial sensor of the 3DM-GX4-45). Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.
     seq:
       - id: model_number
         type: u2
@@ -5152,16 +5156,16 @@ types:
         doc: True if the device has a pressure sensor.
       - id: gyro_range
         type: u2
-        doc: Largest angular rate that can be measured.
+        doc: Largest measurable angular rate.
       - id: accel_range
         type: u1
-        doc: Largest acceleration that can be measured.
+        doc: Largest measurable acceleration.
       - id: mag_range
         type: f4
-        doc: Largest magnetic field that can be measured.
+        doc: Largest measurable magnetic field.
       - id: pressure_range
         type: f4
-        doc: Largest pressure that can be measured.
+        doc: Largest measurable pressure.
       - id: temperature
         type: f4
         doc: "Temperature of the board. Unit: degC."
@@ -5197,7 +5201,7 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
   mip_3dm_device_status_diagnostic_rq1_imu_response:
     -orig-id: 3dm.device_status_diagnostic_rq1_imu_response
-    doc: Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45. Timer, temperature and supply, and the counters of pulses, stream and port.
+    doc: Diagnostic device status (inertial sensor of the 3DM-RQ1-45). Timer, temperature and supply, and the counters of pulses, stream and port.
     seq:
       - id: model_number
         type: u2
@@ -5259,7 +5263,7 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
   mip_3dm_device_status_basic_gx3_response:
     -orig-id: 3dm.device_status_basic_gx3_response
-    doc: Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45. State of the port.
+    doc: Basic device status (3DM-GX3-35, 3DM-GX3-45). State of the port.
     seq:
       - id: model_number
         type: u2
@@ -5285,7 +5289,7 @@ types:
         doc: "Baud rate of the port. Unit: Bd."
   mip_3dm_device_status_diagnostic_gx3_response:
     -orig-id: 3dm.device_status_diagnostic_gx3_response
-    doc: Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45. State of the port, and the counters of the port, USB, receiver and IMU.
+    doc: Diagnostic device status (3DM-GX3-35, 3DM-GX3-45). State of the port, and the counters of the port, USB, receiver and IMU.
     seq:
       - id: model_number
         type: u2
@@ -5405,7 +5409,7 @@ types:
         doc: "Value of the counter, in the unit that `selector` selects."
   mip_3dm_complementary_filter_response:
     -orig-id: 3dm.complementary_filter_response
-    doc: "Complementary Filter Configuration response. "
+    doc: "Complementary filter configuration response. "
     seq:
       - id: pitch_roll_enable
         type: u1
@@ -5421,42 +5425,42 @@ types:
         doc: "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10."
   mip_3dm_accel_bias_response:
     -orig-id: 3dm.accel_bias_response
-    doc: "Accelerometer Bias Configuration response. "
+    doc: "Accelerometer bias configuration response. "
     seq:
       - id: bias
         type: vector3f
         doc: "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor."
   mip_3dm_gyro_bias_response:
     -orig-id: 3dm.gyro_bias_response
-    doc: Gyroscope Bias Configuration response. The bias in use.
+    doc: Gyroscope bias configuration response. The bias in use.
     seq:
       - id: bias
         type: vector3f
         doc: "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor."
   mip_3dm_mag_hard_iron_offset_response:
     -orig-id: 3dm.mag_hard_iron_offset_response
-    doc: "Magnetometer Hard Iron Offset response. "
+    doc: "Magnetometer hard iron offset response. "
     seq:
       - id: offset
         type: vector3f
         doc: "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor."
   mip_3dm_mag_soft_iron_matrix_response:
     -orig-id: 3dm.mag_soft_iron_matrix_response
-    doc: "Magnetometer Soft Iron Matrix response. "
+    doc: "Magnetometer soft iron matrix response. "
     seq:
       - id: matrix
         type: matrix3f
         doc: "Soft iron matrix in row-major order. Unit: 1. Frame: sensor."
   mip_3dm_coning_sculling_enable_response:
     -orig-id: 3dm.coning_sculling_enable_response
-    doc: "Coning and Sculling Enable response. "
+    doc: "Coning and sculling enable response. "
     seq:
       - id: enable
         type: u1
         doc: "True if the compensation is on. Default: true."
   mip_3dm_constellation_settings_response:
     -orig-id: 3dm.constellation_settings_response
-    doc: Constellation Settings response. Tracking channels of the receiver and the setting of each constellation.
+    doc: Constellation settings response. Tracking channels of the receiver and the setting of each constellation.
     seq:
       - id: max_channels_available
         type: u2
@@ -5476,7 +5480,7 @@ types:
         doc: One entry for each constellation.
   mip_3dm_gnss_sbas_settings_response:
     -orig-id: 3dm.gnss_sbas_settings_response
-    doc: "GNSS SBAS Settings response. "
+    doc: "GNSS SBAS settings response. "
     seq:
       - id: enable_sbas
         type: u1
@@ -5496,7 +5500,7 @@ types:
         doc: PRN numbers of the SBAS satellites to search for.
   mip_3dm_gnss_assisted_fix_response:
     -orig-id: 3dm.gnss_assisted_fix_response
-    doc: "GNSS Assisted Fix response. "
+    doc: "GNSS assisted fix response. "
     seq:
       - id: option
         type: u1
@@ -5507,7 +5511,7 @@ types:
         doc: Reserved.
   mip_3dm_gnss_time_assistance_response:
     -orig-id: 3dm.gnss_time_assistance_response
-    doc: "GNSS Time Assistance response. "
+    doc: "GNSS time assistance response. "
     seq:
       - id: tow
         type: f8
@@ -5520,7 +5524,7 @@ types:
         doc: "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control_response:
     -orig-id: 3dm.pps_source_control_response
-    doc: "PPS Source Control response. "
+    doc: "PPS source control response. "
     seq:
       - id: source
         type: u1
@@ -5528,34 +5532,34 @@ types:
         doc: Source of the pulse.
   mip_3dm_sensor_to_vehicle_transform_euler_response:
     -orig-id: 3dm.sensor_to_vehicle_transform_euler_response
-    doc: "Sensor-to-Vehicle Frame Transformation Euler response. "
+    doc: "Sensor-to-vehicle frame transformation Euler response. "
     seq:
       - id: roll
         type: f4
-        doc: "Rotation about the x axis. Unit: rad."
+        doc: "Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
       - id: pitch
         type: f4
-        doc: "Rotation about the y axis. Unit: rad."
+        doc: "Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
       - id: yaw
         type: f4
-        doc: "Rotation about the z axis. Unit: rad."
+        doc: "Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
   mip_3dm_sensor_to_vehicle_transform_quaternion_response:
     -orig-id: 3dm.sensor_to_vehicle_transform_quaternion_response
-    doc: "Sensor-to-Vehicle Frame Transformation Quaternion response. "
+    doc: "Sensor-to-vehicle frame transformation quaternion response. "
     seq:
       - id: q
         type: quatf
         doc: "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1."
   mip_3dm_sensor_to_vehicle_transform_dcm_response:
     -orig-id: 3dm.sensor_to_vehicle_transform_dcm_response
-    doc: "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response. "
+    doc: "Sensor-to-vehicle frame transformation direction cosine matrix response. "
     seq:
       - id: dcm
         type: matrix3f
         doc: "The matrix in row-major order. Unit: 1."
   mip_3dm_get_event_support_response:
     -orig-id: 3dm.get_event_support_response
-    doc: "Get Supported Events response. "
+    doc: "Get supported events response. "
     seq:
       - id: query
         type: u1
@@ -5563,7 +5567,7 @@ types:
         doc: Query specified in the command.
       - id: max_instances
         type: u1
-        doc: "Number of slots; instances are numbered from 1 to this. Unit: 1."
+        doc: "Number of instances, which are numbered from 1. Unit: 1."
       - id: num_entries
         type: u1
         valid:
@@ -5576,18 +5580,18 @@ types:
         doc: The types.
   mip_3dm_event_control_response:
     -orig-id: 3dm.event_control_response
-    doc: "Event Control response. "
+    doc: "Event control response. "
     seq:
       - id: instance
         type: u1
-        doc: Number of the trigger.
+        doc: Trigger instance.
       - id: mode
         type: u1
         enum: event_trigger_mode
         doc: "Mode of the trigger. Default: `disabled`."
   mip_3dm_get_event_trigger_status_response:
     -orig-id: 3dm.get_event_trigger_status_response
-    doc: "Get Event Trigger Status response. "
+    doc: "Get event trigger status response. "
     seq:
       - id: count
         type: u1
@@ -5601,7 +5605,7 @@ types:
         doc: One entry per trigger, in the requested order, or by instance if all were requested.
   mip_3dm_get_event_action_status_response:
     -orig-id: 3dm.get_event_action_status_response
-    doc: "Get Event Action Status response. "
+    doc: "Get event action status response. "
     seq:
       - id: count
         type: u1
@@ -5615,11 +5619,11 @@ types:
         doc: One entry per action, in the requested order, or by instance if all were requested.
   mip_3dm_event_trigger_config_response:
     -orig-id: 3dm.event_trigger_config_response
-    doc: "Event Trigger Configuration response. "
+    doc: "Event trigger configuration response. "
     seq:
       - id: instance
         type: u1
-        doc: Number of the trigger.
+        doc: Trigger instance.
       - id: type
         type: u1
         enum: event_trigger_type
@@ -5645,11 +5649,11 @@ types:
             if: _parent.type == event_trigger_type::combination
   mip_3dm_event_action_config_response:
     -orig-id: 3dm.event_action_config_response
-    doc: "Event Action Configuration response. "
+    doc: "Event action configuration response. "
     seq:
       - id: instance
         type: u1
-        doc: Number of the action.
+        doc: Action instance.
       - id: trigger
         type: u1
         doc: Trigger instance that the action follows.
@@ -5674,7 +5678,7 @@ types:
             if: _parent.type == event_action_type::message
   mip_3dm_gpio_config_response:
     -orig-id: 3dm.gpio_config_response
-    doc: "GPIO Configuration response. "
+    doc: "GPIO configuration response. "
     seq:
       - id: pin
         type: u1
@@ -5691,7 +5695,7 @@ types:
         doc: Electrical options.
   mip_3dm_gpio_state_response:
     -orig-id: 3dm.gpio_state_response
-    doc: "GPIO State response. "
+    doc: "GPIO state response. "
     seq:
       - id: pin
         type: u1
@@ -5701,7 +5705,7 @@ types:
         doc: True means high.
   mip_3dm_odometer_config_response:
     -orig-id: 3dm.odometer_config_response
-    doc: "Odometer Configuration response. "
+    doc: "Odometer configuration response. "
     seq:
       - id: mode
         type: u1
@@ -5715,7 +5719,7 @@ types:
         doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
   mip_3dm_sensor_range_response:
     -orig-id: 3dm.sensor_range_response
-    doc: "Sensor Range response. "
+    doc: "Sensor range response. "
     seq:
       - id: sensor
         type: u1
@@ -5726,7 +5730,7 @@ types:
         doc: Number of the range.
   mip_3dm_get_calibrated_sensor_ranges_response:
     -orig-id: 3dm.get_calibrated_sensor_ranges_response
-    doc: "Get Calibrated Sensor Ranges response. "
+    doc: "Get calibrated sensor ranges response. "
     seq:
       - id: sensor
         type: u1
@@ -5744,7 +5748,7 @@ types:
         doc: Ranges for which the sensor is calibrated.
   mip_3dm_low_pass_filter_response:
     -orig-id: 3dm.low_pass_filter_response
-    doc: "Low-Pass Anti-Aliasing Filter response. "
+    doc: "Low-pass anti-aliasing filter response. "
     seq:
       - id: descriptor_set
         type: u1
@@ -5770,27 +5774,27 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Roll angle. Unit: rad. Frame: ned. Range: -pi to pi."
       - id: pitch
         type: f4
         doc: "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
       - id: heading
         type: f4
-        doc: "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -pi to pi."
   filter_set_initial_heading:
     -orig-id: filter.set_initial_heading
     doc: Set initial heading. Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
     seq:
       - id: heading
         type: f4
-        doc: "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Initial heading. Unit: rad. Frame: ned. Range: -pi to pi."
   filter_set_initial_attitude_from_imu:
     -orig-id: filter.set_initial_attitude_from_imu
     doc: "Set initial attitude from IMU. Initializes the filter's attitude from the complementary filter."
     seq:
       - id: declination
         type: f4
-        doc: "Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi."
   filter_run:
     -orig-id: filter.run
     doc: Run navigation filter. Starts a filter that is configured to wait for this command.
@@ -5820,15 +5824,15 @@ types:
       - id: roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "Roll angle. Unit: rad."
+        doc: "Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
       - id: pitch
         type: f4
         if: function_value == function_selector::write or _io.size >= 9
-        doc: "Pitch angle. Unit: rad."
+        doc: "Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
       - id: yaw
         type: f4
         if: function_value == function_selector::write or _io.size >= 13
-        doc: "Yaw angle. Unit: rad."
+        doc: "Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
   filter_sensor_to_vehicle_offset:
     -orig-id: filter.sensor_to_vehicle_offset
     doc: Sensor to vehicle offset. Sets the origin of the vehicle frame relative to the sensor.
@@ -5916,7 +5920,7 @@ types:
     seq:
       - id: heading
         type: f4
-        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi."
       - id: heading_uncertainty
         type: f4
         doc: "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0."
@@ -6040,7 +6044,7 @@ types:
         doc: "GPS week, counted without rollover. Unit: week."
       - id: heading
         type: f4
-        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi."
       - id: heading_uncertainty
         type: f4
         doc: "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0."
@@ -6213,7 +6217,7 @@ types:
       - id: declination
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi."
   filter_accel_magnitude_error_adaptive_measurement:
     -orig-id: filter.accel_magnitude_error_adaptive_measurement
     doc: Gravity magnitude error adaptive measurement. Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
@@ -6310,7 +6314,7 @@ types:
       - id: high_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Upper limit of the dip angle error. Unit: rad."
+        doc: "Upper limit of the dip angle error. Unit: rad. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 14
@@ -6364,7 +6368,7 @@ types:
       - id: inclination
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966."
+        doc: "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
   filter_magnetic_magnitude_source:
     -orig-id: filter.magnetic_magnitude_source
     doc: Magnetic field magnitude source. Selects the source of the local magnitude of the magnetic field.
@@ -6476,15 +6480,15 @@ types:
       - id: initial_heading
         type: f4
         if: function_value == function_selector::write or _io.size >= 8
-        doc: "Initial heading that your program provides. Unit: deg."
+        doc: "Initial heading relative to true north. Unit: deg. Frame: ned."
       - id: initial_pitch
         type: f4
         if: function_value == function_selector::write or _io.size >= 12
-        doc: "Initial pitch that your program provides. Unit: deg."
+        doc: "Initial pitch angle. Unit: deg. Frame: ned."
       - id: initial_roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 16
-        doc: "Initial roll that your program provides. Unit: deg."
+        doc: "Initial roll angle. Unit: deg. Frame: ned."
       - id: initial_position
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 28
@@ -6532,7 +6536,7 @@ types:
       - id: antenna_offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "Vector from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Lever arm from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_relative_position_config:
     -orig-id: filter.relative_position_config
     doc: Relative position configuration. Sets the reference point of the relative position that the filter reports.
@@ -6573,7 +6577,7 @@ types:
       - id: lever_arm_offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "Vector from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Lever arm from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_speed_measurement:
     -orig-id: filter.speed_measurement
     doc: Speed measurement. Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.
@@ -6586,7 +6590,7 @@ types:
         doc: "GPS time of week of the measurement. Unit: s. Range: 0 to 604800."
       - id: speed
         type: f4
-        doc: "Speed, negative in reverse. Unit: m/s. Frame: vehicle."
+        doc: "Speed along the x axis of the vehicle. Unit: m/s. Frame: vehicle."
       - id: speed_uncertainty
         type: f4
         doc: "Standard deviation of the speed. Unit: m/s. Range: at least 0."
@@ -6606,7 +6610,7 @@ types:
       - id: lever_arm_offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "Vector from the sensor to the point of measurement. Unit: m. Frame: vehicle."
+        doc: "Lever arm from the sensor to the point of measurement. Unit: m. Frame: vehicle."
   filter_vertical_gyro_constraint_control:
     -orig-id: filter.vertical_gyro_constraint_control
     doc: Vertical gyro constraint. Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
@@ -6664,13 +6668,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle. Unit: rad."
+        doc: "Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
       - id: pitch
         type: f4
-        doc: "Pitch angle. Unit: rad."
+        doc: "Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
       - id: yaw
         type: f4
-        doc: "Yaw angle. Unit: rad."
+        doc: "Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
   filter_sensor_to_vehicle_offset_response:
     -orig-id: filter.sensor_to_vehicle_offset_response
     doc: "Sensor to vehicle offset response. "
@@ -6844,7 +6848,7 @@ types:
         doc: Source of the declination.
       - id: declination
         type: f4
-        doc: "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi."
   filter_accel_magnitude_error_adaptive_measurement_response:
     -orig-id: filter.accel_magnitude_error_adaptive_measurement_response
     doc: "Gravity magnitude error adaptive measurement response. "
@@ -6909,7 +6913,7 @@ types:
         doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: high_limit
         type: f4
-        doc: "Upper limit of the dip angle error. Unit: rad."
+        doc: "Upper limit of the dip angle error. Unit: rad. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
         doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0."
@@ -6942,7 +6946,7 @@ types:
         doc: Source of the inclination.
       - id: inclination
         type: f4
-        doc: "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966."
+        doc: "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
   filter_magnetic_magnitude_source_response:
     -orig-id: filter.magnetic_magnitude_source_response
     doc: "Magnetic field magnitude source response. "
@@ -7011,13 +7015,13 @@ types:
         doc: Methods that may be used to determine the initial heading.
       - id: initial_heading
         type: f4
-        doc: "Initial heading that your program provides. Unit: deg."
+        doc: "Initial heading relative to true north. Unit: deg. Frame: ned."
       - id: initial_pitch
         type: f4
-        doc: "Initial pitch that your program provides. Unit: deg."
+        doc: "Initial pitch angle. Unit: deg. Frame: ned."
       - id: initial_roll
         type: f4
-        doc: "Initial roll that your program provides. Unit: deg."
+        doc: "Initial roll angle. Unit: deg. Frame: ned."
       - id: initial_position
         type: vector3f
         doc: Initial position that your program provides.
@@ -7048,7 +7052,7 @@ types:
         doc: "Number of the receiver, from 1. Range: at least 1."
       - id: antenna_offset
         type: vector3f
-        doc: "Vector from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Lever arm from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_relative_position_config_response:
     -orig-id: filter.relative_position_config_response
     doc: "Relative position configuration response. "
@@ -7071,10 +7075,10 @@ types:
       - id: reference_point
         type: u1
         enum: filter_reference_point
-        doc: Point whose lever arm follows.
+        doc: Point to which the lever arm leads.
       - id: lever_arm_offset
         type: vector3f
-        doc: "Vector from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Lever arm from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_speed_lever_arm_response:
     -orig-id: filter.speed_lever_arm_response
     doc: "Speed measurement lever arm response. "
@@ -7084,7 +7088,7 @@ types:
         doc: Reserved.
       - id: lever_arm_offset
         type: vector3f
-        doc: "Vector from the sensor to the point of measurement. Unit: m. Frame: vehicle."
+        doc: "Lever arm from the sensor to the point of measurement. Unit: m. Frame: vehicle."
   filter_vertical_gyro_constraint_control_response:
     -orig-id: filter.vertical_gyro_constraint_control_response
     doc: "Vertical gyro constraint response. "
@@ -7240,6 +7244,16 @@ types:
         repeat-expr: 32
         if: function_value == function_selector::write or _io.size >= 79
         doc: Next key in ASCII digits.
+  gnss_receiver_safe_mode:
+    -orig-id: gnss.receiver_safe_mode
+    doc: Receiver safe mode. Switches the safe mode of one receiver on or off. In safe mode, it sends no valid data.
+    seq:
+      - id: receiver_id
+        type: u1
+        doc: "Number of the receiver, from 1. Range: at least 1."
+      - id: enable
+        type: u1
+        doc: "1 switches safe mode on, 0 off. Range: 0 to 1."
   gnss_receiver_info_response:
     -orig-id: gnss.receiver_info_response
     doc: "Receiver info response. "
@@ -7496,10 +7510,10 @@ types:
         doc: Time of the last transfer.
   displacement_get_calibration:
     -orig-id: displacement.get_calibration
-    doc: Get Analog to Displacement Calibration. Reads the slope and offset with which the device converts ADC counts to displacement.
+    doc: Get analog to displacement calibration. Reads the slope and offset with which the device converts ADC counts to displacement.
   displacement_output_rate:
     -orig-id: displacement.output_rate
-    doc: Displacement Output Data Rate. Reads the rate at which displacement is measured.
+    doc: Displacement output data rate. Reads the rate at which displacement is measured.
     seq:
       - id: function_value
         -orig-id: function
@@ -7508,7 +7522,7 @@ types:
         doc: Operation on the setting.
   displacement_device_time:
     -orig-id: displacement.device_time
-    doc: "Displacement Device Time. Sets the clock of the device, from which `displacement_data_timestamp` is taken."
+    doc: "Displacement device time. Sets the clock of the device, from which `displacement_data_timestamp` is taken."
     seq:
       - id: function_value
         -orig-id: function
@@ -7521,7 +7535,7 @@ types:
         doc: "UTC since 1970-01-01, without leap seconds. Unit: ns."
   displacement_get_calibration_response:
     -orig-id: displacement.get_calibration_response
-    doc: "Get Analog to Displacement Calibration response. "
+    doc: "Get analog to displacement calibration response. "
     seq:
       - id: slope
         type: f4
@@ -7531,7 +7545,7 @@ types:
         doc: Displacement at zero counts.
   displacement_output_rate_response:
     -orig-id: displacement.output_rate_response
-    doc: "Displacement Output Data Rate response. "
+    doc: "Displacement output data rate response. "
     seq:
       - id: rate
         type: u4
@@ -7573,11 +7587,28 @@ types:
           - id: euler
             type: vector3f
             if: _parent.format == aiding_aiding_frame_format::euler
-            doc: Roll, pitch and yaw.
+            doc: Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above.
           - id: quaternion
             type: quatf
             if: _parent.format == aiding_aiding_frame_format::quaternion
             doc: Quaternion, scalar part first.
+  aiding_sensor_frame_map:
+    -orig-id: aiding.sensor_frame_map
+    doc: Sensor frame map. Sets the frame in which an aiding sensor measures.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: Operation on the setting.
+      - id: sensor_id
+        type: u1
+        if: function_value == function_selector::write or _io.size >= 2
+        doc: "Number of the sensor. Range: at least 1."
+      - id: frame_id
+        type: u1
+        if: function_value == function_selector::write or _io.size >= 3
+        doc: "Frame of the sensor, defined by `aiding_frame_config`. Range: 1 to 4. Default: 1."
   aiding_echo_control:
     -orig-id: aiding.echo_control
     doc: Echo control. Sets how the device replies to aiding measurements.
@@ -7655,6 +7686,25 @@ types:
       - id: valid_flags
         type: u2
         doc: Nonzero if the measurement is valid.
+  aiding_pressure_old:
+    -orig-id: aiding.pressure_old
+    doc: "Pressure (old). Sends a static air pressure measured by an external sensor (superseded by `aiding_pressure`)."
+    seq:
+      - id: time
+        type: aiding_measurement_time
+        doc: Time of the measurement.
+      - id: frame_id
+        type: u1
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
+      - id: pressure
+        type: f4
+        doc: "Air pressure. Unit: mbar."
+      - id: uncertainty
+        type: f4
+        doc: "Standard deviation of the pressure. Unit: mbar. Range: greater than 0."
+      - id: valid_flags
+        type: u2
+        doc: Nonzero if the measurement is valid.
   aiding_ecef_velocity:
     -orig-id: aiding.ecef_velocity
     doc: ECEF velocity. Sends a measured velocity in Earth-fixed coordinates.
@@ -7724,7 +7774,7 @@ types:
         doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: heading
         type: f4
-        doc: "Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Heading relative to true north. Unit: rad. Frame: ned. Range: -pi to pi."
       - id: uncertainty
         type: f4
         doc: "Uncertainty of the heading. Unit: rad. Range: greater than 0."
@@ -7796,11 +7846,21 @@ types:
           - id: euler
             type: vector3f
             if: _parent.format == aiding_aiding_frame_format::euler
-            doc: Roll, pitch and yaw.
+            doc: Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above.
           - id: quaternion
             type: quatf
             if: _parent.format == aiding_aiding_frame_format::quaternion
             doc: Quaternion, scalar part first.
+  aiding_sensor_frame_map_response:
+    -orig-id: aiding.sensor_frame_map_response
+    doc: "Sensor frame map response. "
+    seq:
+      - id: sensor_id
+        type: u1
+        doc: "Number of the sensor. Range: at least 1."
+      - id: frame_id
+        type: u1
+        doc: "Frame of the sensor, defined by `aiding_frame_config`. Range: 1 to 4. Default: 1."
   aiding_echo_control_response:
     -orig-id: aiding.echo_control_response
     doc: "Echo control response. "
@@ -7918,11 +7978,11 @@ types:
         doc: "Integral of the angular rate. Unit: rad. Frame: vehicle."
   sensor_delta_velocity:
     -orig-id: sensor.delta_velocity
-    doc: Delta velocity. Time integral of the acceleration over the period set by the message format.
+    doc: Delta velocity. Time integral of the specific force over the period set by the message format.
     seq:
       - id: delta_velocity
         type: vector3f
-        doc: "Integral of the acceleration. Unit: g*s. Frame: vehicle."
+        doc: "Integral of the specific force: acceleration minus gravity. Unit: g*s. Frame: vehicle."
   sensor_comp_orientation_matrix:
     -orig-id: sensor.comp_orientation_matrix
     doc: Complementary filter orientation matrix. Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
@@ -7936,7 +7996,7 @@ types:
     seq:
       - id: q
         type: quatf
-        doc: "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned."
+        doc: "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned."
   sensor_comp_orientation_update_matrix:
     -orig-id: sensor.comp_orientation_update_matrix
     doc: "Complementary filter orientation update matrix. Change in the complementary filter's attitude, as a matrix."
@@ -7950,13 +8010,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Roll angle. Unit: rad. Frame: ned. Range: -pi to pi."
       - id: pitch
         type: f4
         doc: "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
       - id: yaw
         type: f4
-        doc: "Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Yaw angle. Unit: rad. Frame: ned. Range: -pi to pi."
   sensor_orientation_raw_temperature:
     -orig-id: sensor.orientation_raw_temperature
     doc: Orientation raw temperatures. Raw readings of four temperature sensors.
@@ -8063,7 +8123,7 @@ types:
     seq:
       - id: speed
         type: f4
-        doc: "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if `valid_flags.odometer` is set."
+        doc: "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Frame: vehicle. Valid if `valid_flags.odometer` is set."
       - id: uncertainty
         type: f4
         doc: "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.odometer` is set."
@@ -8263,10 +8323,10 @@ types:
         doc: "Carrier to noise density ratio. Unit: dB-Hz. Valid if `valid_flags.carrier_noise_ratio` is set."
       - id: azimuth
         type: s2
-        doc: "Direction of the satellite, from north. Unit: deg. Valid if `valid_flags.azimuth` is set."
+        doc: "Direction of the satellite, from true north. Unit: deg. Frame: ned. Valid if `valid_flags.azimuth` is set."
       - id: elevation
         type: s2
-        doc: "Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if `valid_flags.elevation` is set."
+        doc: "Angle between the horizon and the satellite. Unit: deg. Frame: ned. Range: -90 to 90. Valid if `valid_flags.elevation` is set."
       - id: sv_flags
         type: gnss_data_sv_flags
         doc: "State of the satellite. Valid if `valid_flags.sv_flags` is set."
@@ -8472,7 +8532,7 @@ types:
     seq:
       - id: heading
         type: f4
-        doc: "Heading of the baseline between the antennas. Unit: deg. Valid if `valid_flags.heading` is set."
+        doc: "Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned. Valid if `valid_flags.heading` is set."
       - id: uncertainty
         type: f4
         doc: "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.uncertainty` is set."
@@ -8508,10 +8568,10 @@ types:
         doc: "Satellite within the constellation. Valid if `valid_flags.satellite_id` is set."
       - id: elevation
         type: f4
-        doc: "Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if `valid_flags.elevation` is set."
+        doc: "Angle between the horizon and the satellite, seen from the rover. Unit: deg. Frame: ned. Range: -90 to 90. Valid if `valid_flags.elevation` is set."
       - id: azimuth
         type: f4
-        doc: "Azimuth, as seen from the rover. Unit: deg. Valid if `valid_flags.azimuth` is set."
+        doc: "Direction of the satellite from the rover, from true north. Unit: deg. Frame: ned. Valid if `valid_flags.azimuth` is set."
       - id: health
         type: u1
         doc: "True if the satellite is healthy. Valid if `valid_flags.health` is set."
@@ -9151,7 +9211,7 @@ types:
     seq:
       - id: q
         type: quatf
-        doc: "Quaternion, scalar part first. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9171,13 +9231,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. Valid if `valid_flags.valid` is set."
       - id: pitch
         type: f4
         doc: "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
       - id: yaw
         type: f4
-        doc: "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9351,7 +9411,7 @@ types:
     seq:
       - id: heading
         type: f4
-        doc: "Heading of the sensor frame relative to true north. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
         doc: "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
@@ -9376,10 +9436,10 @@ types:
         doc: "Down component of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: inclination
         type: f4
-        doc: "Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
+        doc: "Angle of the field below the horizontal plane. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
       - id: declination
         type: f4
-        doc: "Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
+        doc: "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9445,11 +9505,11 @@ types:
         doc: Validity of the values of a field.
   filter_data_comp_accel:
     -orig-id: filter_data.comp_accel
-    doc: Compensated acceleration. Acceleration with the estimated bias removed. It includes gravity.
+    doc: Compensated acceleration. Specific force with the estimated bias removed.
     seq:
       - id: accel
         type: vector3f
-        doc: "Acceleration with the estimated bias removed; gravity is included. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Specific force: acceleration minus gravity. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9778,7 +9838,7 @@ types:
         doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if `valid_flags.valid` is set."
       - id: heading
         type: f4
-        doc: "Heading derived from the baseline of the antennas. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Heading derived from the baseline of the antennas. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
         doc: "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
@@ -9834,7 +9894,7 @@ types:
         doc: "Position of the sensor along its axis. Unit: mm."
   displacement_data_timestamp:
     -orig-id: displacement_data.timestamp
-    doc: Displacement Device Timestamp. Time of the measurement by the clock of the device.
+    doc: Displacement device timestamp. Time of the measurement by the clock of the device.
     seq:
       - id: flags
         type: displacement_data_timestamp_flags
@@ -10059,82 +10119,82 @@ enums:
       id: mip_3dm_poll_imu_data
       -orig-id: 3dm.poll_imu_data
       -role: command
-      doc: Poll IMU Data
+      doc: Poll IMU data
     0x0c02:
       id: mip_3dm_poll_gnss_data
       -orig-id: 3dm.poll_gnss_data
       -role: command
-      doc: Poll GNSS Data
+      doc: Poll GNSS data
     0x0c03:
       id: mip_3dm_poll_filter_data
       -orig-id: 3dm.poll_filter_data
       -role: command
-      doc: Poll Estimation Filter Data
+      doc: Poll estimation filter data
     0x0c04:
       id: mip_3dm_poll_nmea_data
       -orig-id: 3dm.poll_nmea_data
       -role: command
-      doc: Poll NMEA Data
+      doc: Poll NMEA data
     0x0c06:
       id: mip_3dm_get_imu_base_rate
       -orig-id: 3dm.get_imu_base_rate
       -role: command
-      doc: Get IMU Data Base Rate
+      doc: Get IMU data base rate
     0x0c07:
       id: mip_3dm_get_gnss_base_rate
       -orig-id: 3dm.get_gnss_base_rate
       -role: command
-      doc: Get GNSS Data Base Rate
+      doc: Get GNSS data base rate
     0x0c08:
       id: mip_3dm_imu_message_format
       -orig-id: 3dm.imu_message_format
       -role: command
-      doc: IMU Message Format
+      doc: IMU message format
     0x0c09:
       id: mip_3dm_gnss_message_format
       -orig-id: 3dm.gnss_message_format
       -role: command
-      doc: GNSS Message Format
+      doc: GNSS message format
     0x0c0a:
       id: mip_3dm_filter_message_format
       -orig-id: 3dm.filter_message_format
       -role: command
-      doc: Estimation Filter Message Format
+      doc: Estimation filter message format
     0x0c0b:
       id: mip_3dm_get_filter_base_rate
       -orig-id: 3dm.get_filter_base_rate
       -role: command
-      doc: Get Estimation Filter Data Base Rate
+      doc: Get estimation filter data base rate
     0x0c0c:
       id: mip_3dm_nmea_message_format
       -orig-id: 3dm.nmea_message_format
       -role: command
-      doc: NMEA Message Format
+      doc: NMEA message format
     0x0c0d:
       id: mip_3dm_poll_data
       -orig-id: 3dm.poll_data
       -role: command
-      doc: Poll Data
+      doc: Poll data
     0x0c0e:
       id: mip_3dm_get_base_rate
       -orig-id: 3dm.get_base_rate
       -role: command
-      doc: Get Data Base Rate
+      doc: Get data base rate
     0x0c0f:
       id: mip_3dm_message_format
       -orig-id: 3dm.message_format
       -role: command
-      doc: Message Format
+      doc: Message format
     0x0c10:
       id: mip_3dm_factory_streaming
       -orig-id: 3dm.factory_streaming
       -role: command
-      doc: Factory Streaming
+      doc: Factory streaming
     0x0c11:
       id: mip_3dm_data_stream_control
       -orig-id: 3dm.data_stream_control
       -role: command
-      doc: Data Stream Control
+      doc: Data stream control
     0x0c20:
       id: mip_3dm_raw_rtcm_2_3_message
       -orig-id: 3dm.raw_rtcm_2_3_message
@@ -10144,77 +10204,77 @@ enums:
       id: mip_3dm_constellation_settings
       -orig-id: 3dm.constellation_settings
       -role: command
-      doc: Constellation Settings
+      doc: Constellation settings
     0x0c22:
       id: mip_3dm_gnss_sbas_settings
       -orig-id: 3dm.gnss_sbas_settings
       -role: command
-      doc: GNSS SBAS Settings
+      doc: GNSS SBAS settings
     0x0c23:
       id: mip_3dm_gnss_assisted_fix
       -orig-id: 3dm.gnss_assisted_fix
       -role: command
-      doc: GNSS Assisted Fix
+      doc: GNSS assisted fix
     0x0c24:
       id: mip_3dm_gnss_time_assistance
       -orig-id: 3dm.gnss_time_assistance
       -role: command
-      doc: GNSS Time Assistance
+      doc: GNSS time assistance
     0x0c28:
       id: mip_3dm_pps_source_control
       -orig-id: 3dm.pps_source_control
       -role: command
-      doc: PPS Source Control
+      doc: PPS source control
     0x0c2a:
       id: mip_3dm_get_event_support
       -orig-id: 3dm.get_event_support
       -role: command
-      doc: Get Supported Events
+      doc: Get supported events
     0x0c2b:
       id: mip_3dm_event_control
       -orig-id: 3dm.event_control
       -role: command
-      doc: Event Control
+      doc: Event control
     0x0c2c:
       id: mip_3dm_get_event_trigger_status
       -orig-id: 3dm.get_event_trigger_status
       -role: command
-      doc: Get Event Trigger Status
+      doc: Get event trigger status
     0x0c2d:
       id: mip_3dm_get_event_action_status
       -orig-id: 3dm.get_event_action_status
       -role: command
-      doc: Get Event Action Status
+      doc: Get event action status
     0x0c2e:
       id: mip_3dm_event_trigger_config
       -orig-id: 3dm.event_trigger_config
       -role: command
-      doc: Event Trigger Configuration
+      doc: Event trigger configuration
     0x0c2f:
       id: mip_3dm_event_action_config
       -orig-id: 3dm.event_action_config
       -role: command
-      doc: Event Action Configuration
+      doc: Event action configuration
     0x0c30:
       id: mip_3dm_device_settings
       -orig-id: 3dm.device_settings
       -role: command
-      doc: Device Start Up Settings
+      doc: Device start up settings
     0x0c31:
       id: mip_3dm_sensor_to_vehicle_transform_euler
       -orig-id: 3dm.sensor_to_vehicle_transform_euler
       -role: command
-      doc: Sensor-to-Vehicle Frame Transformation Euler
+      doc: Sensor-to-vehicle frame transformation Euler
     0x0c32:
       id: mip_3dm_sensor_to_vehicle_transform_quaternion
       -orig-id: 3dm.sensor_to_vehicle_transform_quaternion
       -role: command
-      doc: Sensor-to-Vehicle Frame Transformation Quaternion
+      doc: Sensor-to-vehicle frame transformation quaternion
     0x0c33:
       id: mip_3dm_sensor_to_vehicle_transform_dcm
       -orig-id: 3dm.sensor_to_vehicle_transform_dcm
       -role: command
-      doc: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
+      doc: Sensor-to-vehicle frame transformation direction cosine matrix
     0x0c34:
       id: mip_3dm_gps_dynamics_mode
       -orig-id: 3dm.gps_dynamics_mode
@@ -10234,77 +10294,77 @@ enums:
       id: mip_3dm_accel_bias
       -orig-id: 3dm.accel_bias
       -role: command
-      doc: Accelerometer Bias Configuration
+      doc: Accelerometer bias configuration
     0x0c38:
       id: mip_3dm_gyro_bias
       -orig-id: 3dm.gyro_bias
       -role: command
-      doc: Gyroscope Bias Configuration
+      doc: Gyroscope bias configuration
     0x0c39:
       id: mip_3dm_capture_gyro_bias
       -orig-id: 3dm.capture_gyro_bias
       -role: command
-      doc: Capture Gyroscope Bias
+      doc: Capture gyroscope bias
     0x0c3a:
       id: mip_3dm_mag_hard_iron_offset
       -orig-id: 3dm.mag_hard_iron_offset
       -role: command
-      doc: Magnetometer Hard Iron Offset
+      doc: Magnetometer hard iron offset
     0x0c3b:
       id: mip_3dm_mag_soft_iron_matrix
       -orig-id: 3dm.mag_soft_iron_matrix
       -role: command
-      doc: Magnetometer Soft Iron Matrix
+      doc: Magnetometer soft iron matrix
     0x0c3e:
       id: mip_3dm_coning_sculling_enable
       -orig-id: 3dm.coning_sculling_enable
       -role: command
-      doc: Coning and Sculling Enable
+      doc: Coning and sculling enable
     0x0c40:
       id: mip_3dm_uart_baud_rate
       -orig-id: 3dm.uart_baud_rate
       -role: command
-      doc: UART Baud Rate
+      doc: UART baud rate
     0x0c41:
       id: mip_3dm_gpio_config
       -orig-id: 3dm.gpio_config
       -role: command
-      doc: GPIO Configuration
+      doc: GPIO configuration
     0x0c42:
       id: mip_3dm_gpio_state
       -orig-id: 3dm.gpio_state
       -role: command
-      doc: GPIO State
+      doc: GPIO state
     0x0c43:
       id: mip_3dm_odometer_config
       -orig-id: 3dm.odometer_config
       -role: command
-      doc: Odometer Configuration
+      doc: Odometer configuration
     0x0c50:
       id: mip_3dm_imu_low_pass_filter
       -orig-id: 3dm.imu_low_pass_filter
       -role: command
-      doc: Advanced Low-Pass Filter Settings
+      doc: Advanced low-pass filter settings
     0x0c51:
       id: mip_3dm_complementary_filter
       -orig-id: 3dm.complementary_filter
       -role: command
-      doc: Complementary Filter Configuration
+      doc: Complementary filter configuration
     0x0c52:
       id: mip_3dm_sensor_range
       -orig-id: 3dm.sensor_range
       -role: command
-      doc: Sensor Range
+      doc: Sensor range
     0x0c53:
       id: mip_3dm_get_calibrated_sensor_ranges
       -orig-id: 3dm.get_calibrated_sensor_ranges
       -role: command
-      doc: Get Calibrated Sensor Ranges
+      doc: Get calibrated sensor ranges
     0x0c54:
       id: mip_3dm_low_pass_filter
       -orig-id: 3dm.low_pass_filter
       -role: command
-      doc: Low-Pass Anti-Aliasing Filter
+      doc: Low-pass anti-aliasing filter
     0x0c60:
       id: mip_3dm_data_stream_format
       -orig-id: 3dm.data_stream_format
@@ -10324,37 +10384,37 @@ enums:
       id: mip_3dm_device_status
       -orig-id: 3dm.device_status
       -role: command
-      doc: Device Status
+      doc: Device status
     0x0c80:
       id: mip_3dm_imu_message_format_response
       -orig-id: 3dm.imu_message_format_response
       -role: response
-      doc: IMU Message Format response
+      doc: IMU message format response
     0x0c81:
       id: mip_3dm_gnss_message_format_response
       -orig-id: 3dm.gnss_message_format_response
       -role: response
-      doc: GNSS Message Format response
+      doc: GNSS message format response
     0x0c82:
       id: mip_3dm_filter_message_format_response
       -orig-id: 3dm.filter_message_format_response
       -role: response
-      doc: Estimation Filter Message Format response
+      doc: Estimation filter message format response
     0x0c83:
       id: mip_3dm_get_imu_base_rate_response
       -orig-id: 3dm.get_imu_base_rate_response
       -role: response
-      doc: Get IMU Data Base Rate response
+      doc: Get IMU data base rate response
     0x0c84:
       id: mip_3dm_get_gnss_base_rate_response
       -orig-id: 3dm.get_gnss_base_rate_response
       -role: response
-      doc: Get GNSS Data Base Rate response
+      doc: Get GNSS data base rate response
     0x0c85:
       id: mip_3dm_data_stream_control_response
       -orig-id: 3dm.data_stream_control_response
       -role: response
-      doc: Data Stream Control response
+      doc: Data stream control response
     0x0c86:
       id: mip_3dm_imu_signal_conditioning_response
       -orig-id: 3dm.imu_signal_conditioning_response
@@ -10364,7 +10424,7 @@ enums:
       id: mip_3dm_uart_baud_rate_response
       -orig-id: 3dm.uart_baud_rate_response
       -role: response
-      doc: UART Baud Rate response
+      doc: UART baud rate response
     0x0c88:
       id: mip_3dm_data_stream_format_response
       -orig-id: 3dm.data_stream_format_response
@@ -10379,32 +10439,32 @@ enums:
       id: mip_3dm_get_filter_base_rate_response
       -orig-id: 3dm.get_filter_base_rate_response
       -role: response
-      doc: Get Estimation Filter Data Base Rate response
+      doc: Get estimation filter data base rate response
     0x0c8b:
       id: mip_3dm_imu_low_pass_filter_response
       -orig-id: 3dm.imu_low_pass_filter_response
       -role: response
-      doc: Advanced Low-Pass Filter Settings response
+      doc: Advanced low-pass filter settings response
     0x0c8c:
       id: mip_3dm_nmea_message_format_response
       -orig-id: 3dm.nmea_message_format_response
       -role: response
-      doc: NMEA Message Format response
+      doc: NMEA message format response
     0x0c8e:
       id: mip_3dm_get_base_rate_response
       -orig-id: 3dm.get_base_rate_response
       -role: response
-      doc: Get Data Base Rate response
+      doc: Get data base rate response
     0x0c8f:
       id: mip_3dm_message_format_response
       -orig-id: 3dm.message_format_response
       -role: response
-      doc: Message Format response
+      doc: Message format response
     0x0c90:
       id: mip_3dm_device_status_basic_response
       -orig-id: 3dm.device_status_basic_rq1_imu_response
       -role: response
-      doc: Basic Device Status of the inertial sensor of the 3DM-RQ1-45
+      doc: Basic device status (inertial sensor of the 3DM-RQ1-45)
     0x0c92:
       id: mip_3dm_gps_dynamics_mode_response
       -orig-id: 3dm.gps_dynamics_mode_response
@@ -10419,132 +10479,132 @@ enums:
       id: mip_3dm_complementary_filter_response
       -orig-id: 3dm.complementary_filter_response
       -role: response
-      doc: Complementary Filter Configuration response
+      doc: Complementary filter configuration response
     0x0c9a:
       id: mip_3dm_accel_bias_response
       -orig-id: 3dm.accel_bias_response
       -role: response
-      doc: Accelerometer Bias Configuration response
+      doc: Accelerometer bias configuration response
     0x0c9b:
       id: mip_3dm_gyro_bias_response
       -orig-id: 3dm.gyro_bias_response
       -role: response
-      doc: Gyroscope Bias Configuration response
+      doc: Gyroscope bias configuration response
     0x0c9c:
       id: mip_3dm_mag_hard_iron_offset_response
       -orig-id: 3dm.mag_hard_iron_offset_response
       -role: response
-      doc: Magnetometer Hard Iron Offset response
+      doc: Magnetometer hard iron offset response
     0x0c9d:
       id: mip_3dm_mag_soft_iron_matrix_response
       -orig-id: 3dm.mag_soft_iron_matrix_response
       -role: response
-      doc: Magnetometer Soft Iron Matrix response
+      doc: Magnetometer soft iron matrix response
     0x0c9e:
       id: mip_3dm_coning_sculling_enable_response
       -orig-id: 3dm.coning_sculling_enable_response
       -role: response
-      doc: Coning and Sculling Enable response
+      doc: Coning and sculling enable response
     0x0ca0:
       id: mip_3dm_constellation_settings_response
       -orig-id: 3dm.constellation_settings_response
       -role: response
-      doc: Constellation Settings response
+      doc: Constellation settings response
     0x0ca1:
       id: mip_3dm_gnss_sbas_settings_response
       -orig-id: 3dm.gnss_sbas_settings_response
       -role: response
-      doc: GNSS SBAS Settings response
+      doc: GNSS SBAS settings response
     0x0ca2:
       id: mip_3dm_gnss_assisted_fix_response
       -orig-id: 3dm.gnss_assisted_fix_response
       -role: response
-      doc: GNSS Assisted Fix response
+      doc: GNSS assisted fix response
     0x0ca3:
       id: mip_3dm_gnss_time_assistance_response
       -orig-id: 3dm.gnss_time_assistance_response
       -role: response
-      doc: GNSS Time Assistance response
+      doc: GNSS time assistance response
     0x0ca8:
       id: mip_3dm_pps_source_control_response
       -orig-id: 3dm.pps_source_control_response
       -role: response
-      doc: PPS Source Control response
+      doc: PPS source control response
     0x0cb1:
       id: mip_3dm_sensor_to_vehicle_transform_euler_response
       -orig-id: 3dm.sensor_to_vehicle_transform_euler_response
       -role: response
-      doc: Sensor-to-Vehicle Frame Transformation Euler response
+      doc: Sensor-to-vehicle frame transformation Euler response
     0x0cb2:
       id: mip_3dm_sensor_to_vehicle_transform_quaternion_response
       -orig-id: 3dm.sensor_to_vehicle_transform_quaternion_response
       -role: response
-      doc: Sensor-to-Vehicle Frame Transformation Quaternion response
+      doc: Sensor-to-vehicle frame transformation quaternion response
     0x0cb3:
       id: mip_3dm_sensor_to_vehicle_transform_dcm_response
       -orig-id: 3dm.sensor_to_vehicle_transform_dcm_response
       -role: response
-      doc: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response
+      doc: Sensor-to-vehicle frame transformation direction cosine matrix response
     0x0cb4:
       id: mip_3dm_get_event_support_response
       -orig-id: 3dm.get_event_support_response
       -role: response
-      doc: Get Supported Events response
+      doc: Get supported events response
     0x0cb5:
       id: mip_3dm_event_control_response
       -orig-id: 3dm.event_control_response
       -role: response
-      doc: Event Control response
+      doc: Event control response
     0x0cb6:
       id: mip_3dm_get_event_trigger_status_response
       -orig-id: 3dm.get_event_trigger_status_response
       -role: response
-      doc: Get Event Trigger Status response
+      doc: Get event trigger status response
     0x0cb7:
       id: mip_3dm_get_event_action_status_response
       -orig-id: 3dm.get_event_action_status_response
       -role: response
-      doc: Get Event Action Status response
+      doc: Get event action status response
     0x0cb8:
       id: mip_3dm_event_trigger_config_response
       -orig-id: 3dm.event_trigger_config_response
       -role: response
-      doc: Event Trigger Configuration response
+      doc: Event trigger configuration response
     0x0cb9:
       id: mip_3dm_event_action_config_response
       -orig-id: 3dm.event_action_config_response
       -role: response
-      doc: Event Action Configuration response
+      doc: Event action configuration response
     0x0cc1:
       id: mip_3dm_gpio_config_response
       -orig-id: 3dm.gpio_config_response
       -role: response
-      doc: GPIO Configuration response
+      doc: GPIO configuration response
     0x0cc2:
       id: mip_3dm_gpio_state_response
       -orig-id: 3dm.gpio_state_response
       -role: response
-      doc: GPIO State response
+      doc: GPIO state response
     0x0cc3:
       id: mip_3dm_odometer_config_response
       -orig-id: 3dm.odometer_config_response
       -role: response
-      doc: Odometer Configuration response
+      doc: Odometer configuration response
     0x0cd2:
       id: mip_3dm_sensor_range_response
       -orig-id: 3dm.sensor_range_response
       -role: response
-      doc: Sensor Range response
+      doc: Sensor range response
     0x0cd3:
       id: mip_3dm_get_calibrated_sensor_ranges_response
       -orig-id: 3dm.get_calibrated_sensor_ranges_response
       -role: response
-      doc: Get Calibrated Sensor Ranges response
+      doc: Get calibrated sensor ranges response
     0x0cd4:
       id: mip_3dm_low_pass_filter_response
       -orig-id: 3dm.low_pass_filter_response
       -role: response
-      doc: Low-Pass Anti-Aliasing Filter response
+      doc: Low-pass anti-aliasing filter response
     0x0d01:
       id: filter_reset
       -orig-id: filter.reset
@@ -11065,6 +11125,11 @@ enums:
       -orig-id: gnss.spartn_config
       -role: command
       doc: SPARTN configuration
+    0x0e60:
+      id: gnss_receiver_safe_mode
+      -orig-id: gnss.receiver_safe_mode
+      -role: command
+      doc: Receiver safe mode
     0x0e81:
       id: gnss_receiver_info_response
       -orig-id: gnss.receiver_info_response
@@ -11199,32 +11264,37 @@ enums:
       id: displacement_get_calibration
       -orig-id: displacement.get_calibration
       -role: command
-      doc: Get Analog to Displacement Calibration
+      doc: Get analog to displacement calibration
     0x1102:
       id: displacement_output_rate
       -orig-id: displacement.output_rate
       -role: command
-      doc: Displacement Output Data Rate
+      doc: Displacement output data rate
     0x1104:
       id: displacement_device_time
       -orig-id: displacement.device_time
       -role: command
-      doc: Displacement Device Time
+      doc: Displacement device time
     0x1181:
       id: displacement_get_calibration_response
       -orig-id: displacement.get_calibration_response
       -role: response
-      doc: Get Analog to Displacement Calibration response
+      doc: Get analog to displacement calibration response
     0x1182:
       id: displacement_output_rate_response
       -orig-id: displacement.output_rate_response
       -role: response
-      doc: Displacement Output Data Rate response
+      doc: Displacement output data rate response
     0x1301:
       id: aiding_frame_config
       -orig-id: aiding.frame_config
       -role: command
       doc: Frame configuration
+    0x1302:
+      id: aiding_sensor_frame_map
+      -orig-id: aiding.sensor_frame_map
+      -role: command
+      doc: Sensor frame map
     0x131f:
       id: aiding_echo_control
       -orig-id: aiding.echo_control
@@ -11245,6 +11315,11 @@ enums:
       -orig-id: aiding.height_above_ellipsoid
       -role: command
       doc: Height above ellipsoid
+    0x1325:
+      id: aiding_pressure_old
+      -orig-id: aiding.pressure_old
+      -role: command
+      doc: Pressure (old)
     0x1328:
       id: aiding_ecef_velocity
       -orig-id: aiding.ecef_velocity
@@ -11280,6 +11355,11 @@ enums:
       -orig-id: aiding.frame_config_response
       -role: response
       doc: Frame configuration response
+    0x1382:
+      id: aiding_sensor_frame_map_response
+      -orig-id: aiding.sensor_frame_map_response
+      -role: response
+      doc: Sensor frame map response
     0x139f:
       id: aiding_echo_control_response
       -orig-id: aiding.echo_control_response
@@ -11869,7 +11949,7 @@ enums:
       id: displacement_data_timestamp
       -orig-id: displacement_data.timestamp
       -role: data
-      doc: Displacement Device Timestamp
+      doc: Displacement device timestamp
     0x9103:
       id: gnss_1_llh_position
       -orig-id: gnss_1.llh_position
@@ -12709,7 +12789,7 @@ enums:
     0:
       id: none_value
       -orig-id: none
-      doc: The slot is free. It is never active and cannot be enabled.
+      doc: "The instance is not in use: it is never active and cannot be enabled."
     1:
       id: gpio
       doc: Watches a GPIO pin.
@@ -12723,7 +12803,7 @@ enums:
     0:
       id: none_value
       -orig-id: none
-      doc: The slot is free.
+      doc: The instance is not in use.
     1:
       id: gpio
       doc: Controls a GPIO pin.
@@ -13138,7 +13218,7 @@ enums:
       doc: All ports.
     1:
       id: main
-      doc: "The main port: USB while it is connected, else the main UART."
+      doc: "The main port: USB while a host has it open (DTR), else the main UART."
     17:
       id: uart_1
       doc: The first port that is a UART or can be one.
@@ -13300,8 +13380,12 @@ enums:
       doc: All sensors; for save, load and default only.
     1: accel
     2: gyro
-    3: mag
-    4: pressure
+    3:
+      id: mag
+      doc: On models with a magnetometer.
+    4:
+      id: pressure
+      doc: The pressure sensor.
   mip_3dm_internal_sensor:
     1:
       id: imu
@@ -13674,7 +13758,7 @@ enums:
       doc: The internal inertial sensor; the protocol is MIP.
     3:
       id: gnss_direct
-      doc: The internal GNSS receiver, if there is one; the protocols are NMEA and UBX.
+      doc: The internal GNSS receiver; the protocols are NMEA and UBX.
   gnss_data_receiver_state:
     0: "off"
     1: "on"
@@ -13881,6 +13965,9 @@ enums:
     3:
       id: airborne
       doc: Aircraft.
+    4:
+      id: airborne_high_g
+      doc: Aircraft with high acceleration.
   filter_data_cv7_dynamics_mode:
     1:
       id: default_value

@@ -289,7 +289,7 @@ F["filter.tare_axes"] = {
 }
 F["filter.measurement_flags"] = {
   { name = "accel", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Accelerometer measurements." },
-  { name = "mag", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Magnetometer measurements, on models that have a magnetometer." },
+  { name = "mag", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Magnetometer measurements." },
 }
 E["filter.mag_parameter_source"] = { [1] = "none", [2] = "wmm", [3] = "manual", }
 E["filter.adaptive_measurement_selector"] = { [0] = "disabled", [1] = "fixed", [2] = "auto", }
@@ -416,7 +416,7 @@ F["gnss_data.dop_flags"] = {
 F["gnss_data.utc_time_flags"] = {
   { name = "gnss_date_time", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Date and time come from GNSS." },
   { name = "leap_seconds_known", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The leap seconds between GPS time and UTC are known." },
-  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All values are valid." },
+  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "Date and time come from GNSS, and the leap seconds are known." },
 }
 F["gnss_data.gps_time_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
@@ -600,7 +600,7 @@ F["gnss_data.ephemeris_flags"] = {
   { name = "ephemeris", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The ephemeris is valid." },
   { name = "modern_data", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Data of the modernized navigation message is included." },
   { name = "isc_l5", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`isc_l2c` is the correction for L5, not for L2." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "The ephemeris is valid, with modernized data and the correction for L5." },
 }
 E["gnss_data.glonass_satellite_type"] = { [0] = "glonass", [1] = "glonass_m", }
 F["gnss_data.glonass_ephemeris_flags"] = {
@@ -673,7 +673,7 @@ F["filter_data.dual_antenna_status_flags"] = {
 }
 E["filter_data.gx5_filter_state"] = { [0] = "startup", [1] = "init", [2] = "run_solution_valid", [3] = "run_solution_error", }
 E["filter_data.cv7_filter_state"] = { [1] = "init", [2] = "vertical_gyro", [3] = "ahrs", [4] = "full_nav", }
-E["filter_data.gx5_dynamics_mode"] = { [1] = "portable", [2] = "automotive", [3] = "airborne", }
+E["filter_data.gx5_dynamics_mode"] = { [1] = "portable", [2] = "automotive", [3] = "airborne", [4] = "airborne_high_g", }
 E["filter_data.cv7_dynamics_mode"] = { [1] = "default", }
 F["filter_data.gx5_status_flags"] = {
   { name = "run_imu_unavailable", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "No inertial data." },
@@ -774,7 +774,7 @@ S["nmea_message"] = {
 }
 S["descriptor_rate"] = {
   { kind = "scalar", name = "descriptor", type = "u8", size = 1, doc = "Field descriptor." },
-  { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "Base rate divided by the desired rate." },
+  { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "Base rate divided by the desired rate. Range: at least 1." },
 }
 S["base.base_device_info"] = {
   { kind = "scalar", name = "firmware_version", type = "u16", size = 2, doc = "Firmware version as one decimal number: 1202 means 1.2.02." },
@@ -833,12 +833,12 @@ local ACKNOWLEDGE_FIELD = { descriptor = 0xF1, name = "protocol.acknowledge", ro
 -- Descriptor sets.
 local SETS = {}
 SETS[0x01] = { number = 0x01, name = "base", title = "Base", fields = {}, named = { [0x71] = "GPS time broadcast", [0x73] = "System time", [0x7D] = "Firmware update", [0x7F] = "Production test", } }
-SETS[0x0C] = { number = 0x0C, name = "3dm", title = "3DM", fields = {}, named = { [0x3C] = "Realign up", [0x3D] = "Realign north", [0x63] = "Device settings (old)", [0x70] = "Raw clip settings", [0x8D] = "Poll Data Response", [0x91] = "Communications mode response", [0x94] = "IMU basic status response", [0x95] = "IMU advanced status response", [0x96] = "Raw clip settings response", } }
+SETS[0x0C] = { number = 0x0C, name = "3dm", title = "3DM", fields = {}, named = { [0x3C] = "Realign up", [0x3D] = "Realign north", [0x63] = "Device settings (old)", [0x70] = "Raw clip settings", [0x8D] = "Poll data response", [0x91] = "Communications mode response", [0x94] = "IMU basic status response", [0x95] = "IMU advanced status response", [0x96] = "Raw clip settings response", } }
 SETS[0x0D] = { number = 0x0D, name = "filter", title = "Filter commands", fields = {}, named = { [0x0F] = "Select filter", [0x24] = "Auto heading update control", [0x25] = "Mag auto calibration control", [0x2A] = "Gravity noise minimum", [0x30] = "Low pass sensor filter", [0x48] = "Hot start control", [0x4A] = "Secondary velocity aiding control", [0x65] = "Sensor to vehicle calibration control", [0x8F] = "Select filter response", [0x91] = "Auto heading update control response", [0x92] = "Mag auto calibration control response", [0x95] = "Gravity noise minimum response", [0x98] = "Set initial heading response", [0xA0] = "Low pass sensor filter response", [0xB6] = "Mag angular rate error adaptive measurement control response", [0xB8] = "Hot start control response", [0xBA] = "Secondary velocity aiding control response", [0xE0] = "Speed measurement response", } }
-SETS[0x0E] = { number = 0x0E, name = "gnss", title = "GNSS commands", fields = {}, named = { [0x60] = "Receiver safe mode", } }
+SETS[0x0E] = { number = 0x0E, name = "gnss", title = "GNSS commands", fields = {}, named = { } }
 SETS[0x0F] = { number = 0x0F, name = "rtk", title = "RTK commands", fields = {}, named = { } }
 SETS[0x11] = { number = 0x11, name = "displacement", title = "Displacement commands", fields = {}, named = { } }
-SETS[0x13] = { number = 0x13, name = "aiding", title = "Aiding commands", fields = {}, named = { [0x02] = "Sensor frame map", [0x03] = "Local frame", [0x20] = "Local position", [0x24] = "Relative height", [0x25] = "Pressure (old)", [0x2B] = "Wheel speed", [0x38] = "Delta position", [0x39] = "Delta attitude", [0x3A] = "Local angular rate", [0x82] = "Sensor frame map response", } }
+SETS[0x13] = { number = 0x13, name = "aiding", title = "Aiding commands", fields = {}, named = { [0x03] = "Local frame", [0x20] = "Local position", [0x24] = "Relative height", [0x2B] = "Wheel speed", [0x38] = "Delta position", [0x39] = "Delta attitude", [0x3A] = "Local angular rate", } }
 SETS[0x7F] = { number = 0x7F, name = "system", title = "System", fields = {}, named = { [0x01] = "MIPnet enumerate", [0x11] = "Hardware control", [0x12] = "Hardware control 2", [0x91] = "Hardware control response", [0x92] = "Hardware control 2 response", } }
 SETS[0x80] = { number = 0x80, name = "sensor", title = "Sensor data", fields = {}, named = { [0x15] = "Raw clip data", [0x81] = "ASPP packet of the sensor", [0x82] = "Single-byte protocol packet of the sensor", } }
 SETS[0x81] = { number = 0x81, name = "gnss_data", title = "GNSS data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
@@ -907,7 +907,7 @@ field({ descriptor = 0x09, name = "base.comm_speed", role = "command", title = "
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of comm_interface; only main, uart_1 and usb_1. On the 3DM-CV7-GNSS/INS: values of comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of comm_interface; only main, uart_1, uart_2 and usb_1. On the 3DM-RTK: the values are unknown.", readings = { {device = "3dm-cv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cv7-ar", enum = E["comm_interface"] }, {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, {device = "3dm-cv7-ins", enum = E["comm_interface"] }, {device = "3dm-cx7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cx7-ar", enum = E["comm_interface"] }, {device = "3dm-cx7-ins", enum = E["comm_interface"] }, {device = "3dm-gv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-gv7-ar", enum = E["comm_interface"] }, {device = "3dm-gv7-ins", enum = E["comm_interface"] }, } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of comm_interface; only main, uart_1 and usb_1. On the 3DM-CV7-GNSS/INS: values of comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of comm_interface; only main, uart_1, uart_2 and usb_1. On the 3DM-RTK: the values are unknown.", readings = { {device = "3dm-cv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cv7-ar", enum = E["comm_interface"] }, {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, {device = "3dm-cv7-ins", enum = E["comm_interface"] }, {device = "3dm-cx7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cx7-ar", enum = E["comm_interface"] }, {device = "3dm-cx7-ins", enum = E["comm_interface"] }, {device = "3dm-gv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-gv7-ar", enum = E["comm_interface"] }, {device = "3dm-gv7-ins", enum = E["comm_interface"] }, } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd." }, } },
     } }, { { set = 0x01, name = "base.comm_speed", title = "Comm port speed" }, })
 field({ descriptor = 0x72, name = "base.gps_time_update", role = "command", title = "GPS time update",
@@ -939,7 +939,7 @@ field({ descriptor = 0x83, name = "base.built_in_test_response", role = "respons
     doc = "", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "result", type = "u32", size = 4, doc = "Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25 and 3DM-GX5-25: values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values of cv7_built_in_test. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are unknown. On the 3DM-GX5-15: values of gx5_built_in_test.", readings = { {device = "3dm-cv5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cv7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-cx5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cx5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cx5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-gx5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-gx5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-rtk", flags = F["cv7_built_in_test"] }, } },
+      { kind = "scalar", name = "result", type = "u32", size = 4, doc = "Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25 and 3DM-GX5-25: values of gx5_built_in_test (inferred: the 3DM-GX5-15 has it). On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR, -INS and 3DM-RTK: values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it). On the 3DM-CV7-GNSS/INS: values of cv7_built_in_test. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, -25, -35, -45, 3DM-GX4-15, -25, -45, -IMU, 3DM-GX5-35, -45, 3DM-RQ1-45-LT, -45-ST and -IMU: the values are unknown. On the 3DM-GX5-15: values of gx5_built_in_test.", readings = { {device = "3dm-cv5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cv7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-cx5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cx5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cx5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-gx5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-gx5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-rtk", flags = F["cv7_built_in_test"] }, } },
     } }, { { set = 0x01, name = "base.built_in_test_response", title = "Built-in test response" }, })
 field({ descriptor = 0x84, name = "base.gps_time_update_week_number_response", role = "response", title = "GPS time update, week number",
     doc = "The current week number.", least = 4,
@@ -963,16 +963,16 @@ field({ descriptor = 0x88, name = "base.continuous_built_in_test_response", role
     doc = "", least = 16,
     always = 1,
     rows = {
-      { kind = "array", name = "result", count = 16, capacity = 16, size = 1, doc = "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_inertial_continuous_built_in_test. On the 3DM-CV7-GNSS/INS: values of cv7_continuous_built_in_test.", readings = { {device = "3dm-cv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_continuous_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, }, item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "array", name = "result", count = 16, capacity = 16, size = 1, doc = "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values of cv7_inertial_continuous_built_in_test. On the 3DM-CV7-GNSS/INS: values of cv7_continuous_built_in_test.", readings = { {device = "3dm-cv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_continuous_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, }, item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x01, name = "base.continuous_built_in_test_response", title = "Continuous built-in test response" }, })
 field({ descriptor = 0x89, name = "base.comm_speed_response", role = "response", title = "Comm port speed response",
     doc = "", least = 5,
     always = 2,
     rows = {
-      { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of comm_interface; only main, uart_1 and usb_1. On the 3DM-CV7-GNSS/INS: values of comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of comm_interface; only main, uart_1, uart_2 and usb_1. On the 3DM-RTK: the values are unknown.", readings = { {device = "3dm-cv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cv7-ar", enum = E["comm_interface"] }, {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, {device = "3dm-cv7-ins", enum = E["comm_interface"] }, {device = "3dm-cx7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cx7-ar", enum = E["comm_interface"] }, {device = "3dm-cx7-ins", enum = E["comm_interface"] }, {device = "3dm-gv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-gv7-ar", enum = E["comm_interface"] }, {device = "3dm-gv7-ins", enum = E["comm_interface"] }, } },
+      { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device. On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of comm_interface; only main, uart_1 and usb_1. On the 3DM-CV7-GNSS/INS: values of comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of comm_interface; only main, uart_1, uart_2 and usb_1. On the 3DM-RTK: the values are unknown.", readings = { {device = "3dm-cv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cv7-ar", enum = E["comm_interface"] }, {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, {device = "3dm-cv7-ins", enum = E["comm_interface"] }, {device = "3dm-cx7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cx7-ar", enum = E["comm_interface"] }, {device = "3dm-cx7-ins", enum = E["comm_interface"] }, {device = "3dm-gv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-gv7-ar", enum = E["comm_interface"] }, {device = "3dm-gv7-ins", enum = E["comm_interface"] }, } },
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
     } }, { { set = 0x01, name = "base.comm_speed_response", title = "Comm port speed response" }, })
-field({ descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title = "Poll IMU Data",
+field({ descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title = "Poll IMU data",
     doc = "Requests one sensor data packet (0x80) with the listed fields, in the listed order.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
@@ -980,8 +980,8 @@ field({ descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title =
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
-    } }, { { set = 0x0C, name = "3dm.poll_imu_data", title = "Poll IMU Data" }, })
-field({ descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", title = "Poll GNSS Data",
+    } }, { { set = 0x0C, name = "3dm.poll_imu_data", title = "Poll IMU data" }, })
+field({ descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", title = "Poll GNSS data",
     doc = "Requests one GNSS data packet with the listed fields, in the listed order.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
@@ -989,8 +989,8 @@ field({ descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", title 
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 83." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
-    } }, { { set = 0x0C, name = "3dm.poll_gnss_data", title = "Poll GNSS Data" }, })
-field({ descriptor = 0x03, name = "3dm.poll_filter_data", role = "command", title = "Poll Estimation Filter Data",
+    } }, { { set = 0x0C, name = "3dm.poll_gnss_data", title = "Poll GNSS data" }, })
+field({ descriptor = 0x03, name = "3dm.poll_filter_data", role = "command", title = "Poll estimation filter data",
     doc = "Requests one filter data packet (0x82) with the listed fields, in the listed order.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
@@ -998,8 +998,8 @@ field({ descriptor = 0x03, name = "3dm.poll_filter_data", role = "command", titl
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
-    } }, { { set = 0x0C, name = "3dm.poll_filter_data", title = "Poll Estimation Filter Data" }, })
-field({ descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", title = "Poll NMEA Data",
+    } }, { { set = 0x0C, name = "3dm.poll_filter_data", title = "Poll estimation filter data" }, })
+field({ descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", title = "Poll NMEA data",
     doc = "Requests the listed NMEA sentences once.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
@@ -1007,51 +1007,51 @@ field({ descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", title 
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of sentences." },
       { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to send.", item = { kind = "struct", name = "item", record = S["nmea_message"] } },
-    } }, { { set = 0x0C, name = "3dm.poll_nmea_data", title = "Poll NMEA Data" }, })
-field({ descriptor = 0x06, name = "3dm.get_imu_base_rate", role = "command", title = "Get IMU Data Base Rate",
+    } }, { { set = 0x0C, name = "3dm.poll_nmea_data", title = "Poll NMEA data" }, })
+field({ descriptor = 0x06, name = "3dm.get_imu_base_rate", role = "command", title = "Get IMU data base rate",
     doc = "Gets the base rate, which is divided by the decimations of 3dm.imu_message_format.", least = 0,
     always = 0,
     rows = {
-    } }, { { set = 0x0C, name = "3dm.get_imu_base_rate", title = "Get IMU Data Base Rate" }, })
-field({ descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", title = "Get GNSS Data Base Rate",
+    } }, { { set = 0x0C, name = "3dm.get_imu_base_rate", title = "Get IMU data base rate" }, })
+field({ descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", title = "Get GNSS data base rate",
     doc = "Gets the base rate, which is divided by the decimations of 3dm.gnss_message_format.", least = 0,
     always = 0,
     rows = {
-    } }, { { set = 0x0C, name = "3dm.get_gnss_base_rate", title = "Get GNSS Data Base Rate" }, })
-field({ descriptor = 0x08, name = "3dm.imu_message_format", role = "command", title = "IMU Message Format",
+    } }, { { set = 0x0C, name = "3dm.get_gnss_base_rate", title = "Get GNSS data base rate" }, })
+field({ descriptor = 0x08, name = "3dm.imu_message_format", role = "command", title = "IMU message format",
     doc = "Sets the fields of the sensor data packets (0x80), their order and their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
-    } }, { { set = 0x0C, name = "3dm.imu_message_format", title = "IMU Message Format" }, })
-field({ descriptor = 0x09, name = "3dm.gnss_message_format", role = "command", title = "GNSS Message Format",
+    } }, { { set = 0x0C, name = "3dm.imu_message_format", title = "IMU message format" }, })
+field({ descriptor = 0x09, name = "3dm.gnss_message_format", role = "command", title = "GNSS message format",
     doc = "Sets the fields of the GNSS data packets, their order and their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 82." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
-    } }, { { set = 0x0C, name = "3dm.gnss_message_format", title = "GNSS Message Format" }, })
-field({ descriptor = 0x0A, name = "3dm.filter_message_format", role = "command", title = "Estimation Filter Message Format",
+    } }, { { set = 0x0C, name = "3dm.gnss_message_format", title = "GNSS message format" }, })
+field({ descriptor = 0x0A, name = "3dm.filter_message_format", role = "command", title = "Estimation filter message format",
     doc = "Sets the fields of the filter data packets (0x82), their order and their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
-    } }, { { set = 0x0C, name = "3dm.filter_message_format", title = "Estimation Filter Message Format" }, })
-field({ descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", title = "Get Estimation Filter Data Base Rate",
+    } }, { { set = 0x0C, name = "3dm.filter_message_format", title = "Estimation filter message format" }, })
+field({ descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", title = "Get estimation filter data base rate",
     doc = "Gets the base rate, which is divided by the decimations of 3dm.filter_message_format.", least = 0,
     always = 0,
     rows = {
-    } }, { { set = 0x0C, name = "3dm.get_filter_base_rate", title = "Get Estimation Filter Data Base Rate" }, })
-field({ descriptor = 0x0C, name = "3dm.nmea_message_format", role = "command", title = "NMEA Message Format",
+    } }, { { set = 0x0C, name = "3dm.get_filter_base_rate", title = "Get estimation filter data base rate" }, })
+field({ descriptor = 0x0C, name = "3dm.nmea_message_format", role = "command", title = "NMEA message format",
     doc = "Sets the NMEA sentences that the device streams.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of sentences." }, { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to stream.", item = { kind = "struct", name = "item", record = S["nmea_message"] } }, } },
-    } }, { { set = 0x0C, name = "3dm.nmea_message_format", title = "NMEA Message Format" }, })
-field({ descriptor = 0x0D, name = "3dm.poll_data", role = "command", title = "Poll Data",
+    } }, { { set = 0x0C, name = "3dm.nmea_message_format", title = "NMEA message format" }, })
+field({ descriptor = 0x0D, name = "3dm.poll_data", role = "command", title = "Poll data",
     doc = "Requests one data packet of the descriptor set with the listed fields, in the listed order.", least = 3,
     always = 4,
     silent_when = { { name = "suppress_ack", value = 1 }, },
@@ -1060,51 +1060,51 @@ field({ descriptor = 0x0D, name = "3dm.poll_data", role = "command", title = "Po
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 250, size = 1, doc = "Field descriptors. Refers to fields of descriptor_set.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    } }, { { set = 0x0C, name = "3dm.poll_data", title = "Poll Data" }, })
-field({ descriptor = 0x0E, name = "3dm.get_base_rate", role = "command", title = "Get Data Base Rate",
+    } }, { { set = 0x0C, name = "3dm.poll_data", title = "Poll data" }, })
+field({ descriptor = 0x0E, name = "3dm.get_base_rate", role = "command", title = "Get data base rate",
     doc = "Gets the base rate, which is divided by the decimations of a descriptor set.", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
-    } }, { { set = 0x0C, name = "3dm.get_base_rate", title = "Get Data Base Rate" }, })
-field({ descriptor = 0x0F, name = "3dm.message_format", role = "command", title = "Message Format",
+    } }, { { set = 0x0C, name = "3dm.get_base_rate", title = "Get data base rate" }, })
+field({ descriptor = 0x0F, name = "3dm.message_format", role = "command", title = "Message format",
     doc = "Sets the fields of the data packets of a descriptor set, their order and their decimations.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all of them (save, load, default)." }, } },
       { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
-    } }, { { set = 0x0C, name = "3dm.message_format", title = "Message Format" }, })
-field({ descriptor = 0x10, name = "3dm.factory_streaming", role = "command", title = "Factory Streaming",
+    } }, { { set = 0x0C, name = "3dm.message_format", title = "Message format" }, })
+field({ descriptor = 0x10, name = "3dm.factory_streaming", role = "command", title = "Factory streaming",
     doc = "Sets all message formats to those that technical support needs in a recording.", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "action", type = "u8", size = 1, enum = E["3dm.factory_streaming_action"], doc = "Treatment of the existing formats." },
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." },
-    } }, { { set = 0x0C, name = "3dm.factory_streaming", title = "Factory Streaming" }, })
-field({ descriptor = 0x11, name = "3dm.data_stream_control", role = "command", title = "Data Stream Control",
+    } }, { { set = 0x0C, name = "3dm.factory_streaming", title = "Factory streaming" }, })
+field({ descriptor = 0x11, name = "3dm.data_stream_control", role = "command", title = "Data stream control",
     doc = "Switches a data stream on or off.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR: values of legacy_data_stream; only all_streams, imu and filter. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the stream is sent. Default: true." }, } },
-    } }, { { set = 0x0C, name = "3dm.data_stream_control", title = "Data Stream Control" }, })
+    } }, { { set = 0x0C, name = "3dm.data_stream_control", title = "Data stream control" }, })
 field({ descriptor = 0x20, name = "3dm.raw_rtcm_2_3_message", role = "command", title = "Raw RTCM 2.3 message",
     doc = "Sends RTCM 2.3 corrections to the GNSS receiver.", least = 0,
     always = 1,
     rows = {
       { kind = "array", name = "data", capacity = 253, size = 1, doc = "Bytes of the RTCM stream.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0C, name = "3dm.raw_rtcm_2_3_message", title = "Raw RTCM 2.3 message" }, })
-field({ descriptor = 0x21, name = "3dm.constellation_settings", role = "command", title = "Constellation Settings",
+field({ descriptor = 0x21, name = "3dm.constellation_settings", role = "command", title = "Constellation settings",
     doc = "Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "max_channels", type = "u16", size = 2, doc = "Maximum number of tracking channels in use; at most the number that the response reports as available. Unit: 1." }, } },
       { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "config_count", type = "u8", size = 1, doc = "Number of entries. Range: 0 to 41." }, { kind = "array", name = "settings", counter = "config_count", capacity = 41, size = 6, doc = "One entry for each constellation.", item = { kind = "struct", name = "item", record = S["3dm.constellation_settings_entry"] } }, } },
-    } }, { { set = 0x0C, name = "3dm.constellation_settings", title = "Constellation Settings" }, })
-field({ descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", title = "GNSS SBAS Settings",
+    } }, { { set = 0x0C, name = "3dm.constellation_settings", title = "Constellation settings" }, })
+field({ descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", title = "GNSS SBAS settings",
     doc = "Sets how the GNSS receivers use satellite-based augmentation (SBAS).", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
@@ -1112,16 +1112,16 @@ field({ descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", ti
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable_sbas", type = "u8", size = 1, doc = "1 enables SBAS, 0 disables it. Range: 0 to 1. On the 3DM-GX5-35: default 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "Purposes of SBAS. On the 3DM-GX5-35: default enable_ranging and enable_corrections." }, } },
       { kind = "group", first = 3, last = 4, body = { { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." }, { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } }, } },
-    } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings", title = "GNSS SBAS Settings" }, })
-field({ descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command", title = "GNSS Assisted Fix",
+    } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings", title = "GNSS SBAS settings" }, })
+field({ descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command", title = "GNSS assisted fix",
     doc = "Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Storage of data for a faster first fix. Default: none. On the 3DM-GX5-35: default none." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved: send 255. On the 3DM-GX5-35: default 255." }, } },
-    } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix", title = "GNSS Assisted Fix" }, })
-field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", title = "GNSS Time Assistance",
+    } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix", title = "GNSS assisted fix" }, })
+field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", title = "GNSS time assistance",
     doc = "Sends the current GPS time to the GNSS receiver.", least = 1,
     required = { [1] = 3, [2] = 0, }, silent = { },
     rows = {
@@ -1129,43 +1129,43 @@ field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", 
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0." }, } },
-    } }, { { set = 0x0C, name = "3dm.gnss_time_assistance", title = "GNSS Time Assistance" }, })
-field({ descriptor = 0x28, name = "3dm.pps_source_control", role = "command", title = "PPS Source Control",
+    } }, { { set = 0x0C, name = "3dm.gnss_time_assistance", title = "GNSS time assistance" }, })
+field({ descriptor = 0x28, name = "3dm.pps_source_control", role = "command", title = "PPS source control",
     doc = "Selects the source of the pulse per second (PPS).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: only disabled, gpio and generated. On the 3DM-CV7-GNSS/INS: default receiver_1. On the 3DM-GQ7-GNSS/INS: only disabled, receiver_1, receiver_2, gpio and generated." }, } },
-    } }, { { set = 0x0C, name = "3dm.pps_source_control", title = "PPS Source Control" }, })
-field({ descriptor = 0x2A, name = "3dm.get_event_support", role = "command", title = "Get Supported Events",
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse. On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GV7-AHRS, -AR and -INS: only disabled, gpio and generated. On the 3DM-CV7-GNSS/INS: default receiver_1. On the 3DM-GQ7-GNSS/INS: only disabled, receiver_1, receiver_2, gpio and generated." }, } },
+    } }, { { set = 0x0C, name = "3dm.pps_source_control", title = "PPS source control" }, })
+field({ descriptor = 0x2A, name = "3dm.get_event_support", role = "command", title = "Get supported events",
     doc = "Gets the types of event triggers or actions that the device supports, and the number of each.", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Triggers or actions." },
-    } }, { { set = 0x0C, name = "3dm.get_event_support", title = "Get Supported Events" }, })
-field({ descriptor = 0x2B, name = "3dm.event_control", role = "command", title = "Event Control",
+    } }, { { set = 0x0C, name = "3dm.get_event_support", title = "Get supported events" }, })
+field({ descriptor = 0x2B, name = "3dm.event_control", role = "command", title = "Event control",
     doc = "Enables, disables or tests an event trigger.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance; 0 means all configured triggers, except for read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_mode"], doc = "New mode. Default: disabled." }, } },
-    } }, { { set = 0x0C, name = "3dm.event_control", title = "Event Control" }, })
-field({ descriptor = 0x2C, name = "3dm.get_event_trigger_status", role = "command", title = "Get Event Trigger Status",
+    } }, { { set = 0x0C, name = "3dm.event_control", title = "Event control" }, })
+field({ descriptor = 0x2C, name = "3dm.get_event_trigger_status", role = "command", title = "Get event trigger status",
     doc = "Gets the type and the state of event triggers.", least = 1,
     always = 2,
     rows = {
-      { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested triggers; 0 requests all slots." },
+      { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested triggers; 0 requests all instances." },
       { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Numbers of the triggers to report; none for all.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    } }, { { set = 0x0C, name = "3dm.get_event_trigger_status", title = "Get Event Trigger Status" }, })
-field({ descriptor = 0x2D, name = "3dm.get_event_action_status", role = "command", title = "Get Event Action Status",
+    } }, { { set = 0x0C, name = "3dm.get_event_trigger_status", title = "Get event trigger status" }, })
+field({ descriptor = 0x2D, name = "3dm.get_event_action_status", role = "command", title = "Get event action status",
     doc = "Gets the type and the trigger of event actions.", least = 1,
     always = 2,
     rows = {
-      { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested actions; 0 requests all slots." },
+      { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested actions; 0 requests all instances." },
       { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Numbers of the actions to report; none for all.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    } }, { { set = 0x0C, name = "3dm.get_event_action_status", title = "Get Event Action Status" }, })
-field({ descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", title = "Event Trigger Configuration",
+    } }, { { set = 0x0C, name = "3dm.get_event_action_status", title = "Get event action status" }, })
+field({ descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", title = "Event trigger configuration",
     doc = "Configures the kind and the condition of an event trigger.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
@@ -1177,8 +1177,8 @@ field({ descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", 
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_trigger_gpio"], doc = "" } },
       [2] = { label = "threshold", item = { kind = "struct", name = "threshold", record = S["event_trigger_threshold"], doc = "" } },
       [3] = { label = "combination", item = { kind = "struct", name = "combination", record = S["event_trigger_combination"], doc = "" } }, } }, } },
-    } }, { { set = 0x0C, name = "3dm.event_trigger_config", title = "Event Trigger Configuration" }, })
-field({ descriptor = 0x2F, name = "3dm.event_action_config", role = "command", title = "Event Action Configuration",
+    } }, { { set = 0x0C, name = "3dm.event_trigger_config", title = "Event trigger configuration" }, })
+field({ descriptor = 0x2F, name = "3dm.event_action_config", role = "command", title = "Event action configuration",
     doc = "Configures the trigger and the effect of an event action.", least = 1,
     required = { [1] = 4, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
@@ -1190,37 +1190,37 @@ field({ descriptor = 0x2F, name = "3dm.event_action_config", role = "command", t
       [0] = { label = "none" },
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_action_gpio"], doc = "" } },
       [2] = { label = "message", item = { kind = "struct", name = "message", record = S["event_action_message"], doc = "" } }, } }, } },
-    } }, { { set = 0x0C, name = "3dm.event_action_config", title = "Event Action Configuration" }, })
-field({ descriptor = 0x30, name = "3dm.device_settings", role = "command", title = "Device Start Up Settings",
+    } }, { { set = 0x0C, name = "3dm.event_action_config", title = "Event action configuration" }, })
+field({ descriptor = 0x30, name = "3dm.device_settings", role = "command", title = "Device start up settings",
     doc = "Saves, loads or resets all settings of the device at once.", least = 1,
     required = { [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     timeout = 2.0,
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-    } }, { { set = 0x0C, name = "3dm.device_settings", title = "Device Start Up Settings" }, })
-field({ descriptor = 0x31, name = "3dm.sensor_to_vehicle_transform_euler", role = "command", title = "Sensor-to-Vehicle Frame Transformation Euler",
+    } }, { { set = 0x0C, name = "3dm.device_settings", title = "Device start up settings" }, })
+field({ descriptor = 0x31, name = "3dm.sensor_to_vehicle_transform_euler", role = "command", title = "Sensor-to-vehicle frame transformation Euler",
     doc = "Sets the mounting of the sensor in the vehicle as Euler angles.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis. Unit: rad." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis. Unit: rad." }, } },
-    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_euler", title = "Sensor-to-Vehicle Frame Transformation Euler" }, })
-field({ descriptor = 0x32, name = "3dm.sensor_to_vehicle_transform_quaternion", role = "command", title = "Sensor-to-Vehicle Frame Transformation Quaternion",
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: right side down." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: nose up." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: clockwise seen from above." }, } },
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_euler", title = "Sensor-to-vehicle frame transformation Euler" }, })
+field({ descriptor = 0x32, name = "3dm.sensor_to_vehicle_transform_quaternion", role = "command", title = "Sensor-to-vehicle frame transformation quaternion",
     doc = "Sets the mounting of the sensor in the vehicle as a quaternion.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion", title = "Sensor-to-Vehicle Frame Transformation Quaternion" }, })
-field({ descriptor = 0x33, name = "3dm.sensor_to_vehicle_transform_dcm", role = "command", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix",
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion", title = "Sensor-to-vehicle frame transformation quaternion" }, })
+field({ descriptor = 0x33, name = "3dm.sensor_to_vehicle_transform_dcm", role = "command", title = "Sensor-to-vehicle frame transformation direction cosine matrix",
     doc = "Sets the mounting of the sensor in the vehicle as a direction cosine matrix.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "The matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix" }, })
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm", title = "Sensor-to-vehicle frame transformation direction cosine matrix" }, })
 field({ descriptor = 0x34, name = "3dm.gps_dynamics_mode", role = "command", title = "GPS dynamics mode",
     doc = "Sets the dynamics that the GNSS receiver assumes of the vehicle.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
@@ -1250,56 +1250,56 @@ field({ descriptor = 0x36, name = "3dm.imu_timestamp", role = "command", title =
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Counter to set or read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` selects." }, } },
     } }, { { set = 0x0C, name = "3dm.imu_timestamp", title = "IMU timestamp" }, })
-field({ descriptor = 0x37, name = "3dm.accel_bias", role = "command", title = "Accelerometer Bias Configuration",
+field({ descriptor = 0x37, name = "3dm.accel_bias", role = "command", title = "Accelerometer bias configuration",
     doc = "Sets the bias that is subtracted from the scaled acceleration.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    } }, { { set = 0x0C, name = "3dm.accel_bias", title = "Accelerometer Bias Configuration" }, })
-field({ descriptor = 0x38, name = "3dm.gyro_bias", role = "command", title = "Gyroscope Bias Configuration",
+    } }, { { set = 0x0C, name = "3dm.accel_bias", title = "Accelerometer bias configuration" }, })
+field({ descriptor = 0x38, name = "3dm.gyro_bias", role = "command", title = "Gyroscope bias configuration",
     doc = "Sets the bias that is subtracted from the scaled angular rate.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    } }, { { set = 0x0C, name = "3dm.gyro_bias", title = "Gyroscope Bias Configuration" }, })
-field({ descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", title = "Capture Gyroscope Bias",
+    } }, { { set = 0x0C, name = "3dm.gyro_bias", title = "Gyroscope bias configuration" }, })
+field({ descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", title = "Capture gyroscope bias",
     doc = "Averages the angular rate of the device at rest and uses the result as the gyroscope bias.", least = 2,
     always = 1,
     timeout = 31.0,
     rows = {
       { kind = "scalar", name = "averaging_time_ms", type = "u16", size = 2, units = {"ms", }, doc = "Time to average over. Unit: ms. Range: 1000 to 30000." },
-    } }, { { set = 0x0C, name = "3dm.capture_gyro_bias", title = "Capture Gyroscope Bias" }, })
-field({ descriptor = 0x3A, name = "3dm.mag_hard_iron_offset", role = "command", title = "Magnetometer Hard Iron Offset",
+    } }, { { set = 0x0C, name = "3dm.capture_gyro_bias", title = "Capture gyroscope bias" }, })
+field({ descriptor = 0x3A, name = "3dm.mag_hard_iron_offset", role = "command", title = "Magnetometer hard iron offset",
     doc = "Sets the offset that corrects the scaled magnetic field for hard iron.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset", title = "Magnetometer Hard Iron Offset" }, })
-field({ descriptor = 0x3B, name = "3dm.mag_soft_iron_matrix", role = "command", title = "Magnetometer Soft Iron Matrix",
+    } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset", title = "Magnetometer hard iron offset" }, })
+field({ descriptor = 0x3B, name = "3dm.mag_soft_iron_matrix", role = "command", title = "Magnetometer soft iron matrix",
     doc = "Sets the matrix that corrects the scaled magnetic field for soft iron.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "matrix", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    } }, { { set = 0x0C, name = "3dm.mag_soft_iron_matrix", title = "Magnetometer Soft Iron Matrix" }, })
-field({ descriptor = 0x3E, name = "3dm.coning_sculling_enable", role = "command", title = "Coning and Sculling Enable",
+    } }, { { set = 0x0C, name = "3dm.mag_soft_iron_matrix", title = "Magnetometer soft iron matrix" }, })
+field({ descriptor = 0x3E, name = "3dm.coning_sculling_enable", role = "command", title = "Coning and sculling enable",
     doc = "Enables or disables coning and sculling compensation.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the compensation is on. Default: true." }, } },
-    } }, { { set = 0x0C, name = "3dm.coning_sculling_enable", title = "Coning and Sculling Enable" }, })
-field({ descriptor = 0x40, name = "3dm.uart_baud_rate", role = "command", title = "UART Baud Rate",
+    } }, { { set = 0x0C, name = "3dm.coning_sculling_enable", title = "Coning and sculling enable" }, })
+field({ descriptor = 0x40, name = "3dm.uart_baud_rate", role = "command", title = "UART baud rate",
     doc = "Sets the baud rate of the main port.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
-    } }, { { set = 0x0C, name = "3dm.uart_baud_rate", title = "UART Baud Rate" }, })
-field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "GPIO Configuration",
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd. On the 3DM-GX5-15 and -45: default 115200." }, } },
+    } }, { { set = 0x0C, name = "3dm.uart_baud_rate", title = "UART baud rate" }, })
+field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "GPIO configuration",
     doc = "Sets the use of a GPIO pin.", least = 1,
     required = { [1] = 4, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
@@ -1308,16 +1308,16 @@ field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "feature", type = "u8", size = 1, enum = E["gpio_feature"], doc = "Use of the pin. Default: unused." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 if the feature has no roles. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "pin_mode", type = "u8", size = 1, flags = F["gpio_pin_mode"], doc = "Electrical options." }, } },
-    } }, { { set = 0x0C, name = "3dm.gpio_config", title = "GPIO Configuration" }, })
-field({ descriptor = 0x42, name = "3dm.gpio_state", role = "command", title = "GPIO State",
+    } }, { { set = 0x0C, name = "3dm.gpio_config", title = "GPIO configuration" }, })
+field({ descriptor = 0x42, name = "3dm.gpio_state", role = "command", title = "GPIO state",
     doc = "Sets or reads the state of a GPIO pin.", least = 1,
     required = { [1] = 2, [2] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "bool", size = 1, doc = "True means high." }, } },
-    } }, { { set = 0x0C, name = "3dm.gpio_state", title = "GPIO State" }, })
-field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title = "Odometer Configuration",
+    } }, { { set = 0x0C, name = "3dm.gpio_state", title = "GPIO state" }, })
+field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title = "Odometer configuration",
     doc = "Configures the input from a wheel encoder.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
@@ -1325,8 +1325,8 @@ field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "Operation of the input." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." }, } },
-    } }, { { set = 0x0C, name = "3dm.odometer_config", title = "Odometer Configuration" }, })
-field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced Low-Pass Filter Settings",
+    } }, { { set = 0x0C, name = "3dm.odometer_config", title = "Odometer configuration" }, })
+field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced low-pass filter settings",
     doc = "Configures the low-pass filter of one sensor data quantity.", least = 1,
     required = { [1] = 5, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
@@ -1336,32 +1336,32 @@ field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", t
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. On the 3DM-GX5-15: range at most 250." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." }, } },
-    } }, { { set = 0x0C, name = "3dm.imu_low_pass_filter", title = "Advanced Low-Pass Filter Settings" }, })
-field({ descriptor = 0x51, name = "3dm.complementary_filter", role = "command", title = "Complementary Filter Configuration",
+    } }, { { set = 0x0C, name = "3dm.imu_low_pass_filter", title = "Advanced low-pass filter settings" }, })
+field({ descriptor = 0x51, name = "3dm.complementary_filter", role = "command", title = "Complementary filter configuration",
     doc = "Configures the complementary filter, which computes the attitude independently of the estimation filter.", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "True enables the pitch and roll correction, which 5-series manuals call up compensation. On the 3DM-GX5-15: default true." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "True enables the heading correction, which 5-series manuals call north compensation. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15: MSCL has no support for it. On the 3DM-GX5-15: default true." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "True enables the heading correction, which 5-series manuals call north compensation. On the 3DM-CV5-10, -15, 3DM-CX5-10 and -15: MSCL has no support for it. On the 3DM-GX5-15: default true." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
-    } }, { { set = 0x0C, name = "3dm.complementary_filter", title = "Complementary Filter Configuration" }, })
-field({ descriptor = 0x52, name = "3dm.sensor_range", role = "command", title = "Sensor Range",
+    } }, { { set = 0x0C, name = "3dm.complementary_filter", title = "Complementary filter configuration" }, })
+field({ descriptor = 0x52, name = "3dm.sensor_range", role = "command", title = "Sensor range",
     doc = "Sets the measuring range of a sensor.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor whose range is set or read." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor whose range is set or read. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only all, accel, gyro and pressure." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Number of the range." }, } },
-    } }, { { set = 0x0C, name = "3dm.sensor_range", title = "Sensor Range" }, })
-field({ descriptor = 0x53, name = "3dm.get_calibrated_sensor_ranges", role = "command", title = "Get Calibrated Sensor Ranges",
+    } }, { { set = 0x0C, name = "3dm.sensor_range", title = "Sensor range" }, })
+field({ descriptor = 0x53, name = "3dm.get_calibrated_sensor_ranges", role = "command", title = "Get calibrated sensor ranges",
     doc = "Gets the ranges that a sensor supports.", least = 1,
     always = 1,
     rows = {
-      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor to query; `all` is not allowed." },
-    } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges", title = "Get Calibrated Sensor Ranges" }, })
-field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title = "Low-Pass Anti-Aliasing Filter",
+      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor to query; `all` is not allowed. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only all, accel, gyro and pressure." },
+    } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges", title = "Get calibrated sensor ranges" }, })
+field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title = "Low-pass anti-aliasing filter",
     doc = "Configures the low-pass filter of a data field.", least = 1,
     required = { [1] = 5, [2] = 2, [3] = 2, [4] = 2, [5] = 2, }, silent = { },
     rows = {
@@ -1371,7 +1371,7 @@ field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the field is filtered." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz. Range: at least 0." }, } },
-    } }, { { set = 0x0C, name = "3dm.low_pass_filter", title = "Low-Pass Anti-Aliasing Filter" }, })
+    } }, { { set = 0x0C, name = "3dm.low_pass_filter", title = "Low-pass anti-aliasing filter" }, })
 field({ descriptor = 0x60, name = "3dm.data_stream_format", role = "command", title = "Data stream format",
     doc = "Selects MIP data or the raw data of a sensor for a stream.", least = 1,
     required = { [1] = 2, [2] = 2, [3] = 2, [4] = 2, [5] = 2, }, silent = { },
@@ -1386,7 +1386,7 @@ field({ descriptor = 0x61, name = "3dm.device_power_state", role = "command", ti
     timeout = 5.0,
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The sensor." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The sensor. On the 3DM-GX3-15 and -25: only imu." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Power state of an internal sensor." }, } },
     } }, { { set = 0x0C, name = "3dm.device_power_state", title = "Device power state" }, })
 field({ descriptor = 0x62, name = "3dm.gps_advanced_settings", role = "command", title = "GPS advanced settings",
@@ -1395,53 +1395,53 @@ field({ descriptor = 0x62, name = "3dm.gps_advanced_settings", role = "command",
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
     } }, { { set = 0x0C, name = "3dm.gps_advanced_settings", title = "GPS advanced settings" }, })
-field({ descriptor = 0x64, name = "3dm.device_status", role = "command", title = "Device Status",
+field({ descriptor = 0x64, name = "3dm.device_status", role = "command", title = "Device status",
     doc = "Gets the state of the device, in basic form or with counters.", least = 3,
     always = 2,
     rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251." },
       { kind = "scalar", name = "status_selector", type = "u8", size = 1, enum = E["3dm.device_status_selector"], doc = "Level of detail of the reply." },
-    } }, { { set = 0x0C, name = "3dm.device_status", title = "Device Status" }, })
-field({ descriptor = 0x80, name = "3dm.imu_message_format_response", role = "response", title = "IMU Message Format response",
+    } }, { { set = 0x0C, name = "3dm.device_status", title = "Device status" }, })
+field({ descriptor = 0x80, name = "3dm.imu_message_format_response", role = "response", title = "IMU message format response",
     doc = "", least = 1,
     always = 2,
     rows = {
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
-    } }, { { set = 0x0C, name = "3dm.imu_message_format_response", title = "IMU Message Format response" }, })
-field({ descriptor = 0x81, name = "3dm.gnss_message_format_response", role = "response", title = "GNSS Message Format response",
+    } }, { { set = 0x0C, name = "3dm.imu_message_format_response", title = "IMU message format response" }, })
+field({ descriptor = 0x81, name = "3dm.gnss_message_format_response", role = "response", title = "GNSS message format response",
     doc = "", least = 1,
     always = 2,
     rows = {
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 82." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
-    } }, { { set = 0x0C, name = "3dm.gnss_message_format_response", title = "GNSS Message Format response" }, })
-field({ descriptor = 0x82, name = "3dm.filter_message_format_response", role = "response", title = "Estimation Filter Message Format response",
+    } }, { { set = 0x0C, name = "3dm.gnss_message_format_response", title = "GNSS message format response" }, })
+field({ descriptor = 0x82, name = "3dm.filter_message_format_response", role = "response", title = "Estimation filter message format response",
     doc = "", least = 1,
     always = 2,
     rows = {
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
-    } }, { { set = 0x0C, name = "3dm.filter_message_format_response", title = "Estimation Filter Message Format response" }, })
-field({ descriptor = 0x83, name = "3dm.get_imu_base_rate_response", role = "response", title = "Get IMU Data Base Rate response",
+    } }, { { set = 0x0C, name = "3dm.filter_message_format_response", title = "Estimation filter message format response" }, })
+field({ descriptor = 0x83, name = "3dm.get_imu_base_rate_response", role = "response", title = "Get IMU data base rate response",
     doc = "", least = 2,
     always = 1,
     rows = {
       { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate of the sensor data. Unit: Hz." },
-    } }, { { set = 0x0C, name = "3dm.get_imu_base_rate_response", title = "Get IMU Data Base Rate response" }, })
-field({ descriptor = 0x84, name = "3dm.get_gnss_base_rate_response", role = "response", title = "Get GNSS Data Base Rate response",
+    } }, { { set = 0x0C, name = "3dm.get_imu_base_rate_response", title = "Get IMU data base rate response" }, })
+field({ descriptor = 0x84, name = "3dm.get_gnss_base_rate_response", role = "response", title = "Get GNSS data base rate response",
     doc = "", least = 2,
     always = 1,
     rows = {
       { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate of the GNSS data. Unit: Hz." },
-    } }, { { set = 0x0C, name = "3dm.get_gnss_base_rate_response", title = "Get GNSS Data Base Rate response" }, })
-field({ descriptor = 0x85, name = "3dm.data_stream_control_response", role = "response", title = "Data Stream Control response",
+    } }, { { set = 0x0C, name = "3dm.get_gnss_base_rate_response", title = "Get GNSS data base rate response" }, })
+field({ descriptor = 0x85, name = "3dm.data_stream_control_response", role = "response", title = "Data stream control response",
     doc = "", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream specified in the command. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream specified in the command. On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR: values of legacy_data_stream; only all_streams, imu and filter. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
       { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "True if the stream is sent." },
-    } }, { { set = 0x0C, name = "3dm.data_stream_control_response", title = "Data Stream Control response" }, })
+    } }, { { set = 0x0C, name = "3dm.data_stream_control_response", title = "Data stream control response" }, })
 field({ descriptor = 0x86, name = "3dm.imu_signal_conditioning_response", role = "response", title = "IMU signal conditioning response",
     doc = "", least = 13,
     always = 8,
@@ -1455,12 +1455,12 @@ field({ descriptor = 0x86, name = "3dm.imu_signal_conditioning_response", role =
       { kind = "scalar", name = "mag_bandwidth", type = "u8", size = 1, enum = E["3dm.mag_bandwidth"], doc = "Bandwidth of the magnetometer of 3-series devices." },
       { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "Reserved." },
     } }, { { set = 0x0C, name = "3dm.imu_signal_conditioning_response", title = "IMU signal conditioning response" }, })
-field({ descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "response", title = "UART Baud Rate response",
+field({ descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "response", title = "UART baud rate response",
     doc = "", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd." },
-    } }, { { set = 0x0C, name = "3dm.uart_baud_rate_response", title = "UART Baud Rate response" }, })
+    } }, { { set = 0x0C, name = "3dm.uart_baud_rate_response", title = "UART baud rate response" }, })
 field({ descriptor = 0x88, name = "3dm.data_stream_format_response", role = "response", title = "Data stream format response",
     doc = "", least = 2,
     always = 2,
@@ -1475,13 +1475,13 @@ field({ descriptor = 0x89, name = "3dm.device_power_state_response", role = "res
       { kind = "scalar", name = "device", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The sensor." },
       { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Power state of an internal sensor." },
     } }, { { set = 0x0C, name = "3dm.device_power_state_response", title = "Device power state response" }, })
-field({ descriptor = 0x8A, name = "3dm.get_filter_base_rate_response", role = "response", title = "Get Estimation Filter Data Base Rate response",
+field({ descriptor = 0x8A, name = "3dm.get_filter_base_rate_response", role = "response", title = "Get estimation filter data base rate response",
     doc = "", least = 2,
     always = 1,
     rows = {
       { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate of the filter data. Unit: Hz." },
-    } }, { { set = 0x0C, name = "3dm.get_filter_base_rate_response", title = "Get Estimation Filter Data Base Rate response" }, })
-field({ descriptor = 0x8B, name = "3dm.imu_low_pass_filter_response", role = "response", title = "Advanced Low-Pass Filter Settings response",
+    } }, { { set = 0x0C, name = "3dm.get_filter_base_rate_response", title = "Get estimation filter data base rate response" }, })
+field({ descriptor = 0x8B, name = "3dm.imu_low_pass_filter_response", role = "response", title = "Advanced low-pass filter settings response",
     doc = "", least = 6,
     always = 5,
     rows = {
@@ -1490,30 +1490,30 @@ field({ descriptor = 0x8B, name = "3dm.imu_low_pass_filter_response", role = "re
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz." },
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved." },
-    } }, { { set = 0x0C, name = "3dm.imu_low_pass_filter_response", title = "Advanced Low-Pass Filter Settings response" }, })
-field({ descriptor = 0x8C, name = "3dm.nmea_message_format_response", role = "response", title = "NMEA Message Format response",
+    } }, { { set = 0x0C, name = "3dm.imu_low_pass_filter_response", title = "Advanced low-pass filter settings response" }, })
+field({ descriptor = 0x8C, name = "3dm.nmea_message_format_response", role = "response", title = "NMEA message format response",
     doc = "", least = 1,
     always = 2,
     rows = {
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of sentences." },
       { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to stream.", item = { kind = "struct", name = "item", record = S["nmea_message"] } },
-    } }, { { set = 0x0C, name = "3dm.nmea_message_format_response", title = "NMEA Message Format response" }, })
-field({ descriptor = 0x8E, name = "3dm.get_base_rate_response", role = "response", title = "Get Data Base Rate response",
+    } }, { { set = 0x0C, name = "3dm.nmea_message_format_response", title = "NMEA message format response" }, })
+field({ descriptor = 0x8E, name = "3dm.get_base_rate_response", role = "response", title = "Get data base rate response",
     doc = "", least = 3,
     always = 2,
     rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set specified in the command." },
       { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz." },
-    } }, { { set = 0x0C, name = "3dm.get_base_rate_response", title = "Get Data Base Rate response" }, })
-field({ descriptor = 0x8F, name = "3dm.message_format_response", role = "response", title = "Message Format response",
+    } }, { { set = 0x0C, name = "3dm.get_base_rate_response", title = "Get data base rate response" }, })
+field({ descriptor = 0x8F, name = "3dm.message_format_response", role = "response", title = "Message format response",
     doc = "", least = 2,
     always = 3,
     rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
-    } }, { { set = 0x0C, name = "3dm.message_format_response", title = "Message Format response" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_basic_rq1_imu_response", role = "response", title = "Basic Device Status of the inertial sensor of the 3DM-RQ1-45",
+    } }, { { set = 0x0C, name = "3dm.message_format_response", title = "Message format response" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_basic_rq1_imu_response", role = "response", title = "Basic device status (inertial sensor of the 3DM-RQ1-45)",
     doc = "Timer only, in microseconds.", least = 15,
     always = 4,
     constants = { { at = 0, value = "\24\94" }, { at = 2, value = "\1" }, },
@@ -1522,8 +1522,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_rq1_imu_response", ro
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u64", size = 8, units = {"us", }, doc = "Time since start-up. Unit: us." },
-    } }, { { set = 0x0C, name = "3dm.device_status_basic_rq1_imu_response", title = "Basic Device Status of the inertial sensor of the 3DM-RQ1-45" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_basic_response", role = "response", title = "Basic Device Status",
+    } }, { { set = 0x0C, name = "3dm.device_status_basic_rq1_imu_response", title = "Basic device status (inertial sensor of the 3DM-RQ1-45)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_basic_response", role = "response", title = "Basic device status",
     doc = "State and timer.", least = 13,
     always = 5,
     constants = { { at = 2, value = "\1" }, },
@@ -1531,10 +1531,10 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_response", role = "re
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
-      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; the meaning of its values is not documented. On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of gx4_system_state.", readings = { {device = "3dm-gx4-45", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-st", enum = E["3dm.gx4_system_state"] }, } },
+      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; the meaning of its values is not documented. On the 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: values of gx4_system_state.", readings = { {device = "3dm-gx4-45", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-st", enum = E["3dm.gx4_system_state"] }, } },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-    } }, { { set = 0x0C, name = "3dm.device_status_basic_response", title = "Basic Device Status" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_basic_without_state_response", role = "response", title = "Basic Device Status without a state",
+    } }, { { set = 0x0C, name = "3dm.device_status_basic_response", title = "Basic device status" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_basic_without_state_response", role = "response", title = "Basic device status (without state)",
     doc = "Timer only.", least = 11,
     always = 4,
     constants = { { at = 2, value = "\1" }, },
@@ -1543,8 +1543,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_without_state_respons
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-    } }, { { set = 0x0C, name = "3dm.device_status_basic_without_state_response", title = "Basic Device Status without a state" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role = "response", title = "Diagnostic Device Status",
+    } }, { { set = 0x0C, name = "3dm.device_status_basic_without_state_response", title = "Basic device status (without state)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role = "response", title = "Diagnostic device status",
     doc = "State, timer, and the counters of streams and port.", least = 51,
     always = 16,
     constants = { { at = 2, value = "\2" }, },
@@ -1565,8 +1565,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role 
       { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "IMU messages that could not be parsed. Unit: 1." },
       { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "IMU messages that were read. Unit: 1." },
       { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last IMU message. Unit: ms." },
-    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_response", title = "Diagnostic Device Status" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", role = "response", title = "Diagnostic Device Status with GNSS",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_response", title = "Diagnostic device status" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", role = "response", title = "Diagnostic device status (with GNSS)",
     doc = "State, timer, and the counters of pulses, streams, port and receiver.", least = 77,
     always = 24,
     constants = { { at = 2, value = "\2" }, },
@@ -1595,8 +1595,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", 
       { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Receiver messages that could not be parsed. Unit: 1." },
       { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Receiver messages that were read. Unit: 1." },
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last receiver message. Unit: ms." },
-    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gnss_response", title = "Diagnostic Device Status with GNSS" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-GQ4-45",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gnss_response", title = "Diagnostic device status (with GNSS)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response", role = "response", title = "Diagnostic device status (3DM-GQ4-45)",
     doc = "The layout with GNSS, plus flags for parts that could not be started.", least = 80,
     always = 27,
     constants = { { at = 2, value = "\2" }, },
@@ -1628,8 +1628,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response"
       { kind = "scalar", name = "mag_init_failed", type = "bool", size = 1, doc = "True if the magnetometer could not be started." },
       { kind = "scalar", name = "pressure_init_failed", type = "bool", size = 1, doc = "True if the pressure sensor could not be started." },
       { kind = "scalar", name = "receiver_init_failed", type = "bool", size = 1, doc = "True if the GNSS receiver could not be started." },
-    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gq4_45_response", title = "Diagnostic Device Status of the 3DM-GQ4-45" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-RQ1-45",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gq4_45_response", title = "Diagnostic device status (3DM-GQ4-45)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response", role = "response", title = "Diagnostic device status (3DM-RQ1-45)",
     doc = "The layout with GNSS, plus the temperature.", least = 86,
     always = 27,
     constants = { { at = 2, value = "\2" }, },
@@ -1661,8 +1661,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response"
       { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Receiver messages that could not be parsed. Unit: 1." },
       { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Receiver messages that were read. Unit: 1." },
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last receiver message. Unit: ms." },
-    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_45_response", title = "Diagnostic Device Status of the 3DM-RQ1-45" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", role = "response", title = "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_45_response", title = "Diagnostic device status (3DM-RQ1-45)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", role = "response", title = "Diagnostic device status (3DM-GX4-15, 3DM-GX4-25)",
     doc = "Timer, and counters of pulses, streams, port and USB.", least = 73,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
@@ -1688,8 +1688,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", r
       { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "IMU messages that could not be parsed. Unit: 1." },
       { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "IMU messages that were read. Unit: 1." },
       { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last IMU message. Unit: ms." },
-    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx4_response", title = "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", role = "response", title = "Diagnostic Device Status of an IMU",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx4_response", title = "Diagnostic device status (3DM-GX4-15, 3DM-GX4-25)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", role = "response", title = "Diagnostic device status (IMU)",
     doc = "Timer, available sensors, temperature, and the counters of pulses, stream and port.", least = 60,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
@@ -1701,8 +1701,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "True if the device has a magnetometer." },
       { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "True if the device has a pressure sensor." },
       { kind = "scalar", name = "power_state", type = "u8", size = 1, doc = "Power state of the sensors." },
-      { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest angular rate that can be measured." },
-      { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Largest acceleration that can be measured." },
+      { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest measurable angular rate." },
+      { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Largest measurable acceleration." },
       { kind = "scalar", name = "reserved", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
@@ -1715,8 +1715,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_imu_response", title = "Diagnostic Device Status of an IMU" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response", role = "response", title = "Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_imu_response", title = "Diagnostic device status (IMU)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response", role = "response", title = "Diagnostic device status (inertial sensor of the 3DM-GX4-45)",
     doc = "Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.", least = 62,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
@@ -1727,10 +1727,10 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
       { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "True if the device has a magnetometer." },
       { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "True if the device has a pressure sensor." },
-      { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest angular rate that can be measured." },
-      { kind = "scalar", name = "accel_range", type = "u8", size = 1, doc = "Largest acceleration that can be measured." },
-      { kind = "scalar", name = "mag_range", type = "float", size = 4, doc = "Largest magnetic field that can be measured." },
-      { kind = "scalar", name = "pressure_range", type = "float", size = 4, doc = "Largest pressure that can be measured." },
+      { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest measurable angular rate." },
+      { kind = "scalar", name = "accel_range", type = "u8", size = 1, doc = "Largest measurable acceleration." },
+      { kind = "scalar", name = "mag_range", type = "float", size = 4, doc = "Largest measurable magnetic field." },
+      { kind = "scalar", name = "pressure_range", type = "float", size = 4, doc = "Largest measurable pressure." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
       { kind = "scalar", name = "temperature_error", type = "u8", size = 1, doc = "State of the temperature measurement; 0 is normal." },
@@ -1742,8 +1742,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx4_imu_response", title = "Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_imu_response", role = "response", title = "Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx4_imu_response", title = "Diagnostic device status (inertial sensor of the 3DM-GX4-45)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_imu_response", role = "response", title = "Diagnostic device status (inertial sensor of the 3DM-RQ1-45)",
     doc = "Timer, temperature and supply, and the counters of pulses, stream and port.", least = 61,
     always = 19,
     constants = { { at = 2, value = "\2" }, },
@@ -1767,8 +1767,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_imu_response
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_imu_response", title = "Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_basic_gx3_response", role = "response", title = "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_imu_response", title = "Diagnostic device status (inertial sensor of the 3DM-RQ1-45)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_basic_gx3_response", role = "response", title = "Basic device status (3DM-GX3-35, 3DM-GX3-45)",
     doc = "State of the port.", least = 15,
     always = 7,
     constants = { { at = 2, value = "\1" }, },
@@ -1780,8 +1780,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_gx3_response", role =
       { kind = "scalar", name = "settings_flags", type = "u32", size = 4, doc = "Settings of the data streams; the meaning of the bits is not known." },
       { kind = "scalar", name = "comm_state", type = "u16", size = 2, doc = "State of the port; the meaning of its values is not known." },
       { kind = "scalar", name = "comm_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
-    } }, { { set = 0x0C, name = "3dm.device_status_basic_gx3_response", title = "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45" }, })
-field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", role = "response", title = "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
+    } }, { { set = 0x0C, name = "3dm.device_status_basic_gx3_response", title = "Basic device status (3DM-GX3-35, 3DM-GX3-45)" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", role = "response", title = "Diagnostic device status (3DM-GX3-35, 3DM-GX3-45)",
     doc = "State of the port, and the counters of the port, USB, receiver and IMU.", least = 105,
     always = 32,
     constants = { { at = 2, value = "\2" }, },
@@ -1818,7 +1818,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", r
       { kind = "scalar", name = "imu_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the IMU. Unit: 1." },
       { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "IMU messages that were read. Unit: 1." },
       { kind = "scalar", name = "imu_delayed_message_count", type = "u32", size = 4, doc = "IMU messages that arrived late. Unit: 1." },
-    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx3_response", title = "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45" }, })
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx3_response", title = "Diagnostic device status (3DM-GX3-35, 3DM-GX3-45)" }, })
 field({ descriptor = 0x92, name = "3dm.gps_dynamics_mode_response", role = "response", title = "GPS dynamics mode response",
     doc = "", least = 1,
     always = 1,
@@ -1832,7 +1832,7 @@ field({ descriptor = 0x93, name = "3dm.imu_timestamp_response", role = "response
       { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Counter to set or read." },
       { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` selects." },
     } }, { { set = 0x0C, name = "3dm.imu_timestamp_response", title = "IMU timestamp response" }, })
-field({ descriptor = 0x97, name = "3dm.complementary_filter_response", role = "response", title = "Complementary Filter Configuration response",
+field({ descriptor = 0x97, name = "3dm.complementary_filter_response", role = "response", title = "Complementary filter configuration response",
     doc = "", least = 10,
     always = 4,
     rows = {
@@ -1840,38 +1840,38 @@ field({ descriptor = 0x97, name = "3dm.complementary_filter_response", role = "r
       { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "True enables the heading correction, which 5-series manuals call north compensation." },
       { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10." },
       { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." },
-    } }, { { set = 0x0C, name = "3dm.complementary_filter_response", title = "Complementary Filter Configuration response" }, })
-field({ descriptor = 0x9A, name = "3dm.accel_bias_response", role = "response", title = "Accelerometer Bias Configuration response",
+    } }, { { set = 0x0C, name = "3dm.complementary_filter_response", title = "Complementary filter configuration response" }, })
+field({ descriptor = 0x9A, name = "3dm.accel_bias_response", role = "response", title = "Accelerometer bias configuration response",
     doc = "", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    } }, { { set = 0x0C, name = "3dm.accel_bias_response", title = "Accelerometer Bias Configuration response" }, })
-field({ descriptor = 0x9B, name = "3dm.gyro_bias_response", role = "response", title = "Gyroscope Bias Configuration response",
+    } }, { { set = 0x0C, name = "3dm.accel_bias_response", title = "Accelerometer bias configuration response" }, })
+field({ descriptor = 0x9B, name = "3dm.gyro_bias_response", role = "response", title = "Gyroscope bias configuration response",
     doc = "The bias in use.", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    } }, { { set = 0x0C, name = "3dm.gyro_bias_response", title = "Gyroscope Bias Configuration response" }, })
-field({ descriptor = 0x9C, name = "3dm.mag_hard_iron_offset_response", role = "response", title = "Magnetometer Hard Iron Offset response",
+    } }, { { set = 0x0C, name = "3dm.gyro_bias_response", title = "Gyroscope bias configuration response" }, })
+field({ descriptor = 0x9C, name = "3dm.mag_hard_iron_offset_response", role = "response", title = "Magnetometer hard iron offset response",
     doc = "", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset_response", title = "Magnetometer Hard Iron Offset response" }, })
-field({ descriptor = 0x9D, name = "3dm.mag_soft_iron_matrix_response", role = "response", title = "Magnetometer Soft Iron Matrix response",
+    } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset_response", title = "Magnetometer hard iron offset response" }, })
+field({ descriptor = 0x9D, name = "3dm.mag_soft_iron_matrix_response", role = "response", title = "Magnetometer soft iron matrix response",
     doc = "", least = 36,
     always = 1,
     rows = {
       { kind = "array", name = "matrix", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    } }, { { set = 0x0C, name = "3dm.mag_soft_iron_matrix_response", title = "Magnetometer Soft Iron Matrix response" }, })
-field({ descriptor = 0x9E, name = "3dm.coning_sculling_enable_response", role = "response", title = "Coning and Sculling Enable response",
+    } }, { { set = 0x0C, name = "3dm.mag_soft_iron_matrix_response", title = "Magnetometer soft iron matrix response" }, })
+field({ descriptor = 0x9E, name = "3dm.coning_sculling_enable_response", role = "response", title = "Coning and sculling enable response",
     doc = "", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the compensation is on. Default: true." },
-    } }, { { set = 0x0C, name = "3dm.coning_sculling_enable_response", title = "Coning and Sculling Enable response" }, })
-field({ descriptor = 0xA0, name = "3dm.constellation_settings_response", role = "response", title = "Constellation Settings response",
+    } }, { { set = 0x0C, name = "3dm.coning_sculling_enable_response", title = "Coning and sculling enable response" }, })
+field({ descriptor = 0xA0, name = "3dm.constellation_settings_response", role = "response", title = "Constellation settings response",
     doc = "Tracking channels of the receiver and the setting of each constellation.", least = 5,
     always = 4,
     rows = {
@@ -1879,8 +1879,8 @@ field({ descriptor = 0xA0, name = "3dm.constellation_settings_response", role = 
       { kind = "scalar", name = "max_channels_use", type = "u16", size = 2, doc = "Maximum number of channels in use. Unit: 1." },
       { kind = "counter", name = "config_count", type = "u8", size = 1, doc = "Number of entries. Range: 0 to 41." },
       { kind = "array", name = "settings", counter = "config_count", capacity = 41, size = 6, doc = "One entry for each constellation.", item = { kind = "struct", name = "item", record = S["3dm.constellation_settings_entry"] } },
-    } }, { { set = 0x0C, name = "3dm.constellation_settings_response", title = "Constellation Settings response" }, })
-field({ descriptor = 0xA1, name = "3dm.gnss_sbas_settings_response", role = "response", title = "GNSS SBAS Settings response",
+    } }, { { set = 0x0C, name = "3dm.constellation_settings_response", title = "Constellation settings response" }, })
+field({ descriptor = 0xA1, name = "3dm.gnss_sbas_settings_response", role = "response", title = "GNSS SBAS settings response",
     doc = "", least = 4,
     always = 4,
     rows = {
@@ -1888,103 +1888,103 @@ field({ descriptor = 0xA1, name = "3dm.gnss_sbas_settings_response", role = "res
       { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "Purposes of SBAS." },
       { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." },
       { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
-    } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings_response", title = "GNSS SBAS Settings response" }, })
-field({ descriptor = 0xA2, name = "3dm.gnss_assisted_fix_response", role = "response", title = "GNSS Assisted Fix response",
+    } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings_response", title = "GNSS SBAS settings response" }, })
+field({ descriptor = 0xA2, name = "3dm.gnss_assisted_fix_response", role = "response", title = "GNSS assisted fix response",
     doc = "", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Storage of data for a faster first fix. Default: none." },
       { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved." },
-    } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix_response", title = "GNSS Assisted Fix response" }, })
-field({ descriptor = 0xA3, name = "3dm.gnss_time_assistance_response", role = "response", title = "GNSS Time Assistance response",
+    } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix_response", title = "GNSS assisted fix response" }, })
+field({ descriptor = 0xA3, name = "3dm.gnss_time_assistance_response", role = "response", title = "GNSS time assistance response",
     doc = "", least = 14,
     always = 3,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." },
       { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0." },
-    } }, { { set = 0x0C, name = "3dm.gnss_time_assistance_response", title = "GNSS Time Assistance response" }, })
-field({ descriptor = 0xA8, name = "3dm.pps_source_control_response", role = "response", title = "PPS Source Control response",
+    } }, { { set = 0x0C, name = "3dm.gnss_time_assistance_response", title = "GNSS time assistance response" }, })
+field({ descriptor = 0xA8, name = "3dm.pps_source_control_response", role = "response", title = "PPS source control response",
     doc = "", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse." },
-    } }, { { set = 0x0C, name = "3dm.pps_source_control_response", title = "PPS Source Control response" }, })
-field({ descriptor = 0xB1, name = "3dm.sensor_to_vehicle_transform_euler_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Euler response",
+    } }, { { set = 0x0C, name = "3dm.pps_source_control_response", title = "PPS source control response" }, })
+field({ descriptor = 0xB1, name = "3dm.sensor_to_vehicle_transform_euler_response", role = "response", title = "Sensor-to-vehicle frame transformation Euler response",
     doc = "", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis. Unit: rad." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis. Unit: rad." },
-    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_euler_response", title = "Sensor-to-Vehicle Frame Transformation Euler response" }, })
-field({ descriptor = 0xB2, name = "3dm.sensor_to_vehicle_transform_quaternion_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Quaternion response",
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: right side down." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: nose up." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: clockwise seen from above." },
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_euler_response", title = "Sensor-to-vehicle frame transformation Euler response" }, })
+field({ descriptor = 0xB2, name = "3dm.sensor_to_vehicle_transform_quaternion_response", role = "response", title = "Sensor-to-vehicle frame transformation quaternion response",
     doc = "", least = 16,
     always = 1,
     rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion_response", title = "Sensor-to-Vehicle Frame Transformation Quaternion response" }, })
-field({ descriptor = 0xB3, name = "3dm.sensor_to_vehicle_transform_dcm_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response",
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion_response", title = "Sensor-to-vehicle frame transformation quaternion response" }, })
+field({ descriptor = 0xB3, name = "3dm.sensor_to_vehicle_transform_dcm_response", role = "response", title = "Sensor-to-vehicle frame transformation direction cosine matrix response",
     doc = "", least = 36,
     always = 1,
     rows = {
       { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "The matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm_response", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response" }, })
-field({ descriptor = 0xB4, name = "3dm.get_event_support_response", role = "response", title = "Get Supported Events response",
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm_response", title = "Sensor-to-vehicle frame transformation direction cosine matrix response" }, })
+field({ descriptor = 0xB4, name = "3dm.get_event_support_response", role = "response", title = "Get supported events response",
     doc = "", least = 3,
     always = 4,
     rows = {
       { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Query specified in the command." },
-      { kind = "scalar", name = "max_instances", type = "u8", size = 1, doc = "Number of slots; instances are numbered from 1 to this. Unit: 1." },
+      { kind = "scalar", name = "max_instances", type = "u8", size = 1, doc = "Number of instances, which are numbered from 1. Unit: 1." },
       { kind = "counter", name = "num_entries", type = "u8", size = 1, doc = "Number of types." },
       { kind = "array", name = "entries", counter = "num_entries", capacity = 125, size = 2, doc = "The types. If query is trigger_types: type has values of event_trigger_type. If query is action_types: type has values of event_action_type.", readings = { {by = "query", value = 1, member = "type", enum = E["event_trigger_type"] }, {by = "query", value = 2, member = "type", enum = E["event_action_type"] }, }, item = { kind = "struct", name = "item", record = S["3dm.event_support_info"] } },
-    } }, { { set = 0x0C, name = "3dm.get_event_support_response", title = "Get Supported Events response" }, })
-field({ descriptor = 0xB5, name = "3dm.event_control_response", role = "response", title = "Event Control response",
+    } }, { { set = 0x0C, name = "3dm.get_event_support_response", title = "Get supported events response" }, })
+field({ descriptor = 0xB5, name = "3dm.event_control_response", role = "response", title = "Event control response",
     doc = "", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Number of the trigger." },
+      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance." },
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_mode"], doc = "Mode of the trigger. Default: disabled." },
-    } }, { { set = 0x0C, name = "3dm.event_control_response", title = "Event Control response" }, })
-field({ descriptor = 0xB6, name = "3dm.get_event_trigger_status_response", role = "response", title = "Get Event Trigger Status response",
+    } }, { { set = 0x0C, name = "3dm.event_control_response", title = "Event control response" }, })
+field({ descriptor = 0xB6, name = "3dm.get_event_trigger_status_response", role = "response", title = "Get event trigger status response",
     doc = "", least = 1,
     always = 2,
     rows = {
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of entries." },
       { kind = "array", name = "triggers", counter = "count", capacity = 126, size = 2, doc = "One entry per trigger, in the requested order, or by instance if all were requested.", item = { kind = "struct", name = "item", record = S["3dm.event_trigger_status_entry"] } },
-    } }, { { set = 0x0C, name = "3dm.get_event_trigger_status_response", title = "Get Event Trigger Status response" }, })
-field({ descriptor = 0xB7, name = "3dm.get_event_action_status_response", role = "response", title = "Get Event Action Status response",
+    } }, { { set = 0x0C, name = "3dm.get_event_trigger_status_response", title = "Get event trigger status response" }, })
+field({ descriptor = 0xB7, name = "3dm.get_event_action_status_response", role = "response", title = "Get event action status response",
     doc = "", least = 1,
     always = 2,
     rows = {
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of entries." },
       { kind = "array", name = "actions", counter = "count", capacity = 126, size = 2, doc = "One entry per action, in the requested order, or by instance if all were requested.", item = { kind = "struct", name = "item", record = S["3dm.event_action_status_entry"] } },
-    } }, { { set = 0x0C, name = "3dm.get_event_action_status_response", title = "Get Event Action Status response" }, })
-field({ descriptor = 0xB8, name = "3dm.event_trigger_config_response", role = "response", title = "Event Trigger Configuration response",
+    } }, { { set = 0x0C, name = "3dm.get_event_action_status_response", title = "Get event action status response" }, })
+field({ descriptor = 0xB8, name = "3dm.event_trigger_config_response", role = "response", title = "Event trigger configuration response",
     doc = "", least = 2,
     always = 3,
     rows = {
-      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Number of the trigger." },
+      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_trigger_type"], doc = "Kind of trigger. Default: none." },
       { kind = "switch", name = "parameters", tag = "type", doc = "The condition.", cases = {
       [0] = { label = "none" },
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_trigger_gpio"], doc = "" } },
       [2] = { label = "threshold", item = { kind = "struct", name = "threshold", record = S["event_trigger_threshold"], doc = "" } },
       [3] = { label = "combination", item = { kind = "struct", name = "combination", record = S["event_trigger_combination"], doc = "" } }, } },
-    } }, { { set = 0x0C, name = "3dm.event_trigger_config_response", title = "Event Trigger Configuration response" }, })
-field({ descriptor = 0xB9, name = "3dm.event_action_config_response", role = "response", title = "Event Action Configuration response",
+    } }, { { set = 0x0C, name = "3dm.event_trigger_config_response", title = "Event trigger configuration response" }, })
+field({ descriptor = 0xB9, name = "3dm.event_action_config_response", role = "response", title = "Event action configuration response",
     doc = "", least = 3,
     always = 4,
     rows = {
-      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Number of the action." },
+      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Action instance." },
       { kind = "scalar", name = "trigger", type = "u8", size = 1, doc = "Trigger instance that the action follows." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_action_type"], doc = "Kind of action. Default: none." },
       { kind = "switch", name = "parameters", tag = "type", doc = "Effect of the action.", cases = {
       [0] = { label = "none" },
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_action_gpio"], doc = "" } },
       [2] = { label = "message", item = { kind = "struct", name = "message", record = S["event_action_message"], doc = "" } }, } },
-    } }, { { set = 0x0C, name = "3dm.event_action_config_response", title = "Event Action Configuration response" }, })
-field({ descriptor = 0xC1, name = "3dm.gpio_config_response", role = "response", title = "GPIO Configuration response",
+    } }, { { set = 0x0C, name = "3dm.event_action_config_response", title = "Event action configuration response" }, })
+field({ descriptor = 0xC1, name = "3dm.gpio_config_response", role = "response", title = "GPIO configuration response",
     doc = "", least = 4,
     always = 4,
     rows = {
@@ -1992,38 +1992,38 @@ field({ descriptor = 0xC1, name = "3dm.gpio_config_response", role = "response",
       { kind = "scalar", name = "feature", type = "u8", size = 1, enum = E["gpio_feature"], doc = "Use of the pin. Default: unused." },
       { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 if the feature has no roles. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } },
       { kind = "scalar", name = "pin_mode", type = "u8", size = 1, flags = F["gpio_pin_mode"], doc = "Electrical options." },
-    } }, { { set = 0x0C, name = "3dm.gpio_config_response", title = "GPIO Configuration response" }, })
-field({ descriptor = 0xC2, name = "3dm.gpio_state_response", role = "response", title = "GPIO State response",
+    } }, { { set = 0x0C, name = "3dm.gpio_config_response", title = "GPIO configuration response" }, })
+field({ descriptor = 0xC2, name = "3dm.gpio_state_response", role = "response", title = "GPIO state response",
     doc = "", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
       { kind = "scalar", name = "state", type = "bool", size = 1, doc = "True means high." },
-    } }, { { set = 0x0C, name = "3dm.gpio_state_response", title = "GPIO State response" }, })
-field({ descriptor = 0xC3, name = "3dm.odometer_config_response", role = "response", title = "Odometer Configuration response",
+    } }, { { set = 0x0C, name = "3dm.gpio_state_response", title = "GPIO state response" }, })
+field({ descriptor = 0xC3, name = "3dm.odometer_config_response", role = "response", title = "Odometer configuration response",
     doc = "", least = 9,
     always = 3,
     rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "Operation of the input." },
       { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." },
-    } }, { { set = 0x0C, name = "3dm.odometer_config_response", title = "Odometer Configuration response" }, })
-field({ descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response", title = "Sensor Range response",
+    } }, { { set = 0x0C, name = "3dm.odometer_config_response", title = "Odometer configuration response" }, })
+field({ descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response", title = "Sensor range response",
     doc = "", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor whose range is set or read." },
       { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Number of the range." },
-    } }, { { set = 0x0C, name = "3dm.sensor_range_response", title = "Sensor Range response" }, })
-field({ descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_response", role = "response", title = "Get Calibrated Sensor Ranges response",
+    } }, { { set = 0x0C, name = "3dm.sensor_range_response", title = "Sensor range response" }, })
+field({ descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_response", role = "response", title = "Get calibrated sensor ranges response",
     doc = "", least = 2,
     always = 3,
     rows = {
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor specified in the command." },
       { kind = "counter", name = "num_ranges", type = "u8", size = 1, doc = "Number of ranges." },
       { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "Ranges for which the sensor is calibrated. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
-    } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges_response", title = "Get Calibrated Sensor Ranges response" }, })
-field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "response", title = "Low-Pass Anti-Aliasing Filter response",
+    } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges_response", title = "Get calibrated sensor ranges response" }, })
+field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "response", title = "Low-pass anti-aliasing filter response",
     doc = "", least = 8,
     always = 5,
     rows = {
@@ -2032,7 +2032,7 @@ field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "respon
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the field is filtered." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff in use. Unit: Hz. Range: at least 0." },
-    } }, { { set = 0x0C, name = "3dm.low_pass_filter_response", title = "Low-Pass Anti-Aliasing Filter response" }, })
+    } }, { { set = 0x0C, name = "3dm.low_pass_filter_response", title = "Low-pass anti-aliasing filter response" }, })
 field({ descriptor = 0x01, name = "filter.reset", role = "command", title = "Reset navigation filter",
     doc = "Returns the filter to its initialization state.", least = 0,
     always = 0,
@@ -2042,21 +2042,21 @@ field({ descriptor = 0x02, name = "filter.set_initial_attitude", role = "command
     doc = "Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right side down." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose up." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_attitude", title = "Set initial attitude" }, })
 field({ descriptor = 0x03, name = "filter.set_initial_heading", role = "command", title = "Set initial heading",
     doc = "Sets the initial heading of the filter. Pitch and roll come from the accelerometers.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_heading", title = "Set initial heading" }, })
 field({ descriptor = 0x04, name = "filter.set_initial_attitude_from_imu", role = "command", title = "Set initial attitude from IMU",
     doc = "Initializes the filter's attitude from the complementary filter.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north." },
     } }, { { set = 0x0D, name = "filter.set_initial_attitude_from_imu", title = "Set initial attitude from IMU" }, })
 field({ descriptor = 0x05, name = "filter.run", role = "command", title = "Run navigation filter",
     doc = "Starts a filter that is configured to wait for this command.", least = 0,
@@ -2075,9 +2075,9 @@ field({ descriptor = 0x11, name = "filter.sensor_to_vehicle_rotation_euler", rol
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right side down." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose up." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: clockwise seen from above." }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_euler", title = "Sensor to vehicle frame transformation" }, })
 field({ descriptor = 0x12, name = "filter.sensor_to_vehicle_offset", role = "command", title = "Sensor to vehicle offset",
     doc = "Sets the origin of the vehicle frame relative to the sensor.", least = 1,
@@ -2091,21 +2091,21 @@ field({ descriptor = 0x13, name = "filter.antenna_offset", role = "command", tit
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-CX5-45: frame sensor (inferred: the manual of the 3DM-GX5-45 states it). On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.antenna_offset", title = "GNSS antenna offset" }, })
 field({ descriptor = 0x14, name = "filter.estimation_control", role = "command", title = "Estimation control flags",
     doc = "Selects the states that the filter estimates.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "flags", type = "u16", size = 2, flags = F["filter.estimated_states"], doc = "States to estimate. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only gyro_bias. On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only gyro_bias, auto_hard_iron and auto_soft_iron. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "flags", type = "u16", size = 2, flags = F["filter.estimated_states"], doc = "States to estimate. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, -25 and 3DM-GX5-15: only gyro_bias. On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only gyro_bias, auto_hard_iron and auto_soft_iron. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset." }, } },
     } }, { { set = 0x0D, name = "filter.estimation_control", title = "Estimation control flags" }, })
 field({ descriptor = 0x15, name = "filter.gnss_source", role = "command", title = "GNSS aiding source",
     doc = "Selects the GNSS receiver that aids the filter.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.gnss_aiding_source"], doc = "Source of the GNSS data. On the 3DM-GX5-45: only all_internal and external." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.gnss_aiding_source"], doc = "Source of the GNSS data. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only external. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only all_internal, external and internal_1. On the 3DM-GX5-45: only all_internal and external." }, } },
     } }, { { set = 0x0D, name = "filter.gnss_source", title = "GNSS aiding source" }, })
 field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command", title = "External GNSS update",
     doc = "Sends one position and velocity measurement from your own GNSS receiver to the filter.", least = 70,
@@ -2124,7 +2124,7 @@ field({ descriptor = 0x17, name = "filter.external_heading_update", role = "comm
     doc = "Sends one measurement of the heading of the sensor frame in the NED frame to the filter.", least = 9,
     always = 3,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update", title = "External heading update" }, })
@@ -2133,7 +2133,7 @@ field({ descriptor = 0x18, name = "filter.heading_source", role = "command", tit
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.heading_update_source"], doc = "Source of the heading. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only none and external. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only none, mag and external. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only none, mag, gnss_velocity and external. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only none, gnss_velocity and external." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.heading_update_source"], doc = "Source of the heading. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only none and external. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only none, mag and external. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only none, mag, gnss_velocity and external. On the 3DM-RQ1-45-LT and -45-ST: only none, gnss_velocity and external." }, } },
     } }, { { set = 0x0D, name = "filter.heading_source", title = "Heading update control" }, })
 field({ descriptor = 0x19, name = "filter.auto_initialization_control", role = "command", title = "Automatic initialization",
     doc = "Sets whether the filter initializes automatically at power-up.", least = 1,
@@ -2186,7 +2186,7 @@ field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", ro
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update_with_time", title = "External heading update with time" }, })
@@ -2264,7 +2264,7 @@ field({ descriptor = 0x41, name = "filter.enable_measurements", role = "command"
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "control", type = "u16", size = 2, flags = F["filter.measurement_flags"], doc = "Measurements to use. On the 3DM-GX5-15: only accel." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "control", type = "u16", size = 2, flags = F["filter.measurement_flags"], doc = "Measurements to use. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only accel." }, } },
     } }, { { set = 0x0D, name = "filter.enable_measurements", title = "Enable or disable measurements" }, })
 field({ descriptor = 0x42, name = "filter.mag_noise", role = "command", title = "Magnetometer noise",
     doc = "Sets the standard deviation of the magnetometer noise that the filter assumes.", least = 1,
@@ -2278,15 +2278,15 @@ field({ descriptor = 0x43, name = "filter.magnetic_declination_source", role = "
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only none and manual. On the 3DM-GQ7-GNSS/INS: only wmm and manual." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination. On the 3DM-CX7-AHRS and 3DM-GV7-AHRS: only none and manual. On the 3DM-GQ7-GNSS/INS: only wmm and manual." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_declination_source", title = "Magnetic declination source" }, })
 field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measurement", role = "command", title = "Gravity magnitude error adaptive measurement",
     doc = "Sets how far the filter trusts gravity measurements whose magnitude is not as expected.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, -25, -45, 3DM-RQ1-45-LT and -45-ST: only disabled and fixed." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the gravity magnitude error. Unit: m/s^2." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the gravity magnitude error. Unit: m/s^2." }, } },
@@ -2299,7 +2299,7 @@ field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measureme
     required = { [1] = 7, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, -45, 3DM-RQ1-45-LT and -45-ST: only disabled and fixed." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the magnetic field magnitude error. Unit: gauss." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the magnetic field magnitude error. Unit: gauss." }, } },
@@ -2314,7 +2314,7 @@ field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measureme
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad. Range: at least 0." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement", title = "Magnetometer dip angle error adaptive measurement" }, })
@@ -2338,7 +2338,7 @@ field({ descriptor = 0x4C, name = "filter.magnetic_inclination_source", role = "
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the inclination." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_inclination_source", title = "Magnetic inclination source" }, })
 field({ descriptor = 0x4D, name = "filter.magnetic_magnitude_source", role = "command", title = "Magnetic field magnitude source",
     doc = "Selects the source of the local magnitude of the magnetic field.", least = 1,
@@ -2387,9 +2387,9 @@ field({ descriptor = 0x52, name = "filter.initialization_config", role = "comman
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Initial conditions that your program provides instead of the device." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods that may be used to determine the initial heading. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only kinematic, mag and external. On the 3DM-GQ7-GNSS/INS: only dual_antenna, kinematic and mag." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that your program provides. Unit: deg." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that your program provides. Unit: deg." }, } },
-      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that your program provides. Unit: deg." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from above." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll angle. Unit: deg. Frame: ned. Positive: right side down." }, } },
       { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that your program provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that your program provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 9, last = 9, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." }, } },
@@ -2408,7 +2408,7 @@ field({ descriptor = 0x54, name = "filter.multi_antenna_offset", role = "command
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver, from 1. Range: at least 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Lever arm from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.multi_antenna_offset", title = "GNSS multi-antenna offset" }, })
 field({ descriptor = 0x55, name = "filter.relative_position_config", role = "command", title = "Relative position configuration",
     doc = "Sets the reference point of the relative position that the filter reports.", least = 1,
@@ -2425,7 +2425,7 @@ field({ descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "co
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "Point to move; it must be 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Lever arm from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.reference_point_lever_arm", title = "Reference point lever arm" }, })
 field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", title = "Speed measurement",
     doc = "Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.", least = 13,
@@ -2433,7 +2433,7 @@ field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", 
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Send 1. Reserved: send 1." },
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: 0 to 604800." },
-      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed, negative in reverse. Unit: m/s. Frame: vehicle." },
+      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed along the x axis of the vehicle. Unit: m/s. Frame: vehicle. Positive: forward." },
       { kind = "scalar", name = "speed_uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation of the speed. Unit: m/s. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.speed_measurement", title = "Speed measurement" }, })
 field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", title = "Speed measurement lever arm",
@@ -2442,7 +2442,7 @@ field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", ti
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Reserved: send 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Lever arm from the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.speed_lever_arm", title = "Speed measurement lever arm" }, })
 field({ descriptor = 0x62, name = "filter.vertical_gyro_constraint_control", role = "command", title = "Vertical gyro constraint",
     doc = "Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.", least = 1,
@@ -2476,9 +2476,9 @@ field({ descriptor = 0x81, name = "filter.sensor_to_vehicle_rotation_euler_respo
     doc = "", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right side down." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose up." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_euler_response", title = "Sensor to vehicle frame transformation response" }, })
 field({ descriptor = 0x82, name = "filter.sensor_to_vehicle_offset_response", role = "response", title = "Sensor to vehicle offset response",
     doc = "", least = 12,
@@ -2490,7 +2490,7 @@ field({ descriptor = 0x83, name = "filter.antenna_offset_response", role = "resp
     doc = "", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-CX5-45: frame sensor (inferred: the manual of the 3DM-GX5-45 states it). On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.antenna_offset_response", title = "GNSS antenna offset response" }, })
 field({ descriptor = 0x84, name = "filter.estimation_control_response", role = "response", title = "Estimation control flags response",
     doc = "", least = 2,
@@ -2612,7 +2612,7 @@ field({ descriptor = 0xB2, name = "filter.magnetic_declination_source_response",
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination." },
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north." },
     } }, { { set = 0x0D, name = "filter.magnetic_declination_source_response", title = "Magnetic declination source response" }, })
 field({ descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_measurement_response", role = "response", title = "Gravity magnitude error adaptive measurement response",
     doc = "", least = 25,
@@ -2644,7 +2644,7 @@ field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measureme
     rows = {
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
-      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad." },
+      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad. Range: at least 0." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." },
       { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement_response", title = "Magnetometer dip angle error adaptive measurement response" }, })
@@ -2665,7 +2665,7 @@ field({ descriptor = 0xBC, name = "filter.magnetic_inclination_source_response",
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the inclination." },
-      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966." },
+      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down." },
     } }, { { set = 0x0D, name = "filter.magnetic_inclination_source_response", title = "Magnetic inclination source response" }, })
 field({ descriptor = 0xBD, name = "filter.magnetic_magnitude_source_response", role = "response", title = "Magnetic field magnitude source response",
     doc = "", least = 5,
@@ -2708,9 +2708,9 @@ field({ descriptor = 0xD2, name = "filter.initialization_config_response", role 
       { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." },
       { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Initial conditions that your program provides instead of the device." },
       { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods that may be used to determine the initial heading." },
-      { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that your program provides. Unit: deg." },
-      { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that your program provides. Unit: deg." },
-      { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that your program provides. Unit: deg." },
+      { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up." },
+      { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll angle. Unit: deg. Frame: ned. Positive: right side down." },
       { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that your program provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that your program provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." },
@@ -2727,7 +2727,7 @@ field({ descriptor = 0xD4, name = "filter.multi_antenna_offset_response", role =
     always = 2,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver, from 1. Range: at least 1." },
-      { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Lever arm from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.multi_antenna_offset_response", title = "GNSS multi-antenna offset response" }, })
 field({ descriptor = 0xD5, name = "filter.relative_position_config_response", role = "response", title = "Relative position configuration response",
     doc = "", least = 26,
@@ -2741,15 +2741,15 @@ field({ descriptor = 0xD6, name = "filter.reference_point_lever_arm_response", r
     doc = "", least = 13,
     always = 2,
     rows = {
-      { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "Point whose lever arm follows." },
-      { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "Point to which the lever arm leads." },
+      { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Lever arm from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.reference_point_lever_arm_response", title = "Reference point lever arm response" }, })
 field({ descriptor = 0xE1, name = "filter.speed_lever_arm_response", role = "response", title = "Speed measurement lever arm response",
     doc = "", least = 13,
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Reserved." },
-      { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Lever arm from the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.speed_lever_arm_response", title = "Speed measurement lever arm response" }, })
 field({ descriptor = 0xE2, name = "filter.vertical_gyro_constraint_control_response", role = "response", title = "Vertical gyro constraint response",
     doc = "", least = 1,
@@ -2823,6 +2823,13 @@ field({ descriptor = 0x20, name = "gnss.spartn_config", role = "command", title 
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "next_key_week", type = "u16", size = 2, units = {"week", }, doc = "GPS week number until which the next key is valid. Unit: week." }, } },
       { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "next_key", count = 32, capacity = 32, size = 1, doc = "Next key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.spartn_config", title = "SPARTN configuration" }, })
+field({ descriptor = 0x60, name = "gnss.receiver_safe_mode", role = "command", title = "Receiver safe mode",
+    doc = "Switches the safe mode of one receiver on or off. In safe mode, it sends no valid data.", least = 2,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver, from 1. Range: at least 1." },
+      { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 switches safe mode on, 0 off. Range: 0 to 1." },
+    } }, { { set = 0x0E, name = "gnss.receiver_safe_mode", title = "Receiver safe mode" }, })
 field({ descriptor = 0x81, name = "gnss.receiver_info_response", role = "response", title = "Receiver info response",
     doc = "", least = 1,
     always = 2,
@@ -2996,37 +3003,37 @@ field({ descriptor = 0x8A, name = "rtk.service_status_response", role = "respons
       { kind = "scalar", name = "last_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Number of bytes in the last transfer. Unit: byte." },
       { kind = "scalar", name = "last_bytes_time", type = "u64", size = 8, doc = "Time of the last transfer." },
     } }, { { set = 0x0F, name = "rtk.service_status_response", title = "Service status response" }, })
-field({ descriptor = 0x01, name = "displacement.get_calibration", role = "command", title = "Get Analog to Displacement Calibration",
+field({ descriptor = 0x01, name = "displacement.get_calibration", role = "command", title = "Get analog to displacement calibration",
     doc = "Reads the slope and offset with which the device converts ADC counts to displacement.", least = 0,
     always = 0,
     rows = {
-    } }, { { set = 0x11, name = "displacement.get_calibration", title = "Get Analog to Displacement Calibration" }, })
-field({ descriptor = 0x02, name = "displacement.output_rate", role = "command", title = "Displacement Output Data Rate",
+    } }, { { set = 0x11, name = "displacement.get_calibration", title = "Get analog to displacement calibration" }, })
+field({ descriptor = 0x02, name = "displacement.output_rate", role = "command", title = "Displacement output data rate",
     doc = "Reads the rate at which displacement is measured.", least = 1,
     required = { [2] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-    } }, { { set = 0x11, name = "displacement.output_rate", title = "Displacement Output Data Rate" }, })
-field({ descriptor = 0x04, name = "displacement.device_time", role = "command", title = "Displacement Device Time",
+    } }, { { set = 0x11, name = "displacement.output_rate", title = "Displacement output data rate" }, })
+field({ descriptor = 0x04, name = "displacement.device_time", role = "command", title = "Displacement device time",
     doc = "Sets the clock of the device, from which displacement_data.timestamp is taken.", least = 1,
     required = { [1] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds. Unit: ns." }, } },
-    } }, { { set = 0x11, name = "displacement.device_time", title = "Displacement Device Time" }, })
-field({ descriptor = 0x81, name = "displacement.get_calibration_response", role = "response", title = "Get Analog to Displacement Calibration response",
+    } }, { { set = 0x11, name = "displacement.device_time", title = "Displacement device time" }, })
+field({ descriptor = 0x81, name = "displacement.get_calibration_response", role = "response", title = "Get analog to displacement calibration response",
     doc = "", least = 8,
     always = 2,
     rows = {
       { kind = "scalar", name = "slope", type = "float", size = 4, doc = "Displacement per ADC count." },
       { kind = "scalar", name = "offset", type = "float", size = 4, doc = "Displacement at zero counts." },
-    } }, { { set = 0x11, name = "displacement.get_calibration_response", title = "Get Analog to Displacement Calibration response" }, })
-field({ descriptor = 0x82, name = "displacement.output_rate_response", role = "response", title = "Displacement Output Data Rate response",
+    } }, { { set = 0x11, name = "displacement.get_calibration_response", title = "Get analog to displacement calibration response" }, })
+field({ descriptor = 0x82, name = "displacement.output_rate_response", role = "response", title = "Displacement output data rate response",
     doc = "", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "rate", type = "u32", size = 4, units = {"Hz", }, doc = "Rate of displacement data. Unit: Hz." },
-    } }, { { set = 0x11, name = "displacement.output_rate_response", title = "Displacement Output Data Rate response" }, })
+    } }, { { set = 0x11, name = "displacement.output_rate_response", title = "Displacement output data rate response" }, })
 field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title = "Frame configuration",
     doc = "Sets the position and the orientation of an external sensor on the vehicle.", least = 1,
     required = { [1] = 5, [2] = 2, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
@@ -3037,9 +3044,17 @@ field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "True if the filter estimates the errors of the frame." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
-      [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
+      [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above. Unit: rad. Frame: vehicle. Range: -pi to pi.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } }, } },
     } }, { { set = 0x13, name = "aiding.frame_config", title = "Frame configuration" }, })
+field({ descriptor = 0x02, name = "aiding.sensor_frame_map", role = "command", title = "Sensor frame map",
+    doc = "Sets the frame in which an aiding sensor measures.", least = 1,
+    required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "sensor_id", type = "u8", size = 1, doc = "Number of the sensor. Range: at least 1." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, defined by aiding.frame_config. Range: 1 to 4. Default: 1." }, } },
+    } }, { { set = 0x13, name = "aiding.sensor_frame_map", title = "Sensor frame map" }, })
 field({ descriptor = 0x1F, name = "aiding.echo_control", role = "command", title = "Echo control",
     doc = "Sets how the device replies to aiding measurements.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
@@ -3079,6 +3094,16 @@ field({ descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "comma
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the height. Unit: m. Range: at least 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Nonzero if the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.height_above_ellipsoid", title = "Height above ellipsoid" }, })
+field({ descriptor = 0x25, name = "aiding.pressure_old", role = "command", title = "Pressure (old)",
+    doc = "Sends a static air pressure measured by an external sensor (superseded by aiding.pressure).", least = 21,
+    always = 5,
+    rows = {
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
+      { kind = "scalar", name = "pressure", type = "float", size = 4, units = {"mbar", }, doc = "Air pressure. Unit: mbar." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"mbar", }, doc = "Standard deviation of the pressure. Unit: mbar. Range: greater than 0." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Nonzero if the measurement is valid." },
+    } }, { { set = 0x13, name = "aiding.pressure_old", title = "Pressure (old)" }, })
 field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", title = "ECEF velocity",
     doc = "Sends a measured velocity in Earth-fixed coordinates.", least = 37,
     always = 5,
@@ -3115,7 +3140,7 @@ field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to true north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Nonzero if the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.true_heading", title = "True heading" }, })
@@ -3149,9 +3174,16 @@ field({ descriptor = 0x81, name = "aiding.frame_config_response", role = "respon
       { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "True if the filter estimates the errors of the frame." },
       { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
-      [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
+      [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above. Unit: rad. Frame: vehicle. Range: -pi to pi.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } },
     } }, { { set = 0x13, name = "aiding.frame_config_response", title = "Frame configuration response" }, })
+field({ descriptor = 0x82, name = "aiding.sensor_frame_map_response", role = "response", title = "Sensor frame map response",
+    doc = "", least = 2,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "sensor_id", type = "u8", size = 1, doc = "Number of the sensor. Range: at least 1." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, defined by aiding.frame_config. Range: 1 to 4. Default: 1." },
+    } }, { { set = 0x13, name = "aiding.sensor_frame_map_response", title = "Sensor frame map response" }, })
 field({ descriptor = 0x9F, name = "aiding.echo_control_response", role = "response", title = "Echo control response",
     doc = "", least = 1,
     always = 1,
@@ -3172,7 +3204,7 @@ field({ descriptor = 0x10, name = "system.comm_mode", role = "command", title = 
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["system.protocol_mode"], doc = "Communication mode. Default: standard. On the 3DM-GX5-35: default standard." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["system.protocol_mode"], doc = "Communication mode. Default: standard. On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, 3DM-GX4-15, -25, 3DM-GX5-15 and -25: only standard and sensor_direct. On the 3DM-GX5-35: default standard." }, } },
     } }, { { set = 0x7F, name = "system.comm_mode", title = "Communication mode" }, })
 field({ descriptor = 0x82, name = "system.interface_control_response", role = "response", title = "Interface control response",
     doc = "", least = 9,
@@ -3231,10 +3263,10 @@ field({ descriptor = 0x07, name = "sensor.delta_theta", role = "data", title = "
       { kind = "array", name = "delta_theta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Integral of the angular rate. Unit: rad. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.delta_theta", title = "Delta theta" }, })
 field({ descriptor = 0x08, name = "sensor.delta_velocity", role = "data", title = "Delta velocity",
-    doc = "Time integral of the acceleration over the period set by the message format.", least = 12,
+    doc = "Time integral of the specific force over the period set by the message format.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the acceleration. Unit: g*s. Frame: vehicle. At rest and level: x 0, y 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the specific force: acceleration minus gravity. Unit: g*s. Frame: vehicle. At rest and level: x 0, y 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.delta_velocity", title = "Delta velocity" }, })
 field({ descriptor = 0x09, name = "sensor.comp_orientation_matrix", role = "data", title = "Complementary filter orientation matrix",
     doc = "Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.", least = 36,
@@ -3246,7 +3278,7 @@ field({ descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title
     doc = "Attitude from the complementary filter as a quaternion, relative to the NED frame.", least = 16,
     always = 1,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Rotation between the NED frame and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Rotates vectors of the sensor frame into the NED frame; Hamilton quaternion, w first.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_quaternion", title = "Complementary filter quaternion" }, })
 field({ descriptor = 0x0B, name = "sensor.comp_orientation_update_matrix", role = "data", title = "Complementary filter orientation update matrix",
     doc = "Change in the complementary filter's attitude, as a matrix.", least = 36,
@@ -3258,9 +3290,9 @@ field({ descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data", tit
     doc = "Attitude from the complementary filter as Euler angles, relative to the NED frame.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0. Positive: right side down." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
     } }, { { set = 0x80, name = "sensor.comp_euler_angles", title = "Complementary filter Euler angles" }, })
 field({ descriptor = 0x0D, name = "sensor.orientation_raw_temperature", role = "data", title = "Orientation raw temperatures",
     doc = "Raw readings of four temperature sensors.", least = 8,
@@ -3305,9 +3337,9 @@ field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title =
     doc = "GPS time of the sensor data.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor_gps_timestamp_flags"], doc = "State of the time. On the 3DM-GX5-15 and 3DM-GX5-35: values of gx5_sensor_gps_timestamp_flags.", readings = { {device = "3dm-gx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-35", flags = F["gx5_sensor_gps_timestamp_flags"] }, } },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow_valid is set. On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and -35: valid if valid_flags.time_initialized is set." },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number_valid is set. On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and -35: valid if valid_flags.time_initialized is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor_gps_timestamp_flags"], doc = "State of the time. On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and -35: values of gx5_sensor_gps_timestamp_flags.", readings = { {device = "3dm-cv5-10", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cv5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cv5-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-10", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx4-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx4-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx4-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-35", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, } },
     } }, { { set = 0x80, name = "sensor.gps_timestamp", title = "GPS timestamp" }, })
 field({ descriptor = 0x14, name = "sensor.temperature_statistics", role = "data", title = "Temperature statistics",
     doc = "Temperatures since the last power-on or reset.", least = 12,
@@ -3335,13 +3367,13 @@ field({ descriptor = 0x18, name = "sensor.overrange_status", role = "data", titl
     doc = "Sensor axes that are near or outside their range.", least = 2,
     always = 1,
     rows = {
-      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["sensor.overrange_flags"], doc = "One bit for each axis." },
+      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["sensor.overrange_flags"], doc = "One bit for each axis. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only accel_x, accel_y, accel_z, gyro_x, gyro_y, gyro_z and pressure." },
     } }, { { set = 0x80, name = "sensor.overrange_status", title = "Overrange status" }, })
 field({ descriptor = 0x40, name = "sensor.odometer", role = "data", title = "Odometer data",
     doc = "Speed measured by the wheel encoder.", least = 10,
     always = 3,
     rows = {
-      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if valid_flags.odometer is set." },
+      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Frame: vehicle. Positive: forward. Valid if valid_flags.odometer is set." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.odometer is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor.odometer_flags"], doc = "Validity of the measured values." },
     } }, { { set = 0x80, name = "sensor.odometer", title = "Odometer data" }, })
@@ -3444,8 +3476,8 @@ field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "S
       { kind = "scalar", name = "channel", type = "u8", size = 1, doc = "Channel of the receiver that tracks the satellite. Valid if valid_flags.channel is set." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "carrier_noise_ratio", type = "u16", size = 2, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.carrier_noise_ratio is set." },
-      { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Direction of the satellite, from north. Unit: deg. Valid if valid_flags.azimuth is set." },
-      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
+      { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Direction of the satellite, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.azimuth is set." },
+      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle between the horizon and the satellite. Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_data.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Validity flags for the satellite info." },
     } }, { { set = 0x81, name = "gnss_data.sv_info", title = "Satellite info" }, { set = 0x91, name = "gnss_1.sv_info", title = "Satellite info" }, { set = 0x92, name = "gnss_2.sv_info", title = "Satellite info" }, { set = 0x93, name = "gnss_corrections.sv_info", title = "Satellite info" }, { set = 0x94, name = "gnss_external.sv_info", title = "Satellite info" }, { set = 0x95, name = "gnss_external_2.sv_info", title = "Satellite info" }, })
@@ -3548,7 +3580,7 @@ field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "G
     always = 4,
     plain = true,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas. Unit: deg. Valid if valid_flags.heading is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Validity flags for the heading." },
@@ -3563,8 +3595,8 @@ field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", t
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
-      { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
-      { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Azimuth, as seen from the rover. Unit: deg. Valid if valid_flags.azimuth is set." },
+      { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Angle between the horizon and the satellite, seen from the rover. Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if valid_flags.elevation is set." },
+      { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Direction of the satellite from the rover, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.azimuth is set." },
       { kind = "scalar", name = "health", type = "bool", size = 1, doc = "True if the satellite is healthy. Valid if valid_flags.health is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Validity flags for the satellite status." },
     } }, { { set = 0x81, name = "gnss_data.satellite_status", title = "Satellite status" }, { set = 0x91, name = "gnss_1.satellite_status", title = "Satellite status" }, { set = 0x92, name = "gnss_2.satellite_status", title = "Satellite status" }, { set = 0x93, name = "gnss_corrections.satellite_status", title = "Satellite status" }, { set = 0x94, name = "gnss_external.satellite_status", title = "Satellite status" }, { set = 0x95, name = "gnss_external_2.satellite_status", title = "Satellite status" }, })
@@ -3819,7 +3851,7 @@ field({ descriptor = 0x03, name = "filter_data.attitude_quaternion", role = "dat
     doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion.", least = 18,
     always = 2,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.attitude_quaternion", title = "Attitude quaternion" }, })
 field({ descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", title = "Attitude direction cosine matrix",
@@ -3833,9 +3865,9 @@ field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", tit
     doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.euler_angles", title = "Euler angles" }, })
 field({ descriptor = 0x06, name = "filter_data.gyro_bias", role = "data", title = "Gyroscope bias",
@@ -3918,9 +3950,9 @@ field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "
     doc = "State, dynamics mode, condition and warnings of the filter.", least = 6,
     always = 3,
     rows = {
-      { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "Progress of the filter from start-up to its full solution. On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cv5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_filter_state"] }, } },
-      { kind = "scalar", name = "dynamics_mode", type = "u16", size = 2, doc = "Motion for which the filter is configured. On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_dynamics_mode. On the 3DM-GX5-15: values of gx5_dynamics_mode.", readings = { {device = "3dm-cv5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_dynamics_mode"] }, } },
-      { kind = "scalar", name = "status_flags", type = "u16", size = 2, doc = "Condition and warnings. On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_status_flags. On the 3DM-GX5-15: values of gx5_status_flags.", readings = { {device = "3dm-cv5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-gnss-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gq7", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gx4-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-45", flags = F["filter_data.gx5_status_flags"] }, } },
+      { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "Progress of the filter from start-up to its full solution. On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cv5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_filter_state"] }, } },
+      { kind = "scalar", name = "dynamics_mode", type = "u16", size = 2, doc = "Motion for which the filter is configured. On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of cv7_dynamics_mode. On the 3DM-GX5-15: values of gx5_dynamics_mode.", readings = { {device = "3dm-cv5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_dynamics_mode"] }, } },
+      { kind = "scalar", name = "status_flags", type = "u16", size = 2, doc = "Condition and warnings. On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of cv7_status_flags. On the 3DM-GX5-15: values of gx5_status_flags.", readings = { {device = "3dm-cv5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-gnss-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gq7", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gx4-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-45", flags = F["filter_data.gx5_status_flags"] }, } },
     } }, { { set = 0x82, name = "filter_data.status", title = "Filter status" }, })
 field({ descriptor = 0x11, name = "filter_data.timestamp", role = "data", title = "Filter timestamp",
     doc = "GPS time of the filter data.", least = 12,
@@ -3948,9 +3980,9 @@ field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "da
     doc = "The last heading that updated the filter, and its source.", least = 12,
     always = 4,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-GX5-15: only external." },
+      { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only external. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only mag and external." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.heading_update_state", title = "Heading update source state" }, })
 field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", title = "Magnetic model",
@@ -3960,8 +3992,8 @@ field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", t
       { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "North component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "East component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Down component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.magnetic_model", title = "Magnetic model" }, })
 field({ descriptor = 0x16, name = "filter_data.gyro_scale_factor", role = "data", title = "Gyroscope scale factor",
@@ -4007,10 +4039,10 @@ field({ descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "da
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_bias_uncertainty", title = "Magnetometer bias uncertainty" }, })
 field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
-    doc = "Acceleration with the estimated bias removed. It includes gravity.", least = 14,
+    doc = "Specific force with the estimated bias removed.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration with the estimated bias removed; gravity is included. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Specific force: acceleration minus gravity. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
 field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
@@ -4218,7 +4250,7 @@ field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role =
     always = 6,
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading derived from the baseline of the antennas. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading derived from the baseline of the antennas. Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
@@ -4253,18 +4285,18 @@ field({ descriptor = 0x02, name = "displacement_data.displacement", role = "data
     rows = {
       { kind = "scalar", name = "displacement", type = "float", size = 4, units = {"mm", }, doc = "Position of the sensor along its axis. Unit: mm." },
     } }, { { set = 0x90, name = "displacement_data.displacement", title = "Displacement" }, })
-field({ descriptor = 0x04, name = "displacement_data.timestamp", role = "data", title = "Displacement Device Timestamp",
+field({ descriptor = 0x04, name = "displacement_data.timestamp", role = "data", title = "Displacement device timestamp",
     doc = "Time of the measurement by the clock of the device.", least = 9,
     always = 2,
     rows = {
       { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["displacement_data.timestamp_flags"], doc = "Validity of the displacement timestamp." },
       { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if flags.time is set." },
-    } }, { { set = 0x90, name = "displacement_data.timestamp", title = "Displacement Device Timestamp" }, })
+    } }, { { set = 0x90, name = "displacement_data.timestamp", title = "Displacement device timestamp" }, })
 field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
     doc = "Flags of the tests that run all the time.", least = 16,
     always = 1,
     rows = {
-      { kind = "array", name = "result", count = 16, capacity = 16, size = 1, doc = "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_inertial_continuous_built_in_test. On the 3DM-CV7-GNSS/INS: values of cv7_continuous_built_in_test.", readings = { {device = "3dm-cv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_continuous_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, }, item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "array", name = "result", count = 16, capacity = 16, size = 1, doc = "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values of cv7_inertial_continuous_built_in_test. On the 3DM-CV7-GNSS/INS: values of cv7_continuous_built_in_test.", readings = { {device = "3dm-cv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_continuous_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, }, item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0xA0, name = "system_data.built_in_test", title = "Built-in test" }, })
 field({ descriptor = 0x02, name = "system_data.time_sync_status", role = "data", title = "Time sync status",
     doc = "Synchronization of the device time with the pulse per second.", least = 2,
@@ -4463,6 +4495,18 @@ local NUMBERS = {
 }
 local SIZED = { "uint8", "uint16", "uint24", "uint32" }
 
+-- The names of the values that Wireshark reads exactly; `tree` adds the others.
+local function small(enum)
+  local found
+  for value, name in pairs(enum or {}) do
+    if type(value) == "number" then
+      found = found or {}
+      found[value] = name
+    end
+  end
+  return found
+end
+
 local function number_filter(path, name, type, enum, doc, hexadecimal)
   if type == "float" or type == "double" then
     return filter(ProtoField.new(name, path, ftypes[type:upper()], nil, base.NONE, nil, doc))
@@ -4471,7 +4515,7 @@ local function number_filter(path, name, type, enum, doc, hexadecimal)
   elseif type == "char" then
     return filter(ProtoField.char(path, name, base.HEX, nil, nil, doc))
   end
-  return filter(ProtoField[NUMBERS[type]](path, name, hexadecimal and base.HEX or base.DEC, enum, nil, doc))
+  return filter(ProtoField[NUMBERS[type]](path, name, hexadecimal and base.HEX or base.DEC, small(enum), nil, doc))
 end
 
 -- The bits of a bitfield. A mask has at most 32 bits; longer numbers are computed.
@@ -4480,7 +4524,7 @@ local function bit_filters(flags, path)
   for i, bits in ipairs(flags) do
     local name, doc = path .. "." .. bits.name, bits.doc
     if bits.little or bits.size > 4 then
-      found[i] = filter(ProtoField.uint64(name, bits.name, base.DEC, bits.enum, nil, doc))
+      found[i] = filter(ProtoField.uint64(name, bits.name, base.DEC, small(bits.enum), nil, doc))
     elseif bits.width == 1 then
       found[i] = filter(ProtoField.bool(name, bits.name, 8 * bits.size, nil, bits.mask, doc))
     else
@@ -4591,12 +4635,13 @@ local function fail(kind, text)
   error({ kind = kind, text = text }, 0)
 end
 
--- Reads an unsigned number, most significant byte first; nil if it has more than 53 bits.
+-- Reads an unsigned number, most significant byte first. One of more than 53 bits is a string of its bytes, because
+-- numbers of Lua do not represent it exactly; the tables contain it in the same form.
 local function unsigned(raw, at, size)
   local value = 0
   for i = at + 1, at + size do
     if value >= 2 ^ 45 then
-      return nil
+      return raw:sub(at + 1, at + size)
     end
     value = value * 256 + raw:byte(i)
   end
@@ -4605,7 +4650,7 @@ end
 
 -- Writes an integer as text, without a decimal point in any version of Lua.
 local function whole(value)
-  return value and string.format("%.0f", value) or "?"
+  return type(value) == "number" and string.format("%.0f", value) or "?"
 end
 
 local function take(reader, size)
@@ -4627,7 +4672,7 @@ local function length(row, size, reader, record)
     return math.min(math.floor(left / size), row.capacity)
   end
   local count = record[row.counter]
-  if not count or count * size > left then
+  if type(count) ~= "number" or count * size > left then
     fail("count", string.format("%s is %s, but %d bytes follow", row.counter, whole(count), left))
   elseif count > row.capacity then
     fail("count", string.format("%s is %s, but a field holds %d", row.counter, whole(count), row.capacity))
@@ -4828,7 +4873,7 @@ local function written(made, range)
   elseif row.type == "double" then
     return string.format("%.15g", range:float())
   elseif row.enum then
-    return row.enum[made.value] or whole(made.value)
+    return row.enum[made.value] or tostring(range:uint64())
   elseif row.type:sub(1, 1) == "s" then
     return tostring(range:int64())
   end
@@ -4849,7 +4894,20 @@ end
 
 local function bits_number(bits, part)
   local number = bits.little and part:le_uint64() or part:uint64()
-  return number:rshift(bits.shift):band(UInt64(2 ^ bits.width - 1))
+  return number:lshift(64 - bits.shift - bits.width):rshift(64 - bits.width)
+end
+
+-- Returns a number in the form in which `decode` reads it.
+local function key(number)
+  local high, low = number:higher(), number:lower()
+  return high < 2 ^ 21 and number:tonumber() or Struct.pack(">I4I4", high, low)
+end
+
+-- Writes the name of a large value as Wireshark writes those of others.
+local function name_large(item, of, value, number)
+  if type(value) == "string" and of.enum and of.enum[value] then
+    item:set_text(string.format("%s: %s (%s)", of.name, of.enum[value], tostring(number)))
+  end
 end
 
 -- Adds the bits of a device-specific type, which have no filters of their own.
@@ -4857,8 +4915,9 @@ local function bit_lines(flags, item, range)
   for _, bits in ipairs(flags) do
     if bits.at + bits.size <= range:len() then
       local part = range:range(bits.at, bits.size)
-      local value = bits_number(bits, part):tonumber()
-      local plain = bits.width == 1 and tostring(value == 1) or whole(value)
+      local number = bits_number(bits, part)
+      local value = key(number)
+      local plain = bits.width == 1 and tostring(value == 1) or tostring(number)
       item:add(part, string.format("%s: %s", bits.name, bits.enum and bits.enum[value] or plain))
     end
   end
@@ -4869,7 +4928,8 @@ local function bit_items(made, item, range)
   for i, bits in ipairs(made.row.flags) do
     local part, field = range:range(bits.at, bits.size), made.bound.bits[i]
     if bits.little or bits.size > 4 then
-      item:add(field, part, bits_number(bits, part))
+      local number = bits_number(bits, part)
+      name_large(item:add(field, part, number), bits, key(number), number)
     else
       item:add(field, part)
     end
@@ -4899,6 +4959,7 @@ end
 function add.scalar(made, context)
   local row, range = made.row, span(made, context)
   local item = context.tree:add(made.bound.filter, range)
+  name_large(item, row, made.value, range:uint64())
   item:append_text(unit(row))
   local read_as = reading(row.readings, context.record) or reading(context.readings, context.outer, row.name)
   if read_as and read_as.enum then

@@ -15,16 +15,23 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
+from mkdocs.structure.files import File
+
 _ANCHORED = re.compile(r'^<a id="([^"]+)"></a>\n\n(#+ .*)$', re.M)
 _PROGRAM = re.compile(r'<details class="program" markdown="1">\n<summary>(.*?)</summary>\n(.*?)</details>\n', re.S)
 #: Programs one after the other, one in each language.
 _PROGRAMS = re.compile(r"^(?:```(?:c|cpp|python|rust|javascript)\n(?:(?!```).*\n)*```\n){2,}", re.M)
+#: A program of a guide in one language, and where it is in all.
+_SAME = re.compile(
+    r"^```python\n(?:(?!```).*\n)*```\n\n(.*); \[the same in [^\]]*\]\((programs/[^)#]+)#([^)]+)\)", re.M
+)
 _FENCE = re.compile(r"```(\w+)\n(.*?)```\n", re.S)
 _LANGUAGES = {"c": "C", "cpp": "C++", "python": "Python", "rust": "Rust", "javascript": "JavaScript"}
 #: A packet byte by byte, and a row of a table to which its parts link.
 _RULER = re.compile(r"<code>75 65</code>(?: (?:<a [^>]*>)?<code>[0-9A-F ]+</code>(?:</a>)?){4,}")
-_PART = re.compile(r'(?:<a href="([^"]*)">)?<code>([0-9A-F ]+)</code>')
-_ROW = re.compile(r'<td>(?=<a id="([^"]+)"></a>)')
+_PART = re.compile(r'(?:<a href="([^"]*)"(?: title="([^"]*)")?>)?<code>([0-9A-F ]+)</code>')
+_ROW = re.compile(r'<td([^>]*)>(?=<a id="([^"]+)"></a>)')
+_TABLE = re.compile(r"<table>\n?(<thead>.*?</thead>)(.*?)</table>", re.S)
 _COLOURS = 6
 _TITLE = re.compile(r"^# (.*?)(?: \{ #[^ ]+ \})?$", re.M)
 _HEADING = re.compile(r'<h[1-3] id="([^"]+)">(.*?)(?:<a class="headerlink".*?)?</h[1-3]>', re.S)
@@ -32,6 +39,9 @@ _HIDDEN = re.compile(r"<(script|style)\b.*?</\1>|<!--.*?-->", re.S)
 
 #: The folder that `make workbench` has built. Without it the site has no tools, and its search finds text only.
 WORKBENCH = os.environ.get("MIP_WORKBENCH", "")
+
+#: A folder of further pages, which `pages.json` lists by section: name of the file -> title.
+PAGES = os.environ.get("MIP_PAGES", "")
 
 #: The length of text that the search has of each part of a page, if it has the workbench, whose index of fields has the
 #: parameters, values and bits.
@@ -44,6 +54,7 @@ _BEGINNINGS = {
     "errata": 40,
     "sets/": 120,
     "devices/": 120,
+    "project/": 500,
 }
 _TABLES = re.compile(r"(?:packets|units)\.md$")  # pages with tables that can be found
 _LEFT_OUT = re.compile(r"<(pre|table)\b.*?</\1>", re.S)
@@ -58,7 +69,22 @@ def on_config(config: Any) -> Any:
     _frames.clear()
     if WORKBENCH:
         config["extra_css"].insert(0, "assets/tools.css")
+    for section, pages in _further().items():
+        config["nav"].append({section: [{title: f"project/{name}"} for name, title in pages.items()]})
     return config
+
+
+def on_files(files: Any, config: Any) -> Any:
+    """Adds the further pages."""
+    for pages in _further().values():
+        for name in pages:
+            text = Path(PAGES, name).read_text("utf-8")
+            files.append(File.generated(config, f"project/{name}", content=text))
+    return files
+
+
+def _further() -> dict[str, dict[str, str]]:
+    return json.loads(Path(PAGES, "pages.json").read_text("utf-8")) if PAGES else {}  # type: ignore[no-any-return]
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
@@ -69,16 +95,17 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     page.meta.setdefault("description", description(text))
     if '<div class="filter devices">' in text:  # their tables need the room
         page.meta.setdefault("hide", ["toc"])
+    text = _SAME.sub(lambda match: _languages(match, Path(page.file.abs_src_path).parent), text)
     return _PROGRAMS.sub(_tabs, _PROGRAM.sub(_tab, text))
 
 
 def on_page_content(content: str, page: Any, **_: Any) -> str:
     """Keeps the text of a page for the search, which leaves out indexes. Colours packets."""
     path = page.file.src_uri
-    if path.startswith("indexes/"):
+    if path.startswith(("indexes/", "guides/programs/")):
         return content
-    if path.startswith("fields/"):
-        content = rulers(content)
+    if path.startswith(("fields/", "guides/")):
+        content = rulers(labelled(content))
     whole = not WORKBENCH or _TABLES.match(path)
     title, *parts = sections(content if whole else _LEFT_OUT.sub(" ", content))
     if WORKBENCH and path.startswith(("fields/", "devices/", "sets/")):
@@ -118,12 +145,28 @@ def frames(markdown: str) -> dict[str, dict[str, str]]:
     return {name: dict(_FENCE.findall(text)) for name, text in zip(parts[::2], parts[1::2], strict=True)}
 
 
+def labelled(content: str) -> str:
+    """Adds the heading of its column to each cell, which narrow windows show instead of the headings.
+
+    >>> labelled("<table><thead><th>A</th></thead><tr><td>1</td></tr></table>")
+    '<table><thead><th>A</th></thead><tr><td data-label="A">1</td></tr></table>'
+    """
+
+    def table(match: re.Match[str]) -> str:
+        headings = [_plain(x) for x in re.findall(r"<th>(.*?)</th>", match[1], re.S)]
+        cells = iter(headings * match[2].count("<tr>"))
+        body = re.sub(r"<td>", lambda _: f'<td data-label="{html.escape(next(cells))}">', match[2])
+        return f"<table>{match[1]}{body}</table>"
+
+    return _TABLE.sub(table, content)
+
+
 def rulers(content: str) -> str:
     """Adds names to the parts of packets, and to those of parameters the colour of their rows."""
-    found = dict.fromkeys(x for ruler in _RULER.findall(content) for x, _ in _PART.findall(ruler) if x[:1] == "#")
+    found = dict.fromkeys(x for ruler in _RULER.findall(content) for x, *_ in _PART.findall(ruler) if x[:1] == "#")
     colours = {place[1:]: f"mip-colour-{i % _COLOURS}" for i, place in enumerate(found)}
     content = _RULER.sub(lambda ruler: _ruler(ruler[0], colours), content)
-    return _ROW.sub(lambda row: f'<td class="{colours[row[1]]}">' if row[1] in colours else row[0], content)
+    return _ROW.sub(lambda row: f'<td{row[1]} class="{colours[row[2]]}">' if row[2] in colours else row[0], content)
 
 
 def _ruler(ruler: str, colours: dict[str, str]) -> str:
@@ -132,14 +175,19 @@ def _ruler(ruler: str, colours: dict[str, str]) -> str:
     <span class="mip-ruler"><span data-name="sync"><code>75 65</code></span>
     <span data-name="c" class="x"><a href="#a.b.c"><code>01</code></a></span></span>
     """
-    parts = []
-    heads = ["sync", "set", "length", *(["acknowledge"] if "packets." in ruler else []), "length, field", "checksum"]
-    for part in re.findall(r"<a [^>]*>.*?</a>|<code>.*?</code>", ruler):
-        place = _PART.match(part)[1] or ""  # type: ignore[index]
-        name = place.split(".")[-1] if place[:1] == "#" else heads.pop(0)
-        colour = f' class="{colours[place[1:]]}"' if place[1:] in colours else ""
-        parts.append(f'<span data-name="{name}"{colour}>{part}</span>')
-    return f'<span class="mip-ruler">{" ".join(parts)}</span>'
+    parts = re.findall(r"<a [^>]*>.*?</a>|<code>.*?</code>", ruler)
+    heads = {0: "sync", 1: "set", 2: "length", len(parts) - 1: "checksum"}
+    named = []
+    titled = 0
+    for i, part in enumerate(parts):
+        place, title, _ = _PART.match(part).groups(default="")  # type: ignore[union-attr]
+        other = "acknowledge" if "packets." in place else "length, field"
+        name = place.split(".")[-1] if place[:1] == "#" else title or heads.get(i, other)
+        colour = colours.get(place[1:]) or (f"mip-colour-{titled % _COLOURS}" if title else "")
+        titled += bool(title)
+        kind = f' class="{colour}"' if colour else ""
+        named.append(f'<span data-name="{name}"{kind}>{part}</span>')
+    return f'<span class="mip-ruler">{" ".join(named)}</span>'
 
 
 def description(markdown: str) -> str:
@@ -171,6 +219,12 @@ def _plain(markup: str) -> str:
     """The text of HTML. Inline elements do not separate words."""
     apart = re.sub(r"</?(?:code|em|strong|a|span|sub|sup)\b[^>]*>", "", markup)
     return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", apart)).split())
+
+
+def _languages(match: re.Match[str], folder: Path) -> str:
+    """A program of a guide in all languages, from their page, and the sentence below it."""
+    part = (folder / match[2]).read_text("utf-8").partition(f'<a id="{match[3]}"></a>')[2]
+    return f"{_PROGRAMS.search(part)[0]}\n{match[1]}"  # type: ignore[index]
 
 
 def _tab(match: re.Match[str]) -> str:

@@ -6,12 +6,13 @@ local function fail(kind, text)
   error({ kind = kind, text = text }, 0)
 end
 
--- Reads an unsigned number, most significant byte first; nil if it has more than 53 bits.
+-- Reads an unsigned number, most significant byte first. One of more than 53 bits is a string of its bytes, because
+-- numbers of Lua do not represent it exactly; the tables contain it in the same form.
 local function unsigned(raw, at, size)
   local value = 0
   for i = at + 1, at + size do
     if value >= 2 ^ 45 then
-      return nil
+      return raw:sub(at + 1, at + size)
     end
     value = value * 256 + raw:byte(i)
   end
@@ -20,7 +21,7 @@ end
 
 -- Writes an integer as text, without a decimal point in any version of Lua.
 local function whole(value)
-  return value and string.format("%.0f", value) or "?"
+  return type(value) == "number" and string.format("%.0f", value) or "?"
 end
 
 local function take(reader, size)
@@ -42,7 +43,7 @@ local function length(row, size, reader, record)
     return math.min(math.floor(left / size), row.capacity)
   end
   local count = record[row.counter]
-  if not count or count * size > left then
+  if type(count) ~= "number" or count * size > left then
     fail("count", string.format("%s is %s, but %d bytes follow", row.counter, whole(count), left))
   elseif count > row.capacity then
     fail("count", string.format("%s is %s, but a field holds %d", row.counter, whole(count), row.capacity))

@@ -77,6 +77,18 @@ local NUMBERS = {
 }
 local SIZED = { "uint8", "uint16", "uint24", "uint32" }
 
+-- The names of the values that Wireshark reads exactly; `tree` adds the others.
+local function small(enum)
+  local found
+  for value, name in pairs(enum or {}) do
+    if type(value) == "number" then
+      found = found or {}
+      found[value] = name
+    end
+  end
+  return found
+end
+
 local function number_filter(path, name, type, enum, doc, hexadecimal)
   if type == "float" or type == "double" then
     return filter(ProtoField.new(name, path, ftypes[type:upper()], nil, base.NONE, nil, doc))
@@ -85,7 +97,7 @@ local function number_filter(path, name, type, enum, doc, hexadecimal)
   elseif type == "char" then
     return filter(ProtoField.char(path, name, base.HEX, nil, nil, doc))
   end
-  return filter(ProtoField[NUMBERS[type]](path, name, hexadecimal and base.HEX or base.DEC, enum, nil, doc))
+  return filter(ProtoField[NUMBERS[type]](path, name, hexadecimal and base.HEX or base.DEC, small(enum), nil, doc))
 end
 
 -- The bits of a bitfield. A mask has at most 32 bits; longer numbers are computed.
@@ -94,7 +106,7 @@ local function bit_filters(flags, path)
   for i, bits in ipairs(flags) do
     local name, doc = path .. "." .. bits.name, bits.doc
     if bits.little or bits.size > 4 then
-      found[i] = filter(ProtoField.uint64(name, bits.name, base.DEC, bits.enum, nil, doc))
+      found[i] = filter(ProtoField.uint64(name, bits.name, base.DEC, small(bits.enum), nil, doc))
     elseif bits.width == 1 then
       found[i] = filter(ProtoField.bool(name, bits.name, 8 * bits.size, nil, bits.mask, doc))
     else

@@ -16,7 +16,7 @@ local function written(made, range)
   elseif row.type == "double" then
     return string.format("%.15g", range:float())
   elseif row.enum then
-    return row.enum[made.value] or whole(made.value)
+    return row.enum[made.value] or tostring(range:uint64())
   elseif row.type:sub(1, 1) == "s" then
     return tostring(range:int64())
   end
@@ -37,7 +37,20 @@ end
 
 local function bits_number(bits, part)
   local number = bits.little and part:le_uint64() or part:uint64()
-  return number:rshift(bits.shift):band(UInt64(2 ^ bits.width - 1))
+  return number:lshift(64 - bits.shift - bits.width):rshift(64 - bits.width)
+end
+
+-- Returns a number in the form in which `decode` reads it.
+local function key(number)
+  local high, low = number:higher(), number:lower()
+  return high < 2 ^ 21 and number:tonumber() or Struct.pack(">I4I4", high, low)
+end
+
+-- Writes the name of a large value as Wireshark writes those of others.
+local function name_large(item, of, value, number)
+  if type(value) == "string" and of.enum and of.enum[value] then
+    item:set_text(string.format("%s: %s (%s)", of.name, of.enum[value], tostring(number)))
+  end
 end
 
 -- Adds the bits of a device-specific type, which have no filters of their own.
@@ -45,8 +58,9 @@ local function bit_lines(flags, item, range)
   for _, bits in ipairs(flags) do
     if bits.at + bits.size <= range:len() then
       local part = range:range(bits.at, bits.size)
-      local value = bits_number(bits, part):tonumber()
-      local plain = bits.width == 1 and tostring(value == 1) or whole(value)
+      local number = bits_number(bits, part)
+      local value = key(number)
+      local plain = bits.width == 1 and tostring(value == 1) or tostring(number)
       item:add(part, string.format("%s: %s", bits.name, bits.enum and bits.enum[value] or plain))
     end
   end
@@ -57,7 +71,8 @@ local function bit_items(made, item, range)
   for i, bits in ipairs(made.row.flags) do
     local part, field = range:range(bits.at, bits.size), made.bound.bits[i]
     if bits.little or bits.size > 4 then
-      item:add(field, part, bits_number(bits, part))
+      local number = bits_number(bits, part)
+      name_large(item:add(field, part, number), bits, key(number), number)
     else
       item:add(field, part)
     end
@@ -87,6 +102,7 @@ end
 function add.scalar(made, context)
   local row, range = made.row, span(made, context)
   local item = context.tree:add(made.bound.filter, range)
+  name_large(item, row, made.value, range:uint64())
   item:append_text(unit(row))
   local read_as = reading(row.readings, context.record) or reading(context.readings, context.outer, row.name)
   if read_as and read_as.enum then

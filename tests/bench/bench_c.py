@@ -31,6 +31,7 @@ ROWS = (
     ("parse, find every field in the registry, decode", "log", "ours_registry"),
     ("build packets of three fields: direct", "log", "ours_build_direct"),
     ("build packets of three fields: by table", "log", "ours_build_table"),
+    ("parse, three fields by handlers of `device.h`, in pieces of 64 bytes", "log", "ours_device"),
     ("parse, byte by byte", "log", "ours_bytewise"),
     ("skip random bytes", "noise", "ours_parse"),
     ("skip NMEA sentences", "text", "ours_parse"),
@@ -44,8 +45,6 @@ ARM = ["-mcpu=cortex-m4", "-mthumb", "-std=c99", "-Os", "-ffreestanding", "-ffun
 OUTSIDE = ("memcpy", "memmove", "memset", "memchr", "strcmp", "__aeabi_uldivmod")
 LINK = ["-nostdlib", "-Wl,--gc-sections", *(f"-Wl,--defsym={f}=0" for f in OUTSIDE)]
 
-#: Parser, walk and builder.
-CORE = ("parser_init", "parser_next", "walk_packet", "walk_next", "builder_start", "builder_add", "builder_finish")
 #: Optional parts: a header, and a function that links its tables.
 OPTIONAL = (("device", "mip_device_call"), ("registry", "mip_registry_find"), ("profiles", "mip_profile_find"),
             ("reflect", "mip_reflect"), ("print", "mip_print_packet"))  # fmt: skip
@@ -149,12 +148,10 @@ def sizes() -> list[Row]:
         return []
     paths = sorted((SOURCES / "mip").glob("*.h"))
     headers = "".join(p.read_text("utf-8") for p in paths)
-    codecs = sorted(set(re.findall(r"extern (?:MIP_API )?const struct mip_codec (\w+);", headers)))
-    core = linked("core", [f"mip_{name}" for name in CORE])
+    codecs = [f"{name}_codec" for name in sorted(set(re.findall(r"^MIP_FIELD\((\w+),", headers, re.M)))]
     linked("states", ["mip_parser"], STATES)
     table = linked("tables", [*codecs, "mip_decode", "mip_encode"]) / len(codecs)
     return [
-        ["parser, walk and builder", f"{core} B"],
         ["state of the parser, in RAM", f"{state('mip_parser')} B"],
         ["decode and encode all layouts, for each", f"{table:.1f} B"],
         ["of that, shared by all: the table reader", f"{linked('reader', ['mip_decode', 'mip_encode'])} B"],
@@ -167,7 +164,8 @@ def sizes() -> list[Row]:
 
 BY_SOURCE = ROOT / "docs/parts/bench_c_sources.md"
 #: The sources that programs link most often.
-PARTS = ("core", "parser", "codec", "program", "value", "stream", "client", "device", "connect")
+PARTS = ("core", "parser", "parser_small", "parser_fast", "codec", "program", "value", "stream", "client", "device",
+         "connect")  # fmt: skip
 FUNCTION = re.compile(r"^[A-Za-z_][^;{}#=]*?\b(\w+)\([^;{}]*\)\s*\{\n(.*?)^\}", re.S | re.M)
 
 
@@ -189,16 +187,18 @@ def by_source() -> str:
         for level in ("-O2", "-Os"):
             made = BUILD / f"{name}{level}.o"
             flags = [flag for flag in ARM if flag != "-Os"]
-            run("arm-none-eabi-gcc", *flags, level, "-fstack-usage", f"-I{SOURCES}", "-c", SOURCES / f"mip/{name}.c",
-                "-o", made)  # fmt: skip
+            choice = [f"-DMIP_{name.upper()}"] if name.startswith("parser_") else []
+            run("arm-none-eabi-gcc", *flags, level, *choice, "-fstack-usage", f"-I{SOURCES}", "-c",
+                SOURCES / f"mip/{name}.c", "-o", made)  # fmt: skip
             code, data = run("arm-none-eabi-size", made).splitlines()[1].split()[:2]
             sizes.append(int(code) + int(data))
             stack = max(int(line.split("\t")[1]) for line in made.with_suffix(".su").read_text("utf-8").splitlines())
         most, function = complexity((SOURCES / f"mip/{name}.c").read_text("utf-8"))
-        totals = [a + b for a, b in zip(totals, sizes, strict=True)]
+        if name != "parser_fast":
+            totals = [a + b for a, b in zip(totals, sizes, strict=True)]
         decisions = str(most) if most <= 10 else f"{most} (`{function}`)"
         rows.append([f"`{name}.c`", *(f"{size} B" for size in sizes), f"{stack} B", decisions])
-    rows.append(["all", *(f"{size} B" for size in totals), "", ""])
+    rows.append(["all, with the small parser", *(f"{size} B" for size in totals), "", ""])
     heads = ["Source", "Size, `-O2`", "Size, `-Os`", "Stack, `-Os`", "Complexity"]
     return f"{version('arm-none-eabi-gcc')}, for a Cortex-M4.\n\n" + table(heads, rows)
 

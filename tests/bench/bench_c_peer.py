@@ -1,4 +1,4 @@
-"""C beside the vendor's SDK, built as its documentation recommends: the same streams, the same three firmware programs.
+"""C beside the vendor's SDK, built as its documentation recommends: the same streams.
 
 Nothing of the SDK is here: `make bench PEER=FOLDER` names its folder. peer/ has the programs for both.
 """
@@ -10,7 +10,8 @@ from pathlib import Path
 
 import bench_c
 import streams
-from bench_c import ARM, BUILD, HERE, OUTSIDE, SIZE, SOURCES, Row, instructions, library, measure, run
+from bench_c import BUILD, HERE, SIZE, SOURCES, Row, instructions, library, measure, run
+from bench_c_board import vendor_sources
 from mipgen.resolve.load import load_model
 
 #: The title of the row for which our library is compiled without SSE2.
@@ -29,24 +30,14 @@ ROWS = (
     ("skip random bytes", "noise", "ours_parse", "peer_parse"),
     ("skip sync bytes without a packet", "syncs", "ours_parse", "peer_parse"),
 )
-PROGRAMS = (
-    ("core", "parser, walk and builder"),
-    ("fields", "parser and three fields"),
-    ("app", "three fields, ping, message format, stream"),
-)
-#: Functions of the hardware, which neither library provides.
-HARDWARE = ("rx", "rx_size", "tx", "port_read", "port_write", "port_now", "port_receive", "port_send")
 
 
-def version(sdk: Path) -> str:
+def name(sdk: Path) -> str:
+    """The SDK with its version."""
     found = re.search(r'VERSION "([\d.]+)"', (sdk / "CMakeLists.txt").read_text("utf-8"))
     if found is None or not (sdk / "src/c/mip").is_dir():
         raise SystemExit(f"bench: {sdk} is not a folder of the vendor's MIP SDK 4; name one: make bench PEER=FOLDER")
-    return found[1]
-
-
-def _sources(sdk: Path, *folders: str) -> list[str]:
-    return [str(p) for folder in folders for p in sorted((sdk / "src/c" / folder).glob("*.c"))]
+    return f"MIP SDK {found[1]}"
 
 
 def speed(sdk: Path) -> list[Row]:
@@ -60,8 +51,7 @@ def speed(sdk: Path) -> list[Row]:
     flags = ["-std=gnu11", "-O2", "-w", "-DNDEBUG", f"-I{HERE}"]
     for program, choice in ((ours, []), (portable, ["-DMIP_CHECKSUM=MIP_CHECKSUM_WORDS"])):
         run("cc", *flags, *choice, f"-I{SOURCES}", HERE / "speed.c", *library(), "-o", program)
-    run("cc", *flags, f"-I{sdk}/src/c", HERE / "peer/speed.c", *_sources(sdk, "mip", "mip/definitions", "microstrain"),
-        "-o", theirs)  # fmt: skip
+    run("cc", *flags, f"-I{sdk}/src/c", HERE / "peer/speed.c", *vendor_sources(sdk), "-o", theirs)
     rows = []
     for title, stream, own, peer in ROWS:
         path = BUILD / f"{stream}.bin"
@@ -74,38 +64,11 @@ def speed(sdk: Path) -> list[Row]:
     return rows
 
 
-def _size(program: str, include: str, sources: list[str]) -> tuple[int, int]:
-    """Code and constants, and RAM, on a Cortex-M4, without the C library."""
-    flags = [flag for flag in ARM if not flag.startswith("-std") and flag != "-ffreestanding"]
-    link = ["-nostdlib", "-lgcc", "-Wl,--gc-sections", "-Wl,-e,main"]
-    link += [f"-Wl,--defsym={name}=0" for name in (*OUTSIDE, *HARDWARE)]
-    elf = BUILD / f"{program}.elf"
-    run("arm-none-eabi-gcc", "-std=c11", "-w", "-DNDEBUG", "-DMICROSTRAIN_TIMESTAMP_TYPE=uint32_t", *flags, include,
-        HERE / f"peer/{program}.c", *sources, *link, "-o", elf)  # fmt: skip
-    code, data, bss = map(int, run("arm-none-eabi-size", elf).splitlines()[1].split()[:3])
-    return code + data, data + bss
-
-
-def sizes(sdk: Path) -> list[Row]:
-    theirs = _sources(sdk, "mip", "mip/definitions", "microstrain")
-    rows = []
-    for name, title in PROGRAMS:
-        own = _size(f"ours_{name}", f"-I{SOURCES}", library())
-        peer = _size(f"peer_{name}", f"-I{sdk}/src/c", theirs)
-        rows.append([title, f"{own[0] / peer[0]:.2f}", f"{own[0]} B", f"{peer[0]} B"])
-    rows.append(["the same, in RAM", f"{own[1] / peer[1]:.2f}", f"{own[1]} B", f"{peer[1]} B"])
-    return rows
-
-
 def report(sdk: Path) -> str:
     """As Markdown."""
     BUILD.mkdir(parents=True, exist_ok=True)
-    name = f"MIP SDK {version(sdk)}"
-    out = f"Comparison with the vendor's {name} in C, each built as its documentation recommends "
+    out = f"Comparison with the vendor's {name(sdk)} in C, each built as its documentation recommends "
     out += "(`make bench PEER=FOLDER`).\nThe first ratio is how many times as fast this library is; both find the same "
     out += "number of packets and fields.\n\n"
-    heads = ["Speed", "Ratio", "Instructions per byte", name]
-    out += bench_c.table(heads, speed(sdk))
-    out += "\nComplete firmware programs, `-Os`, for a Cortex-M4, without the C library. The ratio is the size of ours "
-    out += "divided by\nthe size of theirs.\n\n"
-    return out + bench_c.table(["Size", "Ratio", "Code and constants", name], sizes(sdk))
+    heads = ["Speed", "Ratio", "Instructions per byte", name(sdk)]
+    return out + bench_c.table(heads, speed(sdk))

@@ -55,11 +55,11 @@ class Bench:
         self.spec, self.folder, self.options = folder / "spec", folder, options
         if spec != self.spec:
             shutil.copytree(spec, self.spec)
-        self.program = 0
+        self.program = folder
 
     def run(self) -> Run:
         command = [sys.executable, "-m", "mipgen", "generate", "--spec", "spec", "--out", "out", *self.options]
-        path = [str(GENERATOR), str(self.folder / f"program-{self.program}")]
+        path = [str(GENERATOR), str(self.program)]
         environment = {**os.environ, "MIPGEN_CACHE": str(self.folder / "cache"), "PYTHONPATH": os.pathsep.join(path)}
         before, begin = loop(), time.perf_counter()
         process = subprocess.Popen(command, cwd=self.folder, env=environment, stdout=subprocess.DEVNULL)
@@ -76,8 +76,8 @@ class Bench:
 
     def another_program(self) -> None:
         """The next run is that of another version of the generator: of another library, for all that it can tell."""
-        self.program += 1
-        (self.folder / f"program-{self.program}" / "other-1.dist-info").mkdir(parents=True)
+        self.program = Path(tempfile.mkdtemp(prefix="program-", dir=self.folder))
+        (self.program / f"{self.program.name}.dist-info").mkdir()
 
 
 def real(folder: Path) -> Iterator[tuple[str, Run]]:

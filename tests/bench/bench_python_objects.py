@@ -40,21 +40,21 @@ UNPACK = {key: struct.Struct(layout).unpack_from for key, layout in FORMATS.item
 def packets(chance: random.Random) -> Iterator[bytes]:
     """Sensor packets of varying fields, filter packets, system packets."""
     while True:
-        for set in (0x80, 0x80, 0x82, 0x80, 0x80, 0xA0):
-            fields = [d for s, d in FORMATS if s == set]
-            if set == 0x80:
+        for set_number in (0x80, 0x80, 0x82, 0x80, 0x80, 0xA0):
+            fields = [d for s, d in FORMATS if s == set_number]
+            if set_number == 0x80:
                 vectors = [d for d in fields if d < 0xD0 and chance.random() < 0.58] or [0x04]
                 fields = vectors + [d for d in fields if d >= 0xD0 and chance.random() < 0.7]
-            if set == 0x82:
+            if set_number == 0x82:
                 fields.remove(0xD6)
             payload = b""
             for descriptor in fields:
-                layout = FORMATS[set, descriptor]
+                layout = FORMATS[set_number, descriptor]
                 numbers = [chance.uniform(-9, 9) for _ in range(layout.count("f") and 3)]
                 whole = [chance.getrandbits(40)] if "Q" in layout else [chance.randrange(2)] if "H" in layout else []
                 data = struct.pack(layout, *numbers, *whole)
                 payload += bytes((len(data) + 2, descriptor)) + data
-            head = b"ue" + bytes((set, len(payload))) + payload
+            head = b"ue" + bytes((set_number, len(payload))) + payload
             yield head + checksum(head)
 
 
@@ -66,18 +66,18 @@ def by_hand(data: bytes) -> list[tuple[int, list[tuple[int, tuple[object, ...]]]
             if at < 0:
                 break
             continue
-        set, length = data[at + 2], data[at + 3]
+        set_number, length = data[at + 2], data[at + 3]
         stop = at + 4 + length
         if stop + 2 > end:
             break
         fields, i = [], at + 4
         while i < stop:
             size, descriptor = data[i], data[i + 1]
-            unpack = UNPACK.get((set, descriptor))
+            unpack = UNPACK.get((set_number, descriptor))
             if unpack is not None:
                 fields.append((descriptor, unpack(data, i + 2)))
             i += size
-        found.append((set, fields))
+        found.append((set_number, fields))
         at = stop + 2
     return found
 

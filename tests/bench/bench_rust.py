@@ -87,7 +87,7 @@ pub extern "C" fn _start() -> ! {{
 
 PARSE = "let mut rest = &*bytes; while let Some(packet) = parser.next(&mut rest) {{ {each} }}"
 FIELDS = "".join(
-    f"if let Some(Ok(v)) = field.get::<sensor::{name}>() {{ core::hint::black_box(v); }}"
+    f"if let Ok(Some(v)) = field.get::<sensor::{name}>() {{ core::hint::black_box(v); }}"
     for name in ("ScaledAccel", "ScaledGyro", "GpsTimestamp")
 )
 CLIENT = """
@@ -98,10 +98,10 @@ CLIENT = """
         let mut received = &*port();
         while let Some(packet) = parser.next(&mut received) {
             for event in client.receive(&packet) {
-                if let Some(Answer::Acknowledged(response)) = event.answer(&ping) {
+                if let Some(Ok(response)) = event.answer(&ping) {
                     core::hint::black_box(response);
                 }
-                if let Some(Answer::Acknowledged(response)) = event.view(&info) {
+                if let Some(Ok(response)) = event.view(&info) {
                     core::hint::black_box(response);
                 }
             }
@@ -113,7 +113,7 @@ CLIENT = """
 
 #: They are static, as in firmware: the start-up code clears the memory.
 PARSER = "static mut PARSER: Parser = Parser::new();"
-PARSER_AND_CLIENT = f"{PARSER}\nstatic mut CLIENT: Client<2> = Client::new();"
+PARSER_AND_CLIENT = f"{PARSER}\nstatic mut CLIENT: Client<2> = Client::with_timeout(1000);"
 BORROW = "let {} = unsafe {{ &mut *core::ptr::addr_of_mut!({}) }};\n    "
 FIRMWARES = {
     "empty": ("", "", ""),
@@ -128,7 +128,7 @@ FIRMWARES = {
         PARSE.format(each=f"for field in packet.fields().flatten() {{ {FIELDS} }}"),
     ),
     "parser, client, two commands": (
-        f"use mip_protocol::{{base, Answer, Client, Parser}};\n{PARSER_AND_CLIENT}",
+        f"use mip_protocol::{{base, Client, Parser}};\n{PARSER_AND_CLIENT}",
         BORROW.format("parser", "PARSER") + BORROW.format("client", "CLIENT"),
         CLIENT,
     ),

@@ -1,11 +1,14 @@
 /* speed FILE FUNCTION ROUNDS: runs one of the functions below over the bytes of a file, and prints
  * the fewest nanoseconds of processor time that a round took and what it found. Each is a function
  * of its own, so that valgrind can count the instructions of one. */
+#include "mip/device.h"
 #include "mip/filter_data_inline.h"
-#include "mip/registry.h"
 #include "mip/sensor_inline.h"
 #include "mip/shared_inline.h"
 #include "rounds.h"
+#ifndef BOARD
+#include "mip/registry.h"
+#endif
 
 enum { CHUNK = 4096,
        SMALL = 64,
@@ -63,6 +66,79 @@ static bool three(const struct mip_field *field) {
     }
 }
 
+static bool three_direct(const struct mip_field *field) {
+    switch (mip_field_key(field)) {
+        DIRECT(SENSOR_SCALED_ACCEL, sensor_scaled_accel)
+        DIRECT(SENSOR_SCALED_GYRO, sensor_scaled_gyro)
+        DIRECT(FILTER_DATA_ATTITUDE_QUATERNION, filter_data_attitude_quaternion)
+    default:
+        return false;
+    }
+}
+
+/** The layers above the parser, with handlers for the same fields. */
+static size_t handled;
+
+#define HANDLER(name)                                                                    \
+    static void on_##name(void *user, const struct mip_field *field, uint32_t arrived) { \
+        struct mip_##name value;                                                         \
+        (void)user, (void)arrived;                                                       \
+        handled += mip_##name##_decode(&value, field) == MIP_OK;                         \
+        use(&value);                                                                     \
+    }
+HANDLER(sensor_scaled_accel)
+HANDLER(sensor_scaled_gyro)
+HANDLER(filter_data_attitude_quaternion)
+
+static uint32_t port_now(void *user) {
+    (void)user;
+    return 0;
+}
+
+static bool port_write(void *user, const uint8_t *bytes, size_t size) {
+    (void)user, (void)bytes, (void)size;
+    return true;
+}
+
+static size_t through_device(const uint8_t *data, size_t size) {
+    static const struct mip_port port = {NULL, port_write, port_now, NULL};
+    static const struct mip_handler handlers[] = {
+        {&mip_sensor_scaled_accel_codec, MIP_ANY_SET, on_sensor_scaled_accel, NULL},
+        {&mip_sensor_scaled_gyro_codec, MIP_ANY_SET, on_sensor_scaled_gyro, NULL},
+        {&mip_filter_data_attitude_quaternion_codec, MIP_ANY_SET, on_filter_data_attitude_quaternion, NULL},
+    };
+    static struct mip_device device;
+    handled = 0;
+    mip_device_init(&device, &port, MIP_ARRAY(handlers));
+    for (size_t part; size > 0; data += part, size -= part) {
+        part = size < SMALL ? size : SMALL;
+        mip_device_step(&device, data, part);
+    }
+    return handled;
+}
+
+static size_t through_client(const uint8_t *data, size_t size) {
+    static struct mip_client client;
+    static struct mip_parser parser;
+    size_t count = 0;
+    mip_client_init(&client);
+    mip_parser_init(&parser);
+    while (size > 0) {
+        size_t part = size < SMALL ? size : SMALL;
+        struct mip_packet packet;
+        size -= part;
+        while (mip_client_step(&client, &parser, 0, &data, &part, &packet)) {
+            struct mip_walk walk = mip_walk_packet(&packet);
+            struct mip_field field;
+            while (mip_walk_next(&walk, &field)) {
+                count += three(&field);
+            }
+        }
+    }
+    return count;
+}
+
+#ifndef BOARD /* the registry needs all tables */
 static bool registry(const struct mip_field *field) {
     static union {
         uint64_t aligned;
@@ -74,10 +150,11 @@ static bool registry(const struct mip_field *field) {
     use(&value);
     return good;
 }
+#endif
 
 /** Counts the packets, or the fields that could be decoded. */
 static inline __attribute__((always_inline)) size_t parse(const uint8_t *data, size_t size, size_t chunk,
-                           bool (*decode)(const struct mip_field *)) {
+                                                          bool (*decode)(const struct mip_field *)) {
     struct mip_parser parser;
     size_t count = 0;
     mip_parser_init(&parser);
@@ -101,7 +178,7 @@ static inline __attribute__((always_inline)) size_t parse(const uint8_t *data, s
     return count;
 }
 
-#define ENCODE(encode)                                       \
+#define ENCODE(encode)                                                      \
     built += mip_sensor_scaled_accel##encode(&accel, &builder) == MIP_OK && \
              mip_sensor_scaled_gyro##encode(&gyro, &builder) == MIP_OK &&   \
              mip_shared_reference_timestamp##encode(&stamp, &builder) == MIP_OK
@@ -132,6 +209,9 @@ FUNCTION(ours_whole) {
 }
 FUNCTION(ours_small) {
     return parse(data, size, SMALL, NULL);
+}
+FUNCTION(ours_eight) {
+    return parse(data, size, 8, NULL);
 }
 FUNCTION(ours_bytewise) {
     return parse(data, size, 1, NULL);
@@ -165,18 +245,49 @@ FUNCTION(ours_table) {
 FUNCTION(ours_three) {
     return parse(data, size, CHUNK, three);
 }
+FUNCTION(ours_small_three) {
+    return parse(data, size, SMALL, three);
+}
+FUNCTION(ours_small_direct) {
+    return parse(data, size, SMALL, three_direct);
+}
+FUNCTION(ours_device) {
+    return through_device(data, size);
+}
+FUNCTION(ours_client) {
+    return through_client(data, size);
+}
+#ifndef BOARD
 FUNCTION(ours_registry) {
     return parse(data, size, CHUNK, registry);
 }
+#endif
 FUNCTION(ours_build_direct) {
     BUILD(_encode_inline);
 }
 FUNCTION(ours_build_table) {
     BUILD(_encode);
 }
-static const struct row ROWS[] = {ROW(ours_parse), ROW(ours_whole), ROW(ours_small), ROW(ours_bytewise), ROW(ours_read),
-                                  ROW(ours_direct), ROW(ours_table), ROW(ours_three), ROW(ours_registry),
-                                  ROW(ours_build_direct), ROW(ours_build_table)};
+static const struct row ROWS[] = {
+    ROW(ours_parse),
+    ROW(ours_whole),
+    ROW(ours_small),
+    ROW(ours_eight),
+    ROW(ours_bytewise),
+    ROW(ours_read),
+    ROW(ours_direct),
+    ROW(ours_table),
+    ROW(ours_three),
+    ROW(ours_small_three),
+    ROW(ours_small_direct),
+    ROW(ours_build_direct),
+    ROW(ours_build_table),
+    ROW(ours_device),
+    ROW(ours_client),
+#ifndef BOARD
+    ROW(ours_registry),
+#endif
+};
 
 int main(int arguments, char **given) {
     return run_rounds(ROWS, sizeof(ROWS) / sizeof(ROWS[0]), arguments, given);

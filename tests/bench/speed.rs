@@ -62,9 +62,9 @@ fn got<T: Field>(field: &RawField<'_>) -> bool {
 }
 
 /// Uses the value, as a loop without the crate does; false if there is none.
-fn used<T, E>(value: Option<Result<T, E>>) -> bool {
+fn used<T, E>(value: Result<Option<T>, E>) -> bool {
     match value {
-        Some(Ok(value)) => {
+        Ok(Some(value)) => {
             black_box(value);
             true
         }
@@ -84,14 +84,14 @@ fn of_any_set(field: &RawField<'_>) -> bool {
 
 fn get(data: &[u8]) -> usize {
     let known = |field: &RawField<'_>| match field.set {
-        sensor::SENSOR_SET => match field.descriptor {
+        sensor::SET => match field.descriptor {
             sensor::ScaledAccel::DESCRIPTOR => got::<sensor::ScaledAccel>(field),
             sensor::ScaledGyro::DESCRIPTOR => got::<sensor::ScaledGyro>(field),
             sensor::DeltaTheta::DESCRIPTOR => got::<sensor::DeltaTheta>(field),
             sensor::DeltaVelocity::DESCRIPTOR => got::<sensor::DeltaVelocity>(field),
             _ => of_any_set(field),
         },
-        filter::FILTER_DATA_SET => match field.descriptor {
+        filter::SET => match field.descriptor {
             filter::AttitudeQuaternion::DESCRIPTOR => got::<filter::AttitudeQuaternion>(field),
             filter::LlhPosition::DESCRIPTOR => got::<filter::LlhPosition>(field),
             filter::NedVelocity::DESCRIPTOR => got::<filter::NedVelocity>(field),
@@ -110,7 +110,7 @@ fn any(data: &[u8]) -> usize {
         let mut count = 0;
         for field in packet.fields().flatten() {
             // Borrowed: moving a value as large as the largest field takes longer.
-            if let Some(Ok(value)) = &AnyField::decode(&field) {
+            if let Ok(Some(value)) = &AnyField::decode(&field) {
                 black_box(value);
                 count += 1;
             }
@@ -125,7 +125,7 @@ impl Visitor for Decode {
     type Output = bool;
 
     fn visit<T: Listed>(self, field: &RawField<'_>) -> bool {
-        used(Some(T::decode(field.data)))
+        used(T::decode(field.data).map(Some))
     }
 
     fn unknown(self, _: &RawField<'_>) -> bool {
@@ -164,7 +164,7 @@ fn dispatched(data: &[u8]) -> usize {
 
 fn view(data: &[u8]) -> usize {
     chunks(data, CHUNK, |packet| {
-        let Some(Ok(position)) = packet.view::<filter::LlhPosition>() else { return 0 };
+        let Ok(Some(position)) = packet.view::<filter::LlhPosition>() else { return 0 };
         black_box(position.valid_flags());
         1
     })
@@ -187,13 +187,13 @@ fn encode(data: &[u8]) -> usize {
     let mut size = 0;
     for number in numbers(data) {
         let values = black_box(values(number));
-        size += build(&mut PacketBuilder::new(sensor::SENSOR_SET), values);
+        size += build(&mut PacketBuilder::new(sensor::SET), values);
     }
     size
 }
 
 fn encode_again(data: &[u8]) -> usize {
-    let (mut builder, mut size) = (PacketBuilder::new(sensor::SENSOR_SET), 0);
+    let (mut builder, mut size) = (PacketBuilder::new(sensor::SET), 0);
     for number in numbers(data) {
         let values = black_box(values(number));
         builder.clear();

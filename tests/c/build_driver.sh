@@ -13,7 +13,7 @@ build=$(cd "$2" && pwd)
 : "${CC:=cc}"
 : "${CFLAGS:=}"
 
-flags="-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $CFLAGS"
+flags="-std=c99 -O1 -DMIP_WHOLE_ARRAYS -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $CFLAGS"
 program=$build/driver
 if [ "${MIP_SANITIZE:-0}" = 1 ]; then
     flags="$flags -g -fsanitize=address,undefined -fno-sanitize-recover=all"

@@ -13,7 +13,7 @@ from c_build import HERE, SANITIZED, WARNINGS, compiled, folder, include, run
 from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.targets.c import calls, members, names
-from support import PATIENCE, heavy, model, need, small
+from support import PATIENCE, ROOT, heavy, model, need, small
 from test_c import build, constructed, given, record, written
 
 EXAMPLES = folder("real") / "examples"
@@ -133,14 +133,14 @@ def every_call(of: m.Model) -> Iterator[tuple[str, str]]:
             if call.value != "command" and not call.value.startswith(f"{name}_{made.name}("):
                 continue
             given_values = dict(values)
-            fixed = [p for p in made.asked if call.makes and members.argument(p, f) not in call.arguments]
+            fixed = [p for p in made.parameters if call.way and members.argument(p, f) not in call.arguments]
             for p in fixed:
                 assert call.response is not None
                 given_values |= {c.parameter: c.value for c in call.response.when if c.parameter == p.name}
             if call.response is not None and call.response.full_name not in asks(f, made.function, given_values, of):
                 assert call.value == "command"  # only a call with any values may ask for no response
                 continue
-            arguments = ["&x"] if call.value == "command" else [given(p) for p in made.asked if p not in fixed]
+            arguments = ["&x"] if call.value == "command" else [given(p) for p in made.parameters if p not in fixed]
             wanted = outcome(f, call, made.function, given_values, of)
             yield call.name, filled(f, call, given_values, arguments, wanted)
 
@@ -153,10 +153,55 @@ def test_every_call(spec: str, tmp_path: Path) -> None:
     wanted = {c.name for f in of.fields if f.role == m.COMMAND for c in calls.calls(f, of)}
     functions = sum(max(1, len(f.functions)) for f in of.fields if f.role == m.COMMAND)
     assert {name for name, _ in found} == wanted and len(wanted) >= functions
-    headers = "".join(f'#include "mip/{names.module(x.name)}_commands.h"\n' for x in of.families if calls.commands(x))
+    headers = "".join(
+        f'#include "mip/{names.module(x.name)}_commands.h"\n'
+        for x in of.families
+        if any(f.role == m.COMMAND for f in x.fields)
+    )
     checks = ["mip_device_init(&device, &port, 0, NULL);", *(c for _, c in found)]
     program = written(tmp_path / "calls.c", of, checks, f"{headers}{PORT}")
     run(build(tmp_path, "cc", spec, program))
+
+
+#: Settings that are read, changed and written, with the program that the README shows.
+CHANGES = """{
+        struct mip_3dm_event_trigger_config trigger;
+        union mip_3dm_event_trigger_config_parameters window;
+        memset(&window, 0, sizeof(window));
+        /* a threshold: instance 2, field (0x80,0x04), parameter 1, a window from 1 to 2 */
+        answers(0x0C, 0x2E, 0xB8, "020280040101" "3ff0000000000000" "4000000000000000");
+        mip_device_init(&device, &port, 0, NULL);
+        write_follows = true;
+        CHECK(set_threshold(&device, 2, 1.5).outcome == MIP_ACKNOWLEDGED);
+        CHECK(is_sent(0x0C, 0x2E, "01" "020280040101" "3ff8000000000000" "4000000000000000"));
+        /* a type without a name: refused when it is made, kept when it was decoded */
+        mip_3dm_event_trigger_config_write(&trigger, 2, (enum mip_event_trigger_type)9, &window);
+        CHECK(mip_call_3dm_event_trigger_config_with(&device, &trigger, NULL).error == MIP_ERROR_MISSING);
+        struct mip_field field = field_of(0x0C, 0x2E, "010209");
+        CHECK(mip_3dm_event_trigger_config_decode(&trigger, &field) == MIP_OK);
+        CHECK(is_field(&mip_3dm_event_trigger_config_codec, &trigger, "010209"));
+        /* reserved values in a structure are filled, and kept when they were decoded */
+        struct mip_aiding_measurement_time time = {MIP_AIDING_TIMEBASE_TIME_OF_ARRIVAL, 0, 5};
+        struct mip_aiding_height_above_ellipsoid height;
+        mip_aiding_height_above_ellipsoid_make(&height, &time, 1, 2, 3, 1);
+        CHECK(height.time.reserved == 1 && height.time.nanoseconds == 5);
+        field = field_of(0x13, 0x23, "0300" "0000000000000005" "01" "40000000" "40400000" "0001");
+        CHECK(mip_aiding_height_above_ellipsoid_decode(&height, &field) == MIP_OK && height.time.reserved == 0);
+}"""
+
+
+@heavy("programs of the real C library")
+def test_settings_are_read_changed_and_written(tmp_path: Path) -> None:
+    example = (
+        (ROOT / "examples/change.c")
+        .read_text("utf-8")
+        .replace("struct mip_result set_", "static struct mip_result set_")
+    )
+    then = '    if (write_follows) {\n        write_follows = false;\n        answers(0x0C, 0x2E, 0, "");\n    }\n'
+    port = PORT.replace("    return *count > 0;\n", f"{then}    return *count > 0;\n")
+    declared = "static bool write_follows;\nstatic void answers(uint8_t, uint8_t, uint8_t, const char *);\n"
+    head = f'#include "mip/aiding.h"\n{example}{declared}{port}'
+    run(build(tmp_path, "cc", "real", written(tmp_path / "changes.c", model("real"), [CHANGES], head)))
 
 
 # --------------------------------------------------------------------------- mistakes
@@ -225,7 +270,7 @@ def test_the_compiler_sees(mistake: str, compiler: str, tmp_path: Path) -> None:
 
 def test_the_examples_are_these() -> None:
     assert {p.name for p in EXAMPLES.iterdir()} == {
-        "stream.c", "bare_metal.c", "arduino", "arduino_cpp", "autopilot.cpp", "log.c", "log.cpp",
+        "stream.c", "bare_metal.c", "freertos.c", "arduino", "arduino_cpp", "autopilot.cpp", "log.c", "log.cpp",
         "node.cpp"
     }  # fmt: skip
     headers = set(re.findall(r"#include <(.*)>", (EXAMPLES / "bare_metal.c").read_text("utf-8")))

@@ -54,7 +54,7 @@ def test_the_rates_are_those_of_all_devices() -> None:
     session = calls.session(model("real"))
     assert session is not None
     done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
-    assert tuple(map(int, done.stdout.split())) == session.bauds
+    assert tuple(map(int, done.stdout.split())) == session.of.bauds
 
 
 def test_a_part_without_these_commands_has_no_such_files() -> None:
@@ -112,6 +112,20 @@ def test_tcp(stream: Path) -> None:
     assert code == 1 and error == f"{place}: Connection refused\n"
     assert ran(stream, "no.such.host.invalid:1")[0] == 1
     assert ran(stream, "h" * 300 + ":1")[2].endswith(": the host name is too long\n")
+
+
+@heavy("threads")
+def test_two_tasks(tmp_path: Path) -> None:
+    """The example for FreeRTOS, whose tasks are threads here, without a data race."""
+    board, flags = HERE / "freertos", ("-std=gnu99", "-pthread", "-g1", "-fsanitize=thread", "-DMIP_HOOKS")
+    program = compiled(
+        tmp_path / "freertos", "real", "cc", EXAMPLE.parent / "freertos.c", *flags, f"-I{PORTS}", f"-I{board}",
+        also=[board / "board.c", *SOURCES], library=archive("real", "cc", *flags),
+    )  # fmt: skip
+    with simulated("--tcp", "0") as place:
+        done = subprocess.run([program], env={**os.environ, "MIP_PLACE": place}, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert all(abs(float(line) + 1) < 0.01 for line in done.stdout.split()) and len(done.stdout.split()) == 20
 
 
 def test_a_device_with_the_older_commands(stream: Path) -> None:

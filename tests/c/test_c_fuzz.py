@@ -32,10 +32,12 @@ def replay(program: Path, inputs: list[bytes], count: int) -> subprocess.Complet
 def test_replay(name: str, tmp_path: Path) -> None:
     program, inputs = tmp_path / "replay", [*fuzz.begin(name), *fuzz.known(name)]
     _, source, spec = fuzz.TARGETS[name]
-    c_build.compiled(program, spec, "cc", HERE / f"fuzz/{source}.c", *SANITIZED, also=[HERE / "fuzz/replay.c"])
-    done = replay(program, inputs, MADE)
-    assert done.returncode == 0, done.stderr[-6000:]
-    assert done.stdout == f"{len(inputs)} inputs and {MADE} that were made from them\n"
+    for parser in ([], [c_build.small_parser(spec, "cc", *SANITIZED)])[: 2 if name.startswith("parser") else 1]:
+        also = [HERE / "fuzz/replay.c", *parser]
+        c_build.compiled(program, spec, "cc", HERE / f"fuzz/{source}.c", *SANITIZED, also=also)
+        done = replay(program, inputs, MADE)
+        assert done.returncode == 0, done.stderr[-6000:]
+        assert done.stdout == f"{len(inputs)} inputs and {MADE} that were made from them\n"
 
 
 FAILURES = {
@@ -99,3 +101,14 @@ def test_the_corpus_is_text_and_small() -> None:
     assert [p.name for p in files] == sorted(f"{name}.hex" for name in fuzz.TARGETS)
     assert sum(p.stat().st_size for p in files) < 200_000
     assert sum(len(fuzz.kept(name)) for name in fuzz.TARGETS) > 10
+
+
+def test_a_fresh_clone_has_the_invented_library_when_it_is_fuzzed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, found = tmp_path / "invented", []
+    monkeypatch.setattr(fuzz, "generate_invented", lambda: out.mkdir() or "")
+    monkeypatch.setattr(fuzz, "fuzz", lambda name, seconds: found.append(out.is_dir()) or [1])
+    monkeypatch.setattr(sys, "argv", ["fuzz.py", "--targets", "fields-invented"])
+    fuzz.main()
+    assert found == [True]

@@ -15,13 +15,16 @@ from c_build import (
     FIRMWARE,
     HERE,
     PEDANTIC,
+    SANITIZE,
     SANITIZED,
     WARNINGS,
     archive,
     compiled,
     folder,
     include,
+    pages,
     run,
+    small_parser,
     sources,
     units,
 )
@@ -59,6 +62,103 @@ def standard(compiler: str, name: str) -> str:
 def test_units(compiler: str, tmp_path: Path) -> None:
     """Under the sanitizers, including the check of alignment."""
     run(units(tmp_path / "units", compiler, *SANITIZED))
+
+
+def test_units_with_the_small_parser(tmp_path: Path) -> None:
+    run(units(tmp_path / "units", "cc", *SANITIZED, link=[small_parser("invented", "cc", *SANITIZED)]))
+
+
+@pytest.mark.parametrize(
+    "mistake", ["mip_encode(&mip_tools_settings_codec, NULL, &b)", "mip_device_init(&d, &p, 0, NULL)"]
+)
+def test_debug_builds_stop_at_mistakes(mistake: str, tmp_path: Path) -> None:
+    program = tmp_path / "mistake.c"
+    program.write_text(f"""#include "mip/device.h"
+#include "mip/tools.h"
+int main(void) {{
+    static const struct mip_port p = {{NULL, NULL, NULL, NULL}};
+    static struct mip_device d;
+    uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_builder b;
+    (void)mip_builder_start(&b, bytes, sizeof(bytes), MIP_TOOLS_SET);
+    (void)mip_tools_ping_encode(NULL, &b);
+    (void)p, (void)d;
+    {"(void)!" if "encode" in mistake else ""}{mistake};
+    return 0;
+}}
+""")
+    run(
+        need("cc"),
+        "-std=gnu99",
+        "-DMIP_DEBUG",
+        include("invented"),
+        program,
+        *sources("invented"),
+        "-o",
+        tmp_path / "made",
+    )
+    assert subprocess.run([tmp_path / "made"]).returncode < 0
+
+
+@pytest.mark.parametrize("parser", ["SMALL", "FAST"])
+def test_options(parser: str, tmp_path: Path) -> None:
+    """What is compiled out unless it is wanted."""
+    options = ["-std=c99", *WARNINGS, *SANITIZED, "-DMIP_HOOKS", "-DMIP_DIAGNOSTICS", f"-DMIP_PARSER_{parser}"]
+    program = tmp_path / "options"
+    run(need("cc"), *options, include("invented"), HERE / "unit/options.c", *sources("invented"), "-o", program)
+    run(program)
+
+
+@pytest.mark.parametrize(("options", "most"), [("", 12), ("-DMIP_WHOLE_ARRAYS", 243)])
+def test_room_of_arrays(options: str, most: int, tmp_path: Path) -> None:
+    """Arrays have room for their documented range, or for all that fits into a field; a larger count is an error."""
+    program = tmp_path / "room.c"
+    program.write_text(f"""#include "check.h"
+#include "mip/3dm.h"
+int main(void) {{
+    for (unsigned count = 0; count <= 243; count++) {{
+        uint8_t bytes[] = {{1, 1, 1, MIP_EVENT_ACTION_TYPE_MESSAGE, 0x80, 0, 1, (uint8_t)count, [250] = 7}};
+        const struct mip_field field = {{bytes, (uint8_t)(8 + count), 0x0C, MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR}};
+        struct mip_3dm_event_action_config value;
+        const mip_error error = mip_3dm_event_action_config_decode(&value, &field);
+        CHECK(error == (count <= {most} ? MIP_OK : MIP_ERROR_COUNT));
+        CHECK(count < 243 || error != MIP_OK || value.parameters.message.descriptors[242] == 7);
+    }}
+    return 0;
+}}
+""")
+    made = [
+        source
+        for source in sources("real")
+        if Path(source).stem in ("3dm", "core", "codec", "double", "program", "value")
+    ]
+    run(
+        need("cc"),
+        "-std=c99",
+        *WARNINGS,
+        *SANITIZE,
+        *options.split(),
+        include("real"),
+        f"-I{HERE}/unit",
+        program,
+        *made,
+        "-o",
+        tmp_path / "room",
+    )
+    run(tmp_path / "room")
+
+
+def test_the_parser_is_chosen_by_macros(tmp_path: Path) -> None:
+    """Whichever the compiler's options: the default depends on the machine only, and both at once are an error."""
+    made, source = tmp_path / "parser.o", folder("invented") / "src/mip"
+    chosen = {"": "fast", "-Os": "fast", "-DMIP_PARSER_FAST": "fast", "-DMIP_PARSER_SMALL": "small"}
+    for options, parser in chosen.items():
+        for name in ("small", "fast"):
+            run(need("cc"), *options.split(), include("invented"), "-c", source / f"parser_{name}.c", "-o", made)
+            assert ("mip_parser_next" in run(need("nm"), made)) == (name == parser)
+    both_macros = [need("cc"), "-DMIP_PARSER_SMALL", "-DMIP_PARSER_FAST", include("invented"), "-fsyntax-only"]
+    done = subprocess.run([*both_macros, str(source / "parser.c")], capture_output=True, text=True)
+    assert done.returncode != 0 and "MIP_PARSER_SMALL and MIP_PARSER_FAST are both defined" in done.stderr
 
 
 ALL = nightly("all builds of C")
@@ -149,11 +249,13 @@ ACCEPTED = ("bad-function-cast", "declaration-after-statement", "padded", "unsaf
 
 @heavy("clang")
 @both
-def test_every_warning_of_clang(spec: str) -> None:
-    readme = (folder(spec) / "README.md").read_text("utf-8")
-    assert all(f"`-W{name}`" in readme for name in ACCEPTED)
+def test_every_warning_of_clang(spec: str, tmp_path: Path) -> None:
+    shown = pages(spec)
+    assert all(f"`-W{name}`" in shown for name in ACCEPTED)
     flags = ["-Weverything", "-Werror", "-Wno-unknown-warning-option", *(f"-Wno-{name}" for name in ACCEPTED)]
-    run(need("clang"), "-std=c99", "-fsyntax-only", *flags, include(spec), *sources(spec))
+    headers = tmp_path / "headers.c"  # also those that no source includes
+    headers.write_text('#include "mip/mip.h"\n')
+    run(need("clang"), "-std=c99", "-fsyntax-only", *flags, include(spec), *sources(spec), headers)
 
 
 # --------------------------------------------------------------------------- checksum
@@ -184,12 +286,3 @@ def test_freestanding_on_small_machines(machine: str, spec: str, tmp_path: Path)
     for source in sources(spec):
         run(need("clang"), f"--target={machine}", *flags, "-isystem", HERE / "freestanding", include(spec),
             "-fsyntax-only", source)  # fmt: skip
-
-
-@heavy("clang")
-@pytest.mark.parametrize("machine", ["aarch64-none-elf", "armv7a-none-eabi"])
-def test_the_vectors_of_arm_compile(machine: str) -> None:
-    run(need("clang"), f"--target={machine}", "-std=c99", "-O2", "-ffreestanding", "-nostdlibinc", *WARNINGS,
-        "-mfloat-abi=softfp" if machine.startswith("armv7") else "-ffreestanding", "-DMIP_CHECKSUM=MIP_CHECKSUM_NEON",
-        *(["-mfpu=neon"] if machine.startswith("armv7") else []), "-isystem", HERE / "freestanding", include("real"),
-        "-fsyntax-only", folder("real") / "src/mip/core.c")  # fmt: skip

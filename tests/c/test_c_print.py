@@ -16,7 +16,7 @@ from c_build import HERE, SANITIZED, compiled
 from mipgen import model as m
 from mipgen.lower import codec
 from random_values import drawn
-from support import BUILD, SEED, all_fields, heavy, locked, model, rounds, set_of, small
+from support import BUILD, SEED, all_fields, locked, model, rounds, set_of, small
 
 ENOUGH = 1 << 17
 Request = tuple[str, str, int, bytes]
@@ -206,9 +206,9 @@ def bytes_text(of: m.Model, data: bytes) -> str:
         wrong = "length"
     if wrong:
         return f"no packet ({wrong}), {len(data)} bytes\n{dump(data)}"
-    sum, right = data[-2:].hex().upper(), codec.checksum(data[:-2]).hex().upper()
-    verdict = " is right" if sum == right else f" is wrong, 0x{right} is right"
-    return packet_text(of, data, f", checksum 0x{sum}{verdict}")
+    total, right = data[-2:].hex().upper(), codec.checksum(data[:-2]).hex().upper()
+    verdict = " is right" if total == right else f" is wrong, 0x{right} is right"
+    return packet_text(of, data, f", checksum 0x{total}{verdict}")
 
 
 def dump(data: bytes) -> str:
@@ -339,23 +339,6 @@ def with_value(of: m.Model, f: m.Field, values: dict[str, Any], p: m.Parameter, 
         return codec.build(of, set_of(f, of), [(f.descriptor, codec.encode(f, {**values, p.name: value}))])
     except codec.CodecError:
         return None
-
-
-@heavy("programs of the real C library")
-def test_words() -> None:
-    """A text in full, to read."""
-    of = model("real")
-    accel = of.field("sensor.scaled_accel")
-    assert accel is not None
-    data = struct.pack(">fff", 0.5, -0.25, 1)
-    packet = codec.build(of, 0x80, [(4, data), (0x7F, b"\x01")])
-    assert texts("real", "packet", [packet]) == [
-        "packet (0x80) sensor, 23 bytes\n"
-        "  sensor.scaled_accel: data (0x80,0x04)\n"
-        "    scaled_accel: [0.5, -0.25, 1] g\n"
-        "  unknown (0x80,0x7F)\n"
-        "    raw: 01\n"
-    ]
 
 
 @small("programs of the real C library")

@@ -1,4 +1,4 @@
-"""The sizes, stack and complexity in the README are those that `make bench README=1` would write."""
+"""The sizes, stack and complexity in the documentation are those that `make bench README=1` would write."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def test_the_table_of_sources() -> None:
         assert [(row.split("|")[1:2], row.split("|")[-2:]) for row in made[2:]] == [
             (row.split("|")[1:2], row.split("|")[-2:]) for row in committed[2:]
         ]
-    assert "\n".join(committed) in (ROOT / "generated/c/README.md").read_text("utf-8")
+    assert "\n".join(committed) in (ROOT / "generated/c/docs/measurements.md").read_text("utf-8")
 
 
 def test_how_complexity_is_counted() -> None:

@@ -9,9 +9,8 @@ from typing import Any
 
 import pytest
 from conformance.scenarios import END, Step, Words, brief, random_steps, scenarios
-from conformance.small import each_of_the_small_one
 from random_values import chance
-from support import SPECS, differences, driver, expected, model, offering, rounds
+from support import SPECS, differences, driver, each_of_the_small_one, expected, model, offering, rounds
 
 
 def request(steps: list[Step]) -> dict[str, Any]:

@@ -32,19 +32,16 @@ fields:
     name: odd
     title: Odd
     description: Its constant is that of no double.
-    sources: [{{manual: guide, section: Ping}}]
     parameters: [{{name: kind, type: u64, const: {ODD}}}, {{name: value, type: u8}}]
   - data: 0x01
     name: most
     title: Most
     description: Another constant.
-    sources: [{{manual: guide, section: Ping}}]
     parameters: [{{name: kind, type: u64, const: {MOST}}}, {{name: value, type: u8}}]
   - data: 0x02
     name: tagged
     title: Tagged
     description: A tag of eight bytes.
-    sources: [{{manual: guide, section: Ping}}]
     parameters:
       - {{name: tag, type: large}}
       - {{name: one, switch: tag, cases: {{none: {{}}, odd: {{type: u8}}, even: {{type: u16}}, most: {{type: u32}}}}}}
@@ -52,7 +49,6 @@ fields:
     name: limits
     title: Limits
     description: The largest and the smallest numbers.
-    sources: [{{manual: guide, section: Ping}}]
     parameters:
       - {{name: flags, type: wide}}
       - {{name: value, type: large, default: odd}}

@@ -17,7 +17,7 @@ build=$(cd "$2" && pwd)
 : "${MIP_EVERY:=1}"
 : "${MIP_SEED:=1}"
 
-warnings="-O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $CFLAGS"
+warnings="-O1 -DMIP_WHOLE_ARRAYS -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $CFLAGS"
 program=$build/driver
 if [ "${MIP_SANITIZE:-0}" = 1 ]; then
     warnings="$warnings -g1 -fsanitize=address,undefined -fno-sanitize-recover=all"

@@ -23,7 +23,7 @@ REAL = pytest.param("real", marks=real_site)
 small = pytest.mark.parametrize("manual", ["invented", REAL], indirect=True)
 
 ANCHOR = re.compile(r'<a id="([^"]*)"></a>')
-LINK = re.compile(r"(?<!\\)!?\[((?:\\.|`[^`]*`|[^\[\]\\`])*)\]\(([^()\s]*)\)")
+LINK = re.compile(r"(?<!\\)!?\[((?:\\.|`[^`]*`|[^\[\]\\`])*)\]\(([^()\s]*)(?: \"[^\"]*\")?\)")
 
 
 # --------------------------------------------------------------------------- reading Markdown

@@ -8,7 +8,6 @@ import pytest
 from mipgen import model as m
 from mipgen.facts import describe
 from reference import Manual, heading, number, seen, tables, words
-from support import model
 from test_reference_things import letters
 
 FIELD = re.compile(r"\]\([^)#]*#([\w.]+)\)")
@@ -53,7 +52,7 @@ def expected(d: m.Device, f: m.Field, number: int, of: Known) -> str:
     if s is None:
         return missing(d)
     said = letters(s.functions) or ("yes" if s.certain else "")
-    return f"{'' if s.certain else 'probable '}{said}".strip() + (", deprecated" if s.deprecated else "")
+    return f"{'' if s.certain else s.evidence.answer + ' '}{said}".strip() + (", deprecated" if s.deprecated else "")
 
 
 @pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
@@ -61,7 +60,7 @@ def test_what_devices_support(manual: Manual, page: str, role: str) -> None:
     """Every command and data field once in each of its sets, with a cell for each device with known fields."""
     of, told = manual.model, known(manual)
     _, *sections = (
-        manual.page(f"compare/{page}.md").partition("\n## Devices with probable fields only\n")[0].split("\n## ")
+        manual.page(f"compare/{page}.md").partition("\n## Devices without certain fields\n")[0].split("\n## ")
     )
     in_sets = [(s, [f for f in of.fields_in(s) if f.role == role]) for s in of.sets]
     wanted = [(s, fields) for s, fields in in_sets if fields]
@@ -77,27 +76,20 @@ def test_what_devices_support(manual: Manual, page: str, role: str) -> None:
 
 @pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
 def test_what_other_devices_may_support(manual: Manual, page: str, role: str) -> None:
-    text = manual.page(f"compare/{page}.md").partition("\n## Devices with probable fields only\n")[2]
+    text = manual.page(f"compare/{page}.md").partition("\n## Devices without certain fields\n")[2]
     others = [d for d in manual.model.devices if not d.certain]
     rows = {DEVICE.findall(row["Device"])[0]: row for t in tables(text) for row in t}
-    wanted = {d.id: [s.field.full_name for s in d.supports if s.field.role == role] for d in others}
+    wanted = {
+        d.id: [[s.field.full_name for s in x if s.field.role == role] for x in (d.likely, d.assumed)] for d in others
+    }
     assert sorted(DEVICE.findall(text)) == sorted(wanted)
-    assert bool(rows) == any(wanted.values())
+    assert bool(rows) == any(map(any, wanted.values()))
     for d in others if rows else ():
         assert words(rows[d.id]["Generation"]) == str(d.generation or "?")
-        assert FIELD.findall(rows[d.id]["Probable"]) == wanted[d.id]
-        assert wanted[d.id] or rows[d.id]["Probable"] == "?"
+        assert [FIELD.findall(rows[d.id].get(x, "")) for x in ("Likely", "Assumed")] == wanted[d.id]
         assert FIELD.findall(rows[d.id].get("Not supported", "")) == [
             s.field.full_name for s in d.refuses if s.field.role == role
         ]
-
-
-def test_what_is_not_known_is_not_denied() -> None:
-    of = model("real")
-    gnss, attitude = of.device("3dm-cv7-gnss-ins"), of.device("3dm-cv7-ar")
-    poll = of.field("3dm.poll_imu_data")
-    assert gnss and attitude and poll
-    assert [expected(d, poll, poll.set, known_of(d)) for d in (gnss, attitude)] == ["no", "?"]
 
 
 def test_rates(manual: Manual) -> None:

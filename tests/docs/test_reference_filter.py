@@ -95,8 +95,8 @@ def commands() -> list[m.Field]:
     return [f for f in model("real").fields if f.role == m.COMMAND]
 
 
-def device(id: str) -> m.Device:
-    return some(model("real").device(id))
+def device(device_id: str) -> m.Device:
+    return some(model("real").device(device_id))
 
 
 def test_at_first_everything_is_shown(page: browser.Page, site: Path) -> None:
@@ -117,11 +117,11 @@ def test_rows(page: browser.Page, site: Path) -> None:
     wanted = [f.full_name for f in commands() if "pps" in f.title.lower()]
     assert (
         wanted and shown(page)[: len(wanted)] == wanted
-    )  # then the devices with probable fields only that have such a command
+    )  # then the devices without certain fields that have such a command
     visible = "[...document.querySelectorAll('h2')].filter((heading) => heading.checkVisibility())"
     sets = [s for s in model("real").sets if any(name.startswith(f"{s.name}.") for name in wanted)]
     assert page.run(f"{visible}.map((heading) => heading.textContent)") == [
-        *(f"{s.title} (0x{s.number:02X})" for s in sets), "Devices with probable fields only"
+        *(f"{s.title} (0x{s.number:02X})" for s in sets), "Devices without certain fields"
     ]  # fmt: skip
     type_(page, "xyzzy")
     assert shown(page) == [] and page.run("document.querySelector('output').textContent") == "0 rows"
@@ -161,8 +161,8 @@ def test_a_device_known_by_name_gets_a_column(page: browser.Page, site: Path) ->
         " [row.querySelector('a').getAttribute('href').split('#')[1],"
         " [...row.cells].filter((cell) => !cell.hidden).at(-1).textContent])))"
     )
-    said = {s.field.full_name: "probable" for s in of.supports} | {s.field.full_name: "no" for s in of.refuses}
-    assert not of.certain and {"probable", "no"} <= {said.get(f.full_name) for f in commands()}
+    said = {s.field.full_name: s.evidence.answer for s in of.supports} | {s.field.full_name: "no" for s in of.refuses}
+    assert not of.certain and {"likely", "no"} <= {said.get(f.full_name) for f in commands()}
     assert cells == {f.full_name: said.get(f.full_name, "?") for f in commands()}
     open_(page, site, f"compare/rates.html?devices={of.id}")
     assert set(page.run(f"{ROWS}.map((row) => [...row.cells].filter((cell) => !cell.hidden).at(-1).textContent)")) == {
@@ -175,7 +175,7 @@ def test_where_devices_have_no_columns(page: browser.Page, site: Path) -> None:
     open_(page, site, f"compare/meanings.html?devices={GX5}")
     assert set(shown(page)) == {v.field.full_name for v in device(GX5).variants}
     choose(page, CV7)
-    assert set(shown(page)) == {v.field.full_name for id in (GX5, CV7) for v in device(id).variants}
+    assert set(shown(page)) == {v.field.full_name for device_id in (GX5, CV7) for v in device(device_id).variants}
     assert len(of.devices) > 2
 
 

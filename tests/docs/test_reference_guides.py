@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from xml.etree import ElementTree
 
 from mipgen.lower import codec
 from mipgen.model.guides import Guide, Sequence
 from mipgen.targets.markdown.snippets import LANGUAGES
-from reference import Manual, cells, path_of, prose, tables, words
+from reference import Manual, path_of, prose, table_with, tables, words
 
 Play = tuple[str, Guide, Sequence]
 
@@ -39,54 +40,60 @@ def spaced(data: bytes) -> str:
 # --------------------------------------------------------------------------- pages
 
 
-def test_the_first_screen_has_the_packets(manual: Manual) -> None:
+def test_a_guide_is_short_and_begins_with_its_steps(manual: Manual) -> None:
+    for _, guide, sequence in plays(manual):
+        steps = re.findall(r"^(\d+)\. \[([^\]]*)\]\([^)]*\): (.*)$", part_of(manual, guide, sequence), re.M)
+        assert [int(i) for i, _, _ in steps] == list(range(1, len(sequence.steps) + 1))
+        for (_, title, why), step in zip(steps, sequence.steps, strict=True):
+            assert words(title).startswith(step.command.title)
+            then = f" Then {step.host[0].lower()}{step.host[1:]}" if step.host else ""
+            assert words(why) == prose(step.why, manual.model) + then
+        before, _, rest = page_of(manual, guide).partition(f'<a id="{guide.name}.1"></a>')
+        assert len(before.splitlines()) <= 20, f"{guide.name}: the steps are far from the beginning"
+        assert len((before + rest).splitlines()) <= 400, guide.name
+
+
+def test_every_byte_of_a_guide(manual: Manual) -> None:
+    """Each packet, its reply and the data; those of values lead to their parameters, and state the value."""
     for _, guide, sequence in plays(manual):
         part = part_of(manual, guide, sequence)
-        rows = next(tables(part))
-        assert [row["Step"] for row in rows] == [str(i + 1) for i in range(len(sequence.steps))]
-        for row, step in zip(rows, sequence.steps, strict=True):
-            sent, answer = words(row["Send"]), words(row["Reply"])
-            assert sent in (spaced(step.packet), f"{len(step.packet)} bytes, see the step")
-            assert answer in (spaced(step.answer), f"{len(step.answer)} bytes, see the step", "none")
-            assert words(row["Command"]).startswith(step.command.title)
-        before = page_of(manual, guide).partition(f'<a id="{guide.name}.1"></a>')[0]
-        assert len(before.splitlines()) <= 20, f"{guide.name}: the packets are far from the beginning"
-
-
-def test_every_step_is_told(manual: Manual) -> None:
-    for _, guide, sequence in plays(manual):
-        blocks = re.findall(r"^```text\n(.*?)\n```$", part_of(manual, guide, sequence), re.M | re.S)
-        wanted = []
-        for step in sequence.steps:
-            wanted += [step.packet, *([step.answer] if step.answer else []), *(d.packet for d in step.data)]
-            assert prose(step.why, manual.model) in words(part_of(manual, guide, sequence))
-            if step.host:  # in the step, and in the program of each language
-                page = part_of(manual, guide, sequence)
-                assert len(re.findall(rf"(?://|#|/\*) {re.escape(step.host)}", page)) == len(LANGUAGES)
-                assert f"Then {step.host[0].lower()}{step.host[1:]}" in page
-        assert blocks == [spaced(w) for w in wanted]
-        for packet in wanted:
+        rows = table_with(part, "Step", "Send")
+        shown = [re.match(r"([0-9A-F]{2}( |$))*", words(row[x]))[0].strip() for row in rows for x in ("Send", "Reply")]  # type: ignore[index]
+        shown += [words(x) for x in re.findall(r"^Data: (.*)$", part, re.M)]
+        wanted = [packet for step in sequence.steps for packet in (step.packet, step.answer)]
+        wanted += [stream.packet for step in sequence.steps for stream in step.data]
+        assert shown == [spaced(packet) for packet in wanted]
+        for packet in filter(None, wanted):
             codec.split(manual.model, packet)
+        titles = re.findall(r"\]\([^ )]*#([\w.]+) \"([^\"]*)\"\)", part)
+        assert all(title.split(":")[0].split("[")[0] in anchor for anchor, title in titles)
+        values = [step.values.get("function") for step in sequence.steps if "function" in step.values]
+        functions = [title for _, title in titles if title.startswith("function: ")]
+        assert [int(re.findall(r"\((\d+)\)", x)[0]) for x in functions] == values
 
 
-def test_tables_of_bytes_are_whole(manual: Manual) -> None:
-    """The bytes of each table are those of the packet above it."""
-    for guide in manual.model.guides:
-        text = page_of(manual, guide)
-        folded = re.findall(
-            r"^```text\n([^`]*?)\n```\n\n<details markdown=\"1\">\n.*?\n\n(.*?)\n\n</details>", text, re.M | re.S
-        )
-        assert len(folded) == len(re.findall(r"^```text$", text, re.M))
-        for packet, rows in folded:
-            bytes_ = [words(cells(line)[0]) for line in rows.split("\n")[2:]]
-            assert " ".join(bytes_) == packet
+def test_hosts_act_in_the_programs_too(manual: Manual) -> None:
+    for _, guide, sequence in plays(manual):
+        page = manual.page(f"guides/programs/{guide.name}.md")
+        for host in {step.host for step in sequence.steps if step.host}:
+            assert len(re.findall(rf"(?://|#|/\*) {re.escape(host)}", page)) % len(LANGUAGES) == 0
+            assert f"# {host}" in part_of(manual, guide, sequence)
+
+
+def test_pictures_say_what_they_show(manual: Manual) -> None:
+    for guide in (g for g in manual.model.guides if g.picture):
+        page, path = page_of(manual, guide), f"assets/guides/{guide.name}.svg"
+        assert f"]({'../' + path})" in page and words(guide.picture.shows) in page.replace("\\", "")  # type: ignore[union-attr]
+        root = ElementTree.fromstring(manual.files[f"docs/{path}"])
+        assert root.tag.endswith("svg") and not [x for x in root.iter() if x.tag.endswith(("script", "image"))]
 
 
 def test_the_contents_begin_with_the_guides(manual: Manual) -> None:
     for start in ("README.md", "docs/index.md"):
-        section = manual.pages[start].partition("\n## I want to …\n\n")[2].partition("\n\n")[0]
-        assert [words(line[2:]) for line in section.split("\n")] == [g.title for g in manual.model.guides]
-        assert manual.pages[start].index("\n## I want to …\n") == manual.pages[start].index("\n## ")
+        section = manual.pages[start].partition("\n## Guides\n\n")[2].partition("\n\n")[0]
+        titles = [g.title[0].upper() + g.title[1:] for g in manual.model.guides]
+        assert [words(line[2:]) for line in section.split("\n")] == titles
+        assert manual.pages[start].index("\n## Guides\n") == manual.pages[start].index("\n## ")
 
 
 def test_a_migration_names_all_that_is_lost(manual: Manual) -> None:

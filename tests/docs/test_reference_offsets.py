@@ -145,7 +145,7 @@ def documented_lengths(manual: Manual, f: m.Field, values: dict[str, Any], fille
     if f.role != m.COMMAND:
         (text,) = re.findall(r"(?:^|\. )Field length: (.*?)\.(?: |$)", words(section), re.M)
         return lengths(text.replace(" with all optional parameters", ""), filler.counts)
-    rows = table_with(section, "Packet", "Field length")
+    rows = table_with(section, "Send", "Field length")
     function = values.get("function")
     ((call, row),) = (
         (c, row) for c, row in zip(f.calls, rows, strict=True) if not c.function or c.function.value == function

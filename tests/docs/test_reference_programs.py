@@ -17,7 +17,7 @@ from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
 from reference import Manual, path_of, small, table_with, words
 from support import SPECS, mypy, need, uses
-from test_reference_guides import Play, part_of, plays
+from test_reference_guides import Play, plays
 
 ACKNOWLEDGE = 0xF1
 
@@ -35,7 +35,10 @@ def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
 
 
 def program_of_guide(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
-    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", part_of(manual, *play[1:]), re.M | re.S)
+    _, guide, sequence = play
+    place = f"{guide.name}.programs_{guide.sequences.index(sequence) + 1}"
+    part = manual.section(f"guides/programs/{guide.name}.md", place)
+    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", part, re.M | re.S)
     return split(block)
 
 
@@ -47,7 +50,7 @@ def split(block: str) -> tuple[list[str], str]:
 
 def ready(manual: Manual, f: m.Field) -> list[bytes]:
     """The packets that the program of a command sends: the first on the page, and the first with a response."""
-    rows = [words(row["Packet"]) for row in table_with(manual.field(f), "Packet", "Reply")]
+    rows = [words(row["Send"]) for row in table_with(manual.field(f), "Send", "Reply")]
     packets = [bytes.fromhex(x) for x in rows if x.startswith("75")]
     shown = manual.samples.shown(f)
     return [packets[i] for i, c in enumerate(manual.samples.sent(f)) if any(c is x for x in shown)]
@@ -272,7 +275,7 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
             body += '\nif (!done) { printf("%s refused\\n", name); }'
             functions.append(f"static void {name}(const mip::field &field) {{\n{body}\n}}\n")
             given = [
-                f'{{ const size_t n = bytes_of("{p.hex()}", buffer); const auto p = *mip::packet::check({{buffer, n}});'
+                f'{{ const size_t n = bytes_of("{p.hex()}", buffer); const auto p = *mip::packet::from({{buffer, n}});'
                 f' auto at = p.begin(); if (at == p.end()) printf("%s refused\\n", name); else {name}(*at); }}'
                 for p in (sample(manual, f), *broken(manual, f))
             ]
@@ -306,7 +309,7 @@ import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from mip_protocol import DecodeError, Device, Packet
+from mip_protocol import DecodeError, Device, Packet, Stamp
 
 ANSWERS: dict[str, str] = json.load(open(sys.argv[1]))
 name = ""
@@ -337,8 +340,8 @@ class Source:
     def __init__(self, packet: str) -> None:
         self.packet = Packet(bytes.fromhex(packet))
 
-    def fields(self, kind: Any) -> Iterator[tuple[float, Any]]:
-        yield 0.0, kind.find(self.packet)
+    def fields(self, kind: Any) -> Iterator[tuple[Stamp, Any]]:
+        yield Stamp(0.0, "", 0.0), kind.find(self.packet)
 """
 
 
@@ -426,7 +429,7 @@ def rust_bytes(data: bytes) -> str:
     return f"&[{', '.join(map(str, data))}]"
 
 
-@crates.group
+@pytest.mark.xdist_group("cargo")
 @small
 def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
     functions, calls = [], []

@@ -24,7 +24,6 @@ from reference import (
     tables,
     words,
 )
-from support import model
 
 
 def letters(functions: tuple[m.Function, ...]) -> str:
@@ -83,7 +82,7 @@ def test_every_set_lists_its_fields(manual: Manual) -> None:
         known, _, others = page.partition("\n## Contents\n")[2].partition("\n### On no known device\n")
         rows = table_with(known, "Descriptor") + table_with(others.partition("\n## ")[0], "Descriptor")
         fields = [f for f in of.fields_in(s) if f.role != m.RESPONSE]
-        fields.sort(key=lambda f: bool(of.devices) and not any(of.devices_of(f, c, s.number) for c in (True, False)))
+        fields.sort(key=lambda f: bool(of.devices) and not any(of.devices_of(f, x, s.number) for x in m.SUPPORTED))
         assert len(rows) == len(fields)
         for f, row in zip(fields, rows, strict=True):
             assert (
@@ -101,7 +100,8 @@ def test_every_set_lists_its_fields(manual: Manual) -> None:
     ("title", "wanted_of"),
     [
         ("Supported fields", lambda d: d.certain),
-        ("Fields probably supported", lambda d: [s for s in d.supports if not s.certain]),
+        ("Likely fields", lambda d: list(d.likely)),
+        ("Assumed fields", lambda d: list(d.assumed)),
         ("Fields not supported", lambda d: d.refuses),
     ],
 )
@@ -112,12 +112,11 @@ def test_what_a_device_supports_or_refuses(
     of = manual.model
     for d in of.devices:
         page = manual.page(f"devices/{d.id}.md").partition(f"\n## {title}\n")[2].partition("\n## ")[0]
-        rows = [row for t in tables(page) for row in t]
         wanted = wanted_of(d)
-        assert sorted(re.findall(r"#([\w.]+)\)", row["Field"])[0] for row in rows) == sorted(
-            s.field.full_name for s in wanted
-        )
-        for s, row in zip(wanted, rows, strict=True) if title == "Supported fields" else ():
+        rows = [row for t in tables(page) for row in t] if title == "Supported fields" else []
+        listed = [row["Field"] for row in rows] or re.findall(r"^- \[.*", page, re.M)
+        assert sorted(re.findall(r"#([\w.]+)\)", "".join(listed))) == sorted(s.field.full_name for s in wanted)
+        for s, row in zip(wanted, rows, strict=True) if rows else ():
             assert f"#{s.field.full_name})" in row["Field"] and words(row.get("Functions", "")) == letters(s.functions)
             answers = of.answers(s.field, d.id) if s.responds else ()
             assert re.findall(r"#([\w.]+)\)", row.get("Responses", "")) == [r.full_name for r in answers]
@@ -149,31 +148,35 @@ def test_responses_are_with_their_command(manual: Manual) -> None:
         at = {a: page.index(f'<a id="{a}"></a>') for a in ANCHOR.findall(page)}
         for response in manual.model.responses(command):
             if response.command == command.name:
-                assert page.index("\n## Packets\n") < at[response.full_name] < page.index("\n## Programs\n")
+                assert at[response.full_name] < page.index("\n## Try it\n")
             else:
                 assert f"#{response.full_name})" in manual.field(command)
                 assert f"#{command.full_name})" in manual.field(response)
 
 
 def test_replies(manual: Manual) -> None:
-    """A packet for each way in which a command may be answered: acknowledged, with a response, or rejected."""
+    """A packet for each form of a command, acknowledged, with its response if that is short; and what a device without
+    the command replies, unless every device has it."""
     of = manual.model
     ok, first = of.protocol.ack_code.values[:2]
     for f in (f for f in of.fields if f.role == m.COMMAND):
-        page = manual.page(path_of(f))
-        answered = not f.functions or any(x.reply for x in f.functions)
-        assert answered == ("The device does not reply." not in page), f.full_name
-        found = re.findall(r"^(Acknowledged|Rejected)(.*?): `([0-9A-F ]+)`\.", page.replace(". Rej", ".\nRej"), re.M)
-        packets = {(kind, tuple(codec.split(of, bytes.fromhex(data)))) for kind, _, data in found}
-        rejected = [fields for kind, fields in packets if kind == "Rejected"]
-        assert rejected == [((0xF1, bytes([f.descriptor, first.value])),)] * answered, f.full_name
-        assert not answered or f"such as `{first.name}` (0x{first.value:02X})" in page
-        plain = [fields for kind, fields in packets if kind == "Acknowledged" and len(fields) == 1]
-        assert all(fields == ((0xF1, bytes([f.descriptor, ok.value])),) for fields in plain)
-        others = [what for kind, what, _ in found if kind == "Acknowledged" and "[" in what]
-        seen = {r.full_name for r in of.responses(f) if r.command == f.name}
-        assert {re.findall(r"#([\w.]+)", what)[0] for what in others} | seen == {r.full_name for r in of.responses(f)}
-        assert plain or others or seen or not answered, f.full_name
+        page = manual.field(f)
+        layouts = {r.descriptor for r in of.responses(f)}
+        for c, row in zip(f.calls, table_with(page, "Send", "Reply"), strict=True):
+            for data in re.findall(r"`(75 65 [0-9A-F ]+)`", row["Reply"]):
+                acknowledge, *others = codec.split(of, bytes.fromhex(data))
+                assert acknowledge == (0xF1, bytes([f.descriptor, ok.value])), f.full_name
+                assert {number for number, _ in others} <= layouts and (
+                    not others or c.function is None or c.function.responds
+                )
+        replies = any(c.function is None or c.function.reply for c in f.calls)
+        supporting = {d.id for x in m.SUPPORTED for d in of.devices_of(f, x)}
+        rejected = re.findall(r"A device without this command replies `([0-9A-F ]+)`: \[`(\w+)`\]", page)
+        wanted = replies and len(supporting) < len(of.devices)
+        assert len(rejected) == wanted, f.full_name
+        for data, name in rejected:
+            assert codec.split(of, bytes.fromhex(data)) == [(0xF1, bytes([f.descriptor, first.value]))]
+            assert name == first.name
 
 
 RULER = re.compile(r"`75 65` [^;\n]*?`[0-9A-F]{2} [0-9A-F]{2}`(?=[;.])")
@@ -210,18 +213,16 @@ def test_packets_byte_by_byte(manual: Manual) -> None:
 def test_every_form_of_a_command_has_its_row(manual: Manual) -> None:
     """A packet, what it must have, its length, and how it is answered."""
     for f in (f for f in manual.model.fields if f.role == m.COMMAND):
-        rows = table_with(manual.field(f), "Packet", "Reply")
+        rows = table_with(manual.field(f), "Send", "Reply")
         for c, row in zip(f.calls, rows, strict=True):
             cells = {key: words(value) for key, value in row.items()}
             if c.function:
-                assert cells["Function"] == f"{c.function.name} ({c.function.letter}, 0x{c.function.value:02X})"
-            assert cells.get("Required parameters", "") == ", ".join(p.name for p in c.required)
-            assert cells.get("Optional parameters", "") == ", ".join(p.name for p in c.optional)
+                assert cells["Function"] == f"{c.function.name} ({c.function.letter}, {c.function.value})"
             check_answer(manual, f, c, row["Reply"])
             if not any(x is c for x in manual.samples.sent(f)):
-                assert cells["Packet"] == "no device is known to accept it"
+                assert cells["Send"] == "no device is known to accept it"
                 continue
-            packet = bytes.fromhex(cells["Packet"])
+            packet = bytes.fromhex(cells["Send"])
             ((descriptor, data),) = codec.split(manual.model, packet)
             values, trailing = codec.decode(f, data)
             assert (packet[2], descriptor, trailing) == (f.set, f.descriptor, 0)
@@ -249,12 +250,15 @@ def least(p: m.Parameter) -> int:
 
 
 def check_answer(manual: Manual, f: m.Field, c: m.Call, answer: str) -> None:
-    acknowledge = "acknowledge or none" if f.silent_when or f.silenced_by else "acknowledge"
+    acknowledge = "ACK or none" if f.silent_when or f.silenced_by else "ACK"
     asks = c.function is None or c.function.responds
     responses = [f"{r.title} {number(r)}" for r in manual.model.responses(f)] if asks else []
     wanted = ", ".join([acknowledge, *([" or ".join(responses)] if responses else [])])
-    assert words(answer) == ("none" if c.function and not c.function.reply else wanted), f.full_name
-    assert re.findall(r"#([\w.]+)", answer) == ([f"{f.family}.{r}" for r in f.responses] if responses else [])
+    shown = re.sub(r"^75 65 [0-9A-F ]{6,} ", "", words(answer)).partition(": ")[0]
+    assert shown == ("none" if c.function and not c.function.reply else wanted), f.full_name
+    assert re.findall(r"#([\w.]+)", answer.partition(": ")[0]) == (
+        [f"{f.family}.{r}" for r in f.responses] if responses else []
+    )
 
 
 def test_packets(manual: Manual) -> None:
@@ -280,7 +284,7 @@ def test_packets(manual: Manual) -> None:
 def test_nothing_is_ready_to_be_sent_that_no_device_takes(manual: Manual) -> None:
     for f in (f for f in manual.model.fields if f.role == m.COMMAND and f.functions):
         taken = {x.name for _, s in manual.model.supports(f) for x in s.functions} or {x.name for x in f.functions}
-        rows = [row for row in table_with(manual.field(f), "Packet", "Function") if row["Packet"].startswith("`")]
+        rows = [row for row in table_with(manual.field(f), "Send", "Function") if row["Send"].startswith("`")]
         assert {words(row["Function"]).partition(" ")[0] for row in rows} == taken, f.full_name
 
 
@@ -306,13 +310,6 @@ def test_errata_that_name_a_field(manual: Manual) -> None:
             f = manual.model.field(name)
             if f is not None and f.set and f.role != m.RESPONSE:
                 assert f"#erratum.{e.id})" in manual.page(path_of(f)), (e.id, name)
-
-
-def test_vectors_become_those_of_other_software() -> None:
-    """As REP-103 has them: x forward and z up, in a world whose x points east."""
-    frames = {f.symbol: {c.name: c.values for c in f.conversions} for f in model("real").protocol.frames}
-    assert frames["vehicle"] == frames["sensor"] == {"rep_103": ("x", "-y", "-z")}
-    assert frames["ned"] == {"enu": ("y", "x", "-z")}
 
 
 def test_frames_are_drawn(manual: Manual) -> None:

@@ -27,13 +27,12 @@ SENTENCES = [
     ("measurements.radio", "Of the signal. Range: less than 1. Valid if connected is true. Uncertain: Its unit."),
     ("measurements.radio", "Unit: m. Range: greater than 0, at most 10. Valid if connected is true."),
     ("measurements.radio", "On the Model C: valid if connected is true; deprecated."),
-    ("measurements.accel", "Maximum rate: 100 Hz."),
     ("measurements.accel", "Specific force. Elements: x, y, z. Unit: g. Frame: sensor."),
     ("measurements.health", "Deprecated: use "),
     ("measurements.growing", "From version 2 on. Optional."),
     ("measurements.growing", "From version 3 on. Unit: deg. Optional."),
     ("measurements.gust", "Of the wind. Elements: x, y, z. Unit: m. Range: magnitude at most 40."),
-    ("measurements.breeze", "Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1, 0, 0, 0."),
+    ("measurements.breeze", "Range: magnitude 0.5 to 1.5. Default: 1, 0, 0, 0."),
     ("tools.settings", "Functions: write, read, save, load, default and apply."),
     ("tools.settings", "Number of the port, 0 for all. Range: 0 to 8."),
     ("tools.settings", "Speed. Unit: Bd. Default: 115200. Required for write and apply."),
@@ -56,20 +55,21 @@ SENTENCES = [
 #: Sentences that C words differently.
 IN_C = {
     "Occurs in measurements (0x80) and copy (0x92).": "Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET.",
+    "Supported by Model C.": "",  # devices are in the profiles
 }
 
 #: What pages of the reference have in columns, and not in sentences: the row of a parameter.
 ROWS = [
-    ("measurements.radio", "1 | 4 | strength | s32 | 1 | | less than 1 | connected |"),
-    ("measurements.radio", "5 | 4 | noise | float | 1 m | m | greater than 0, at most 10 | connected |"),
-    ("tools.settings", "| port | u8 | 1 | | | 0 to 8 | |"),
-    ("tools.settings", "| baud | u32 | 9600 Bd | write and apply | Bd | | 115200 |"),
-    ("tools.capture_bias", "| time | u16 | 20 s | s | 1 to 30 |"),
-    ("tools.bias", "| bias | vector3f | x 0.5, y 0.25, z 0 g | write | g |"),
-    ("measurements.breeze", "| -1 to 1, magnitude 0.5 to 1.5 | 1, 0, 0, 0 |"),
-    ("tools.poll", "| descriptor_set | u8 | 0x80 Measurements |"),
-    ("tools.poll", "| first | u8 | 0x01 Acceleration |"),
-    ("tools.poll", "| descriptors | u8[count] | 0x01 Acceleration, 0x02 Numbers, 0xD3 Timestamp, 0x7F |"),
+    ("measurements.radio", "| Of the signal. Uncertain: Its unit. | less than 1 | connected | 1 | 4 | 1 |"),
+    ("measurements.radio", "| float | m | Never nothing. | greater than 0, at most 10 | connected | 5 | 4 | 1 m |"),
+    ("tools.settings", "| 0 to 8 | | | 1 | 1 | 1 |"),
+    ("tools.settings", "| baud | u32 | Bd | Speed. | | 115200 | write and apply | 3 | 4 | 9600 Bd |"),
+    ("tools.capture_bias", "| time | u16 | s | How long. | 1 to 30 | 0 | 2 | 20 s |"),
+    ("tools.bias", "| sensor | write | 1 | 12 | x 0.5, y 0.25, z 0 g |"),
+    ("measurements.breeze", "| magnitude 0.5 to 1.5 | 1, 0, 0, 0 |"),
+    ("tools.poll", "| 0x80 to 0xFE | | 0 | 1 | 0x80 Measurements |"),
+    ("tools.poll", "| 0x01 | 1 | 1 | 0x01 Acceleration |"),
+    ("tools.poll", "| 3 | count | 0x01 Acceleration, 0x02 Numbers, 0xD3 Timestamp, 0x7F |"),
 ]
 
 

@@ -5,9 +5,8 @@
 The targets of C are in tests/c/fuzz, those of Rust in tests/rust/fuzz. Inputs of one source have the same form in both
 languages, and each language begins with what was found in the other one. An input that fails is shown as hexadecimal:
 after the repair, add it to corpus/, as a line of its own. `…-random` changes the known inputs at random, which is much
-faster, because nothing observes which code they reach. Python (tests/python/fuzz.py, with Atheris) and the comparisons
-of all languages (streams.py, differential.py) begin with these inputs, too, and keep none. counts.txt has
-how many inputs were run.
+faster, because nothing observes which code they reach. Python (tests/python/fuzz.py, with Atheris)
+begins with these inputs, too, and keeps none.
 """
 
 from __future__ import annotations
@@ -29,7 +28,6 @@ TESTS = HERE.parent
 sys.path += [str(TESTS), str(TESTS / "c"), str(TESTS.parent / "generator")]
 
 import c_build  # noqa: E402
-import counts  # noqa: E402
 import crates  # noqa: E402
 from seeds import seeds  # noqa: E402
 from support import BUILD, generate_invented, model  # noqa: E402
@@ -47,12 +45,9 @@ TARGETS = {
     "parser": Target("c", "parser", "real"),
     "fields": Target("c", "fields", "real"),
     "fields-invented": Target("c", "fields", "invented"),
-    "client": Target("c", "client", "real"),
-    "client-invented": Target("c", "client", "invented"),
     "rust-parser": Target("rust", "parser", "real"),
     # In the real crate each field has code of its own, and the corpus would be larger than all others together.
     "rust-fields-invented": Target("rust", "fields", "invented"),
-    "rust-client-invented": Target("rust", "client", "invented"),
 }
 C = [name for name, target in TARGETS.items() if target.language == "c"]
 RUST = [name for name, target in TARGETS.items() if target.language == "rust"]
@@ -65,11 +60,11 @@ LIMITS = {"ASAN_OPTIONS": "abort_on_error=1", "UBSAN_OPTIONS": "abort_on_error=1
 
 #: Targets without stored inputs, and the sources of Python's.
 PYTHON = {"python-parser": "parser", "python-fields": "fields"}
-OTHERS = [*RANDOM, *PYTHON, "differential", "differential-values"]
+OTHERS = [*RANDOM, *PYTHON]
 ATHERIS = "3.0.0"
 
 FLAGS = ["-std=c99", "-g", "-O1", "-fsanitize=fuzzer-no-link,address,undefined", "-fno-sanitize-recover=all"]
-LARGEST = {"parser": 800, "fields": 260, "client": 400}  # bytes of an input, so that the corpus stays small
+LARGEST = {"parser": 800, "fields": 260}  # bytes of an input, so that the corpus stays small
 
 #: The options of clang's fuzzer-no-link, in the form that Rust's stable compiler accepts; clang links libFuzzer.
 COVERAGE = ["level=4", "inline-8bit-counters", "pc-table", "trace-compares"]
@@ -218,22 +213,10 @@ def fuzz_python(name: str, seconds: int) -> Iterator[int]:
     yield executions(done.stderr)
 
 
-def compare(name: str, seconds: int, chance: random.Random) -> Iterator[int]:
-    import differential  # they need this module itself
-    import streams
-
-    if name == "differential":
-        yield from streams.Session("real", empty(name)).run(seconds, chance)
-    else:
-        yield differential.Session(str(chance.random())).run(seconds)
-
-
 def run_target(name: str, seconds: int, chance: random.Random) -> Iterator[int]:
     if name in TARGETS:
         return fuzz(name, seconds)
-    if name in PYTHON:
-        return fuzz_python(name, seconds)
-    return (at_random if name in RANDOM else compare)(name, seconds, chance)
+    return fuzz_python(name, seconds) if name in PYTHON else at_random(name, seconds, chance)
 
 
 def main() -> None:
@@ -248,10 +231,7 @@ def main() -> None:
     print(f"seed {given.seed}")
     chance = random.Random(given.seed)
     for name in given.targets:
-        total = 0
-        for count in run_target(name, given.time, chance):  # one that runs for hours may be stopped
-            counts.add(name, count)
-            total += count
+        total = sum(run_target(name, given.time, chance))
         print(f"{name}: {total:,} executions", flush=True)
 
 

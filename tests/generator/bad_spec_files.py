@@ -27,9 +27,9 @@ BASE = CORPUS / "base"
 TARGETS = CORPUS / "targets"
 FRAMES = CORPUS / "frames.yaml"
 
-_KEY = re.compile(r" *(- )?([\w\"]+:(?= |$)|\{name: \w+,)")
+_KEY = re.compile(r" *(- )?([\w\".*]+:(?= |$)|\{name: \w+,)")
 _MARK = re.compile(r"( *)\^ (.*)")
-_OPTION = re.compile(r"! (target|remove|encoding): (.*)")
+_OPTION = re.compile(r"! (target|remove|encoding|typical): (.*)")
 _PLACE = re.compile(r"(.+?):(\d+):(\d+): error: (.*)", re.DOTALL)
 
 
@@ -49,6 +49,9 @@ class BadSpec:
         if self.lines:
             text = "".join(f"{line}\n" for line in self.lines)
             (spec / self.file).write_bytes(text.encode(self.options.get("encoding", "utf-8")))
+        if "typical" in self.options:
+            (spec / "packets").mkdir(exist_ok=True)
+            (spec / "packets/bad.yaml").write_text(f"typical: {self.options['typical']}\n", "utf-8")
         if "remove" in self.options:
             (spec / self.options["remove"]).unlink()
         return spec

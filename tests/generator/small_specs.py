@@ -39,7 +39,6 @@ def field(parameters: str, functions: str = "", types: str = "{}", role: str = "
             name: it
             title: It
             description: It.
-            sources: [{{manual: guide, section: It}}]
             {f"functions: {functions}" if functions else ""}
             {responses}
             parameters: {parameters}

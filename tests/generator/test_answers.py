@@ -32,9 +32,9 @@ def test_silence_by_parameters_and_by_settings() -> None:
 def test_echo_control() -> None:
     """The same setting silences all aiding measurements, and nothing else."""
     silent = {f.full_name for f in model("real").fields if f.silenced_by}
-    settings = {"aiding.frame_config", "aiding.echo_control"}
+    settings = {"aiding.frame_config", "aiding.sensor_frame_map", "aiding.echo_control"}
     commands = {f.full_name for f in model("real").fields if f.family == "aiding" and f.role == m.COMMAND}
-    assert silent == commands - settings and len(silent) == 9
+    assert silent == commands - settings and len(silent) == 10
     wanted = ["Not acknowledged if <mode> of <aiding.echo_control> is <suppress_ack>."]
     assert all(said(model("real"), name, "silent") == wanted for name in silent)
 
@@ -75,9 +75,8 @@ def test_devices_that_send_a_layout() -> None:
     assert sent["3dm-gx4-15"] == ["basic_without_state", "diagnostic_gx4"]
     assert sent["3dm-cx5-10"] == ["basic_without_state", "diagnostic_imu"]
     gq4 = field(model("real"), "3dm.device_status_diagnostic_gq4_45_response")
-    assert [d.id for d in model("real").devices_of(gq4)] == ["3dm-gq4-45"] and model("real").devices_of(
-        gq4, certain=False
-    ) == ()
+    sending = [[d.id for d in model("real").devices_of(gq4, answer)] for answer in m.SUPPORTED]
+    assert sending == [["3dm-gq4-45"], [], []]
     names = {r.full_name for r in model("real").responses(status)}
     for d, _ in model("real").supports(status):  # the notes of the devices, which cite the source
         note = next((n.description for n in d.notes if n.name == "device_status"), "")

@@ -6,8 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from mipgen import cli
-from mipgen.audit.manuals import audit
+from audit.__main__ import main
+from audit.manuals import audit
 from support import ROOT, model
 
 GOOD = """\
@@ -79,11 +79,11 @@ def test_an_erratum_explains_an_undefined_reference(tmp_path: Path) -> None:
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     spec, path = str(ROOT / "tests/invented/spec"), tmp_path / "manual.txt"
     path.write_text(GOOD, "utf-8")
-    assert cli.main(["audit", "--spec", spec, "--manual", f"guide={path}"]) == 0
+    assert main(["--spec", spec, "--manual", f"guide={path}"]) == 0
     assert capsys.readouterr().out == "0 findings\n"
     path.write_text("(0x01,0x55)\n", "utf-8")
-    assert cli.main(["audit", "--spec", spec, "--manual", f"guide={path}"]) == 1
-    assert cli.main(["audit", "--spec", spec, "--manual", f"giude={path}"]) == 1
+    assert main(["--spec", spec, "--manual", f"guide={path}"]) == 1
+    assert main(["--spec", spec, "--manual", f"giude={path}"]) == 1
     assert "did you mean 'guide'?" in capsys.readouterr().err
-    assert cli.main(["audit", "--spec", spec, "--manual", "guide=/no/such"]) == 1
+    assert main(["--spec", spec, "--manual", "guide=/no/such"]) == 1
     assert "no such file" in capsys.readouterr().err

@@ -1,77 +1,87 @@
-"""The comparison with facts about other devices; the facts are made up here."""
+"""The comparison with facts about devices; the facts are made up here."""
 
 from __future__ import annotations
 
-from pathlib import Path
+import re
 
 import pytest
-from mipgen.audit.devices import audit
-from mipgen.read.problems import SpecError
+import yaml
+from audit.devices import compare, debt
 from support import model
 
 INVENTED = model("invented")
 
-MODELS = """\
+FACTS = """\
 models:
-  - {name: Old 1, number: 4001, generation: 1, also: First}
-  - {name: Model C, number: 4713, generation: 3}
-"""
-
-DEVICES = """\
-devices:
-  old-1:
-    model_number: {value: 4001, source: models.yaml}
-    commands: {0x01: {seen: [0x01, 0x7E]}}
-    data: {0x80: {inferred: [0x02]}}
   model-c:
-    model_number: {a: 4713, source: models.yaml}
-    commands: {0x01: {seen: [0x02], contents: [0x03, 0x0C]}}
-    base_rates: {0x80: 1000, 0x81: {value: 250, source: guide}, printed: {0x80: 5}}
+    number: 4713
+    generation: 3
+    sensors: [accelerometer]
+    receivers: 0
+    antennas: 2
+    ack_codes: [0, 1, 3]
+    base_rates: {"0x80": 1000, "0x81": 250}
+    baud_rates: {Main: [9600]}
+    limits: {segments: [6, "1"]}
+    functions: {tools.settings: WRS}
+    "yes": {"0x01": [1, 2], "0x81": [1]}
+    likely: {"0x01": [12]}
+  old-1: {number: 4001, assumed: {"0x80": [2]}}
+  old-3: {number: 4003}
+readings:
+  tools.settings.mode: [{only: [default, fast], devices: [model-c]}]
+  tools.status.selector: [{const: 2, devices: [model-c]}]
+  tools.status_short.flags: [{type: model_a_faults, devices: [model-c]}]
 """
 
 
-def findings(folder: Path, models: str = MODELS, devices: str = DEVICES) -> list[str]:
-    (folder / "models.yaml").write_text(models)
-    (folder / "devices.yaml").write_text(devices)
-    return [str(f) for f in audit(INVENTED, folder)]
+def differences(text: str, manuals: dict[str, set[str]]) -> list[str]:
+    found = [finding for _, finding in compare(INVENTED, yaml.safe_load(text), manuals)]
+    return [f"{x.at}: {x.text}" for x in found if x]
 
 
-def test_what_agrees(tmp_path: Path) -> None:
-    """Descriptors without a layout are not findings: no device can list them."""
-    assert findings(tmp_path) == []
+def test_what_agrees() -> None:
+    assert differences(FACTS, {"model-c": {"0x01,0x01", "0x80,0x02"}}) == []
 
 
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("number: 4001,", "number: 4009,", "models.yaml:2: no device has the model number 4009"),
-        ("name: Old 1", "name: Older", "models.yaml:2: old-1 is not called 'Older'"),
-        ("also: First", "also: Second", "models.yaml:2: old-1 is not called 'Second'"),
-        ("generation: 3", "generation: 4", "models.yaml:3: model-c is generation 3 in the specification"),
-        ("value: 4001", "value: 4009", "devices.yaml:2: no device has the model number 4009"),
-        ("seen: [0x01, 0x7E]", "seen: [0x03]", "devices.yaml:4: old-1 does not support (0x01,0x03)"),
-        ("inferred: [0x02]", "seen: [0x02]", "devices.yaml:5: old-1 does not support (0x80,0x02) for certain"),
-        ("inferred: [0x02]", "inferred: [0x03]", "devices.yaml:5: old-1 does not support (0x80,0x03)"),
-        ("contents: [0x03, 0x0C]", "contents: [0x08]", "devices.yaml:8: model-c does not support (0x01,0x08)"),
-        ("0x80: 1000", "0x80: 500", "devices.yaml:9: model-c has base rate 1000 for set 0x80 in the specification"),
-        ("value: 250", "value: 500", "devices.yaml:9: model-c has base rate 250 for set 0x81 in the specification"),
+        ("number: 4713", "number: 4714", "model-c: number: 4713, witness 4714"),
+        ("number: 4003", "number: 4004", "old-3: number: 4003, witness 4004"),
+        ("generation: 3", "generation: 4", "model-c: generation: 3, witness 4"),
+        ("[accelerometer]", "[gyroscope]", "model-c: sensors: accelerometer, witness gyroscope"),
+        ("antennas: 2", "antennas: 1", "model-c: antennas: 2, witness 1"),
+        ("[0, 1, 3]", "[0, 1]", "model-c: ack_codes: 0, 1, 3, witness 0, 1"),
+        ('"0x81": 250', '"0x81": 500', "model-c: base_rates 0x81: 250, witness 500"),
+        ("[9600]", "[9600, 19200]", "model-c: baud_rates Main: 9600, witness 9600, 19200"),
+        ('[6, "1"]', "[6, Hz]", "model-c: limits segments: 6, 1, witness 6, Hz"),
+        ("WRS", "WR", "model-c: functions tools.settings: WRS, witness WR"),
+        ("[1, 2]", "[1, 2, 8]", "model-c: not yes: 0x01,0x08"),
+        ("likely: ", "assumed: ", "model-c: not assumed: 0x01,0x0C"),
+        ("[default, fast]", "[fast]", "model-c: tools.settings.mode: only default, fast, witness only fast"),
+        ("const: 2", "const: 3", "model-c: tools.status.selector: const 2, witness const 3"),
+        ("model_a_faults", "faults", "model-c: tools.status_short.flags: type model_a_faults, witness type faults"),
+        ("old-3:", "old-5:", "old-5: number: nothing, witness 4003"),
     ],
 )
-def test_what_differs(tmp_path: Path, old: str, new: str, message: str) -> None:
-    assert findings(tmp_path, MODELS.replace(old, new), DEVICES.replace(old, new)) == [message]
+def test_what_differs(old: str, new: str, message: str) -> None:
+    assert differences(FACTS.replace(old, new), {}) == [message]
 
 
-def test_a_device_known_by_its_name_only(tmp_path: Path) -> None:
-    row, other = "{name: Old 1, number: 4001, generation: 1, also: First}", "{name: Old 3, number: 4003, generation: 1"
-    facts = DEVICES.replace("value: 4001", "value: 4003")
-    assert findings(tmp_path, MODELS.replace(row, f"{other}, also: Third}}"), facts) == []
-    assert findings(tmp_path, MODELS.replace(row, f"{other}, also: Fourth}}"), facts) == [
-        "models.yaml:2: old-3 is not called 'Fourth'"
-    ]
+def test_contents_of_a_manual() -> None:
+    text = "0x80,0x09 is in its manual, but not documented here"
+    assert differences(FACTS, {"model-c": {"0x01,0x01", "0x80,0x09"}}) == [f"model-c: {text}"]
 
 
-def test_files(tmp_path: Path) -> None:
-    assert audit(INVENTED, tmp_path) == []
-    (tmp_path / "models.yaml").write_text("models: [\n")
-    with pytest.raises(SpecError, match="not closed"):
-        audit(INVENTED, tmp_path)
+def test_debt() -> None:
+    """What the witness does not state is counted: one fact less there is one more without a witness."""
+    before = debt(INVENTED, yaml.safe_load(FACTS), {})
+    for line in ('limits: {segments: [6, "1"]}', "functions: {tools.settings: WRS}", "antennas: 2"):
+        after = debt(INVENTED, yaml.safe_load(FACTS.replace(line, "")), {})
+        assert after - before == {line.partition(":")[0]: 1}
+    less = re.sub("  tools.status.selector.*\n", "", FACTS)
+    assert debt(INVENTED, yaml.safe_load(less), {})["readings"] == before["readings"] + 1
+    undocumented = FACTS.replace("[1, 2]", "[1]")
+    assert debt(INVENTED, yaml.safe_load(undocumented), {}) - before == {"yes": 1}
+    assert not debt(INVENTED, yaml.safe_load(undocumented), {"model-c": {"0x01,0x02"}}) - before

@@ -91,13 +91,13 @@ def test_paths_are_those_of_the_caller(tmp_path: Path, monkeypatch: pytest.Monke
 def test_no_field_at_all(tmp_path: Path) -> None:
     """Whether the sets are empty or missing."""
     shutil.copytree(BASE, tmp_path / "spec")
-    for part in ("devices", "examples", "errata", "guides", "simulation"):
+    for part in ("devices", "evidence", "examples", "errata", "guides", "packets", "simulation"):
         shutil.rmtree(tmp_path / "spec" / part)
     for path in (tmp_path / "spec/sets").glob("*.yaml"):
         path.write_text(path.read_text("utf-8").partition("fields:\n")[0], "utf-8")
     for _ in range(2):
         with pytest.raises(
-            mipgen.read.problems.SpecError, match=r"protocol.yaml:12:3: error: no set contains a field; add one"
+            mipgen.read.problems.SpecError, match=r"protocol.yaml:13:3: error: no set contains a field; add one"
         ):
             load_model(tmp_path / "spec")
         shutil.rmtree(tmp_path / "spec/sets", ignore_errors=True)

@@ -7,7 +7,7 @@ from mipgen import model as m
 from mipgen.facts.misprints import differences
 from mipgen.lower.lengths import computed_length
 from small_specs import field
-from support import ROOT, model
+from support import model
 
 INVENTED = model("invented")
 
@@ -35,14 +35,6 @@ INVENTED = model("invented")
 def test_computed_length(parameters: str, wire: str, scalars: str) -> None:
     f = field(parameters)
     assert (computed_length(f, "wire"), computed_length(f, "scalars")) == (wire, scalars)
-
-
-def test_the_vocabulary_is_in_the_readme() -> None:
-    vocabulary = model("real").protocol.vocabulary
-    assert len(vocabulary) > 40
-    readme = (ROOT / "spec/README.md").read_text("utf-8")
-    for usage in vocabulary:
-        assert f"| `{usage.word}` | {', '.join(f'`{x}`' for x in usage.instead_of)} |\n" in readme
 
 
 def test_the_selector_counts() -> None:

@@ -17,8 +17,7 @@ from mipgen import __version__, cli
 from mipgen.base import fingerprint, parallel
 from mipgen.base.errors import Failure
 from mipgen.cli import arguments
-from mipgen.emit import build, discovery, render, stamp
-from mipgen.read.problems import SpecError
+from mipgen.emit import build, discovery, stamp
 from mipgen.resolve.load import load_model
 from support import ROOT, SPECS, need, tree
 
@@ -54,19 +53,6 @@ def test_a_new_specification_says_what_it_is(tmp_path: Path) -> None:
         schema = re.fullmatch(r"# yaml-language-server: \$schema=(\S+)", named)
         assert schema and (path.parent / schema[1]).is_file(), path
         assert gap == "#" and len(comment) > 20
-
-
-def test_a_new_specification_has_the_unit_that_messages_recommend(tmp_path: Path) -> None:
-    """A small model number is valid, too."""
-    assert cli.main(["new", str(tmp_path)]) == 0
-    data, device = tmp_path / "sets/measurements.yaml", tmp_path / "devices/my_device.yaml"
-    original = data.read_text("utf-8")
-    data.write_text(original.replace("unit: degC, ", ""), "utf-8")
-    with pytest.raises(SpecError, match=r'add one \("1" for a plain number'):
-        load_model(tmp_path)
-    data.write_text(original.replace("degC", '"1"'), "utf-8")
-    device.write_text(f"{device.read_text('utf-8')}model_number: 42\n", "utf-8")
-    assert [d.model_number for d in load_model(tmp_path).devices] == [42]
 
 
 def test_what_the_new_specification_generates_is_usable(tmp_path: Path) -> None:
@@ -409,21 +395,6 @@ def test_a_change_of_the_specification_is_seen(work: Path) -> None:
     file.write_text(text, "utf-8")
     assert generated(work, made=True) == few()  # the output is another one
     assert generated(work, made=False) == few()
-
-
-def test_the_last_line_says_what_was_made_and_what_was_left_out(work: Path) -> None:
-    for _ in range(2):  # the second time, there is nothing to do
-        done = mipgen("generate", *TARGETS, cwd=work)
-        others = ", ".join(name for name in render.names() if name not in TARGETS)
-        count = len(few())
-        assert done.stdout.splitlines()[-1] == f"generated: {count} files, 0 changed; left out: {others}"
-
-
-def test_another_part_of_the_specification_is_other_work(work: Path) -> None:
-    shown = [mipgen("generate", *TARGETS, *part, cwd=work).stdout for part in (("--set", "tools"),) * 2 + ((),)]
-    heads = [text.splitlines()[0] for text in shown]
-    assert heads[0] == heads[1] != heads[2]
-    assert tree(work / "generated") == few()
 
 
 def test_other_targets_are_other_work(work: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -42,7 +43,7 @@ PORT = "{name: port, type: u8, for: WRS"
         (DATA, "unit: m,", "unit: m, at_rest: [0, 0, -1],", "compatible", "at rest 0, 0, -1, was none"),
         (DATA, ", valid: flags.ready", "", "wire", "valid none, was flags.ready"),
         (DATA, "unit: m,", "unit: m, default: [0, 0, 1],", "compatible", "default 0, 0, 1, was none"),
-        (DATA, "unit: m,", "unit: m, magnitude: [0, 9],", "compatible", "magnitude 0, 9, was open, open"),
+        (DATA, "unit: m,", 'unit: m, range: "magnitude >= 0, <= 9",', "compatible", "magnitude 0, 9, was open, open"),
         (
             "devices/model_a.yaml",
             "base_rates",
@@ -66,8 +67,8 @@ PORT = "{name: port, type: u8, for: WRS"
         ),
         (
             TYPES,
-            "{bits: 4-6",
-            "{bits: 4-6, concerns: [tools.ping]",
+            "{bit: 4-6",
+            "{bit: 4-6, concerns: [tools.ping]",
             "compatible",
             "concerns      flags.level: concerns tools.ping, was none",
         ),
@@ -75,7 +76,7 @@ PORT = "{name: port, type: u8, for: WRS"
         (TYPES, "slow: 1", "slow: 3", "wire", "mode.slow: is 3, was 1"),
         (TYPES, "slow: 1", "lazy: 1", "source", "mode.lazy: was called slow"),
         (TYPES, "slow: 1", "slow: 1, turbo: 7", "compatible", "mode.turbo: added: 7"),
-        (TYPES, "level: {bits: 4-6", "level: {bits: 4-7", "wire", "flags.level: is bits 4-7, was bits 4-6"),
+        (TYPES, "level: {bit: 4-6", "level: {bit: 4-7", "wire", "flags.level: is bits 4-7, was bits 4-6"),
         (
             TOOLS,
             "name: identify",
@@ -84,7 +85,7 @@ PORT = "{name: port, type: u8, for: WRS"
             "tools.identify: short name who, was none",
         ),
         (TYPES, "slow: 1", "slow: {value: 1, short: lag, description: S.}", "source", "mode.slow: short name lag, was"),
-        (TYPES, "{bits: 4-6", "{bits: 4-6, short: lv", "source", "flags.level: short name lv, was none"),
+        (TYPES, "{bit: 4-6", "{bit: 4-6, short: lv", "source", "flags.level: short name lv, was none"),
         (TYPES, "health: {", "health: {short: hp, ", "source", "health: short name hp, was none"),
         (
             "devices/model_a.yaml",
@@ -109,7 +110,7 @@ PORT = "{name: port, type: u8, for: WRS"
         ),
         ("simulation/world.yaml", "Of the device", "Of it", "same", "height: another quantity"),
         ("simulation/world.yaml", "{unit: m,", "{unit: m, typical: 3,", "same", "height: another quantity"),
-        (TOOLS, PORT, PORT.replace("u8", "u8, typical: 5"), "same", "settings.port: typical value 5, was none"),
+        ("packets/measurements.yaml", "[1, 0", "[2, 0", "same", "accel.accel: typical value 0x40000000"),
         ("errata/errata.yaml", "reason: ", "reason: Indeed. ", "same", ": another erratum"),
         ("examples/examples.yaml", "title: ", "title: The ", "same", ": another example"),
         ("guides/guide.yaml", "question: ", "question: Or ", "same", ": another guide"),
@@ -149,6 +150,15 @@ def test_a_device_of_which_only_the_name_is_known(tmp_path: Path) -> None:
         "compatible profile       other: profile added: only the name was known",
         "compatible profile       other: other names, or another device is most like it",
     ]
+
+
+def test_a_set_that_a_device_may_now_have() -> None:
+    """The support of a whole set is no list of fields."""
+    real = model("real")
+    lacking = next(d for d in real.devices if any(e.sets for e in d.evidence))
+    able = replace(lacking, evidence=tuple(replace(e, sets=()) for e in lacking.evidence))
+    new = replace(real, devices=tuple(able if d is lacking else d for d in real.devices))
+    assert [c.what for c in compare(real, new).changes] == ["profile differs: absent sets"]
 
 
 def test_the_worst_comes_first() -> None:

@@ -35,16 +35,16 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
         (
             "tools.ping",
             {
-                "devices": "Supported by <Model A>, <Model B>, <Model C> and <Old 1>.",
-                "perhaps": "Probably supported by <Old 2>.",
+                "devices": "Supported by all devices; confirmed on <Model A>, <Model B>, <Model C> and <Old 1>.",
+                "assumed": "Assumed on <Old 2>.",
             },
         ),
         (
             "tools.capture_bias",
             {
                 "responses": "Response: <tools.bias_vector>.",
-                "may_affect": "Probably changes <measurements.accel>.",
-                "flags": "Flagged by <sensor> of <model_a_faults>.",
+                "may_affect": "Probably affects <measurements.accel>.",
+                "flags": "Status flags about it: <sensor> of <model_a_faults>.",
                 "devices": A,
                 "deprecation": "Deprecated on the <Model C>: use <tools.bias> instead.",
                 "firmware": "On the <Model C>: firmware >= 1.0, < 1.1.",
@@ -55,8 +55,8 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             {
                 "functions": "Functions: <write>, <read>, <save>, <load> and <default>.",
                 "responses": "Response: <tools.bias_vector>.",
-                "affects": "Changes <measurements.accel> and <measurements.gust>.",
-                "may_affect": "Probably changes <more (0x81)>.",
+                "affects": "Affects <measurements.accel> and <measurements.gust>.",
+                "may_affect": "Probably affects <more (0x81)>.",
                 "devices": A,
             },
         ),
@@ -89,10 +89,10 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "more.accel",
             {
                 "sets": "Occurs in <measurements (0x80)>, <more (0x81)> and <copy (0x92)>.",
-                "affected": "Probably changed by <tools.capture_bias>.",
-                "flags": "Flagged by <sensor> of <model_a_faults>.",
-                "max_rate": "Maximum rate: 100 Hz.",
+                "affected": "Settings that probably affect it: <tools.capture_bias>.",
+                "flags": "Status flags about it: <sensor> of <model_a_faults>.",
                 "devices": "Supported by <Model A>, <Model B> and <Model C>.",
+                "refused": "Not supported by <Old 1>.",
                 "firmware": "On the <Model C>: firmware > 1.0.07.",
             },
         ),
@@ -109,8 +109,10 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "measurements.gust",
             {
                 "sets": "Occurs in <measurements (0x80)> and <copy (0x92)>.",
-                "affected": "Changed by <tools.bias>.",
+                "affected": "Settings that affect it: <tools.bias>.",
+                "refused": "Not supported by <Model C>.",
                 "devices": "Not listed in any device profile.",
+                "needs": "Requires an anemometer.",
                 "note": "`speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see <mode> and "
                 "<shape>.",
             },
@@ -132,7 +134,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             {
                 "elements": "Elements: w, x, y, z.",
                 "unit": "Unit: 1.",
-                "range": "Range: -1 to 1, magnitude 0.5 to 1.5.",
+                "range": "Range: magnitude 0.5 to 1.5.",
                 "default": "Default: 1, 0, 0, 0.",
             },
         ),
@@ -141,7 +143,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             {
                 "also": "Also called `keep_alive_response` and `welcome`.",
                 "commands": "Response to <tools.hello>.",
-                "perhaps": "Probably supported by <Model C>.",
+                "likely": "Likely on <Model C>.",
                 "evidence": "Known only from the <Kit of names>.",
                 "uncertain": "Uncertain: When it comes.",
             },
@@ -181,7 +183,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
         ("measurements.accel:valid_flags", {"variant": "On the <Model C>: only <ready> and <level>."}),
         (
             "tools.status:selector",
-            {"range": "Range: 1 to 2.", "variant": "On the <Model C>: always 2. Inferred: It has one layout."},
+            {"range": "Range: 1 to 2.", "variant": "On the <Model C>: always 2 (inferred: it has one layout)."},
         ),
         ("tools.status_short:flags", {"variant": "On the <Model B>: values of <model_b_faults>."}),
         ("tools.status_long:flags", {"variant": "On the <Model C>: the values are unknown."}),
@@ -198,6 +200,7 @@ def test_facts(path: str, facts: dict[str, str]) -> None:
         (1, "Listed by the device (firmware 1.0.07; 2026-11-23)."),
         (2, "Transcribed from the manual by others (Kit of names: Names). It names tools.hello."),
         (3, "Rejected by the device (firmware 1.2)."),
+        (4, "Requires an anemometer, which the device lacks."),
     ],
 )
 def test_why_a_device_has_a_field(number: int, why: str) -> None:
@@ -207,8 +210,8 @@ def test_why_a_device_has_a_field(number: int, why: str) -> None:
     assert plain(describe.evidence(old.evidence[0], INVENTED)) == (
         "Supported by devices of the same generation, <Model A> and <Model B>."
     )
-    assert describe.known(c) == "model-c: 24 certain, 2 probable, 1 refused"
-    assert describe.known(old) == "old-2: 2 probable; there may be more"
+    assert describe.summary(c) == "model-c: 24 certain, 2 likely, 3 not supported"
+    assert describe.summary(old) == "old-2: 2 assumed; there may be more"
 
 
 def variants(path: str, own: m.Model = INVENTED) -> list[str]:
@@ -233,7 +236,16 @@ def test_what_is_the_same_on_devices_is_told_once() -> None:
 @pytest.mark.parametrize(
     ("device", "facts"),
     [
-        ("model-a", ["Model number 4711.", "Manual: A guide to devices that do not exist, 1."]),
+        (
+            "model-a",
+            [
+                "Model number 4711.",
+                "Sensors: accelerometer, anemometer.",
+                "GNSS receivers: 1.",
+                "GNSS antennas: 2.",
+                "Manual: A guide to devices that do not exist, 1.",
+            ],
+        ),
         (
             "model-c",
             [
@@ -241,6 +253,9 @@ def test_what_is_the_same_on_devices_is_told_once() -> None:
                 "Generation 3.",
                 "Model number 4713.",
                 "Same as the <Model A>, except as stated here.",
+                "Sensors: accelerometer.",
+                "GNSS receivers: none.",
+                "GNSS antennas: 2.",
                 "No manual is known.",
                 "Uncertain: Whether it has a model number of its own.",
             ],
@@ -251,6 +266,7 @@ def test_what_is_the_same_on_devices_is_told_once() -> None:
                 "Also called First.",
                 "Generation 1.",
                 "Model number 4001.",
+                "Sets known completely from the manual: <more (0x81)>.",
                 "No manual is known.",
                 "This profile is incomplete: No manual is known; see <tools.ping>.",
             ],
@@ -263,8 +279,9 @@ def test_devices(device: str, facts: list[str]) -> None:
 
 
 def test_valid_by_device_is_a_bit_of_its_own_type() -> None:
-    said = variants("sensor.gps_timestamp:tow", REAL)
-    assert said == ["On the <3DM-GX5-15> and <3DM-GX5-35>: valid if <valid_flags.time_initialized> is set."]
+    *inferred, stated = variants("sensor.gps_timestamp:tow", REAL)
+    assert stated == "On the <3DM-GX5-15> and <-35>: valid if <valid_flags.time_initialized> is set."
+    assert all("<valid_flags.time_initialized> is set (inferred: the 3DM-GX5-15 has it)" in text for text in inferred)
 
 
 def test_elements_of_a_vector_in_another_frame() -> None:
@@ -369,7 +386,7 @@ def test_comments_in_code_leave_out_what_is_longer_than_all_else() -> None:
         whole, code = ([plain(x.sentence) for x in of(f, INVENTED)] for of in (describe.field, describe.in_code))
         return [x for x in whole if x not in code], [x for x in code if x not in whole]
 
-    assert left_out("tools.capture_bias") == (["Flagged by <sensor> of <model_a_faults>."], [])
-    assert left_out("tools.ping") == (["Probably supported by <Old 2>."], [])
-    only = next(f for f in INVENTED.fields if INVENTED.devices_of(f, False) and not INVENTED.devices_of(f))
+    assert left_out("tools.capture_bias") == (["Status flags about it: <sensor> of <model_a_faults>."], [])
+    assert left_out("tools.ping") == (["Assumed on <Old 2>."], [])
+    only = next(f for f in INVENTED.fields if INVENTED.devices_of(f, "likely") and not INVENTED.devices_of(f))
     assert left_out(only.full_name)[1] == ["No device is known for certain to support it."]

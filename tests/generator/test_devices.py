@@ -14,8 +14,8 @@ from support import SPECS, model, some
 INVENTED, REAL = model("invented"), model("real")
 
 
-def device(id: str, of: m.Model = INVENTED) -> m.Device:
-    return some(of.device(id))
+def device(device_id: str, of: m.Model = INVENTED) -> m.Device:
+    return some(of.device(device_id))
 
 
 def names(d: m.Device) -> set[str]:
@@ -32,7 +32,11 @@ def test_what_is_added_and_lacked() -> None:
     assert {s.name: s.evidence.kind for s in c.supports if s.evidence.kind != "documented"} == {
         "tools.hello": "transcribed", "copy.accel": "transcribed", "tools.poll": "listed"
     }  # fmt: skip
-    assert {s.name for s in c.probable} == names(c) - {s.name for s in c.certain} == {"tools.hello", "copy.accel"}
+    assert (
+        {s.name for s in (*c.likely, *c.assumed)}
+        == names(c) - {s.name for s in c.certain}
+        == {"tools.hello", "copy.accel"}
+    )
     order = [(s.set, s.field.descriptor) for s in c.supports]
     assert order == sorted(order)
 
@@ -41,12 +45,14 @@ def test_evidence() -> None:
     """Strongest first; what a device rejects is kept apart from what it has."""
     c = device("model-c")
     assert [(e.kind, e.answer) for e in c.evidence] == [
-        ("documented", "yes"), ("listed", "yes"), ("transcribed", "probable"), ("refused", "no")
+        ("documented", "yes"), ("listed", "yes"), ("transcribed", "likely"), ("refused", "no"), ("hardware", "no")
     ]  # fmt: skip
     listed, refused = c.evidence[1], c.evidence[3]
     assert (listed.firmware, listed.date, listed.undefined) == ("1.0.07", "2026-11-23", ((1, 0x6E), (1, 0x6F)))
-    assert refused.firmware == "1.2" and [(s.name, s.evidence) for s in c.refuses] == [("tools.choice", refused)]
+    assert refused.firmware == "1.2" and c.refuses[0].evidence == refused
     assert "tools.choice" not in names(c) and INVENTED.refusing(c.refuses[0].field) == (c,)
+    assert [s.name for s in c.refuses] == ["tools.choice", "measurements.gust", "copy.gust"]
+    assert c.refuses[1].evidence.needs == "anemometer"
     assert c.absent == "no" and device("old-1").absent == "unknown"
 
 
@@ -74,6 +80,39 @@ def test_families() -> None:
     assert first.base_rates == () and first.ack_codes == ()
 
 
+def test_hardware() -> None:
+    """A device has neither fields, values nor flags that need what it lacks; what comes from outside needs nothing."""
+    only = {v.path: [x.name for x in v.variant.only] for v in device("model-c").variants if v.variant.only}
+    assert only["tools.pin.drive"] == ["off", "pulse"]
+    for name in ("3dm-cv7-ar", "3dm-gv7-ar", "3dm-cx7-ar"):
+        ar, ahrs = device(name, REAL), device(name.replace("-ar", "-ahrs"), REAL)
+        assert ar.hardware.sensors == ("accelerometer", "gyroscope", "pressure_sensor")
+        assert names(ahrs) - names(ar) == {
+            "3dm.mag_hard_iron_offset", "3dm.mag_soft_iron_matrix", "filter.magnetic_declination_source",
+            "sensor.scaled_mag",
+        }  # fmt: skip
+        assert "aiding.magnetic_field" in names(ar)
+        assert {s.evidence.needs for s in ar.refuses if s.name == "sensor.scaled_mag"} == {"magnetometer"}
+        flags = next(v for v in ar.variants if v.path == "sensor.overrange_status.status").variant.only
+        assert "pressure" in {x.name for x in flags} and "mag_x" not in {x.name for x in flags}
+
+
+def test_complete_sets() -> None:
+    """What a complete list of the manual lacks is not supported, whatever others of the family have."""
+    old = device("old-1")
+    assert [s.name for s in old.complete] == ["more"] and {s.evidence.kind for s in old.refuses} == {"unlisted"}
+    assert {s.set for s in old.refuses} == {0x81} and device("old-2").refuses == ()
+    for name in ("3dm-cx5-10", "3dm-cv5-10"):
+        unlisted = {s.name for s in device(name, REAL).refuses if s.evidence.kind == "unlisted"}
+        assert "base.get_extended_descriptors" in unlisted and all(x.startswith("base.") for x in unlisted)
+
+
+def test_frames_belong_to_the_family() -> None:
+    for name in ("3dm-gx5-45", "3dm-cx5-45"):
+        frames = {v.path: v.variant.frame for v in device(name, REAL).variants if v.variant.frame}
+        assert frames["filter.antenna_offset.offset"] == "sensor"
+
+
 # --------------------------------------------------------------------------- one file
 
 
@@ -82,6 +121,7 @@ device: 3dm-made-up
 name: made_up
 title: 3DM-MADE-UP
 like: 3dm-gx5-15
+sensors: [accelerometer, gyroscope, magnetometer]
 description: A device that does not exist.
 model_number: 6999
 supports: {sensor: [scaled_mag]}
@@ -101,7 +141,7 @@ def test_a_further_device_is_one_file(tmp_path: Path) -> None:
     }  # fmt: skip
     assert {r.set.name: r.hertz for r in made.base_rates} == {"sensor": 1000, "filter_data": 1000}
     paths = {v.path for v in made.variants}
-    assert paths == {v.path for v in like.variants if not v.path.startswith("filter_data.status.")}
+    assert paths == {v.path for v in like.variants if not v.path.startswith(("filter_data.status.", "system."))}
     assert made.manual is None and made.ack_codes == like.ack_codes
 
 
@@ -111,9 +151,9 @@ def test_an_overlay_extends_what_others_inherit(tmp_path: Path) -> None:
     (tmp_path / "devices/c.yaml").write_text("extend: model-c\nsupports: {copy: [health]}\nalso: [See]\n")
     with pytest.raises(SpecError, match=r"'model-a' already has 'tools\.hello' \(documented\); remove it"):
         load_model(SPECS["invented"][0], tmp_path)
-    (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {measurements: [gust]}\n")
+    (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {copy: [arrays]}\nbase_rates: {copy: ~}\n")
     c = device("model-c", load_model(SPECS["invented"][0], tmp_path))
-    assert {"measurements.gust", "copy.health"} <= names(c) and c.also[-1] == "See"
+    assert {"copy.arrays", "copy.health"} <= names(c) and c.also[-1] == "See"
 
 
 # --------------------------------------------------------------------------- what there is

@@ -20,11 +20,7 @@ def files(model):
     yield File("fields.csv", "fields.csv.j2")
 
 
-def filters(model):
-    return {"hex": lambda n: f"0x{n:02X}"}
-
-
-TARGET = Target(title="a table of all fields", files=files, filters=filters)
+TARGET = Target(title="a table of all fields", files=files, filters={"hex": lambda n: f"0x{n:02X}"})
 """
 TEMPLATE = """\
 set,descriptor,name,parameters
@@ -145,18 +141,18 @@ def test_the_first_folder_goes_before(tmp_path: Path) -> None:
 
 
 def test_a_change_of_a_target_is_seen(folder: Path) -> None:
-    """Nothing that is kept between runs hides it: neither of a template, nor of a filter, nor of the model."""
+    """Nothing that is kept between runs hides it: neither of a template nor of a filter."""
     template = folder / "csv/fields.csv.j2"
     template.write_text('{{ 31 | hex }} {{ "a" | title }}\n')
     assert generate(folder, "--target", "csv") == 0
     assert made(folder, "csv/fields.csv") == "0x1F A\n"
     target = folder / "csv/target.py"
-    target.write_text(target.read_text().replace('f"0x{n:02X}"', 'f"{n}, {len(model.sets)} sets"'))
+    target.write_text(target.read_text().replace('f"0x{n:02X}"', 'f"{n}!"'))
     assert generate(folder, "--target", "csv") == 0
-    assert made(folder, "csv/fields.csv") == f"31, {len(load_model(SPEC).sets)} sets A\n"
+    assert made(folder, "csv/fields.csv") == "31! A\n"
     target.write_text(target.read_text().replace('"hex":', '"title": lambda text: "mine", "hex":'))
     assert generate(folder, "--target", "csv") == 0
-    assert made(folder, "csv/fields.csv") == f"31, {len(load_model(SPEC).sets)} sets mine\n"
+    assert made(folder, "csv/fields.csv") == "31! mine\n"
 
 
 @pytest.mark.parametrize(
@@ -179,15 +175,17 @@ def test_a_change_of_a_target_is_seen(folder: Path) -> None:
          "{f}/csv/target.py:2: error: not Python: invalid syntax"),
         (lambda f: write(f / "csv/target.py", "TITLE = 'x'\ndef files(model): return ()\n"),
          "{f}/csv/target.py: error: TARGET is missing; add TARGET = Target(title=..., files=...)"),
-        (lambda f: replace(f, "title=", "titel="), "{f}/csv/target.py:12: error: a Target has no attribute 'titel'; "
+        (lambda f: replace(f, "title=", "titel="), "{f}/csv/target.py:8: error: a Target has no attribute 'titel'; "
          "it may have title, files, filters, runtime, identifiers, grammar, formatter, rename, slow, beside, "
          "conformance, needs, program"),
         (lambda f: replace(f, "files=files, ", ""),
-         "{f}/csv/target.py:12: error: a Target needs title and files, by name: Target(title=..., files=..., ...)"),
+         "{f}/csv/target.py:8: error: a Target needs title and files, by name: Target(title=..., files=..., ...)"),
         (lambda f: replace(f, "files=files", "files=[]"),
-         "{f}/csv/target.py:12: error: files must be a function that takes the model, not []"),
+         "{f}/csv/target.py:8: error: files must be a function that takes the model, not []"),
+        (lambda f: replace(f, '{"hex": lambda n: f"0x{n:02X}"}', "[]"),
+         "{f}/csv/target.py:8: error: filters must be a mapping of functions by name, not []"),
         (lambda f: replace(f, 'title="a table of all fields"', "title=''"),
-         "{f}/csv/target.py:12: error: title must be a line of text, not ''"),
+         "{f}/csv/target.py:8: error: title must be a line of text, not ''"),
         (lambda f: replace(f, 'File("fields.csv", "fields.csv.j2")', '"fields.csv"'),
          "target csv: error: files yields 'fields.csv'; it must yield File(path, template)"),
         (lambda f: (f / "cc").mkdir(), "{f}/cc: error: target.py is missing, and there is no target 'cc', "

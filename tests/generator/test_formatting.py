@@ -6,7 +6,9 @@ import os
 import subprocess
 from pathlib import Path
 
+import jinja2
 import pytest
+from jinja2 import nodes
 from mipgen.base import cache
 from mipgen.emit import formatting
 from mipgen.emit.formatting import CLANG_FORMAT, RUFF, FormatError, Formatter, formatted
@@ -136,3 +138,14 @@ def test_lines_of_templates_are_short() -> None:
     numbered = ((path, i, line) for path in files for i, line in enumerate(path.read_text("utf-8").splitlines(), 1))
     long = [f"{path.relative_to(ROOT)}:{i}: {len(line)} characters" for path, i, line in numbered if len(line) > 120]
     assert not long, f"lines of templates over 120 characters: {', '.join(long)}"
+
+
+def test_templates_compute_nothing() -> None:
+    """Sizes, offsets and numbers are those of the view; a template may join texts."""
+    environment = jinja2.Environment(extensions=["jinja2.ext.do"])
+    arithmetic = (nodes.Add, nodes.Sub, nodes.Mul, nodes.Div, nodes.FloorDiv, nodes.Mod, nodes.Pow)
+    computing = []
+    for path in sorted((ROOT / "templates").rglob("*.j2")):
+        tree = environment.parse(path.read_text("utf-8"))
+        computing += [f"{path.relative_to(ROOT)}:{x.lineno}" for kind in arithmetic for x in tree.find_all(kind)]
+    assert not computing, f"templates that compute: {', '.join(computing)}"

@@ -134,7 +134,6 @@ def test_a_part_is_what_it_holds() -> None:
             name: it
             title: It
             description: It.
-            sources: [{manual: guide, section: It}]
             parameters: [{name: a, type: u8}, {include: list}, {include: unused_by_others}]
         """
     )
@@ -157,7 +156,6 @@ def test_a_response_does_not_take_the_valid_flag_of_its_command() -> None:
             name: it
             title: It
             description: It.
-            sources: [{manual: guide, section: It}]
             valid: flags.ready
             parameters: [{name: a, type: u8}, {name: flags, type: flags}]
             responses:
@@ -168,19 +166,35 @@ def test_a_response_does_not_take_the_valid_flag_of_its_command() -> None:
     assert valid == {"it": ("flags.ready",), "it_response": (), "other": ("flags.ready",)}
 
 
+def test_bits_describe_the_values_that_they_mark() -> None:
+    f = field(
+        "[{name: a, type: u8, unit: s, description: It., valid: f.a}, "
+        "{name: b, type: u8, unit: s, description: It., valid: f.both},"
+        " {name: c, type: u8, unit: s, description: It., valid: f.both}, {name: f, type: marks}]",
+        types="{marks: {bitfield: u8, description: It., bits: {a: 0, both: 1, c: 2}}}",
+        role="data",
+    )
+    of_dop = some(model("real").field("gnss_data.dop")).parameters[-1].element
+    assert isinstance(of_dop, m.Bitfield)
+    assert of_dop.bits[-1].alias and of_dop.bits[-1].description == "All values are valid."
+    flags = f.parameters[-1].element
+    assert isinstance(flags, m.Bitfield)
+    assert [b.description for b in flags.bits] == ["`a` is valid.", "`b` and `c` are valid.", ""]
+
+
 def test_calls() -> None:
     write, read, *_, apply = invented("tools.settings").calls
     assert [p.name for p in write.required] == ["port", "mode", "baud"] == [p.name for p in apply.required]
     assert [p.name for p in write.optional] == ["limit", "reserved"] == [p.name for p in apply.optional]
     assert [p.name for p in read.required] == ["port", "mode"] and read.optional == ()
     (only,) = invented("tools.status").calls
-    assert [p.name for p in only.required] == ["model", "selector"] and [p.name for p in only.given] == ["selector"]
+    assert [p.name for p in only.required] == ["model", "selector"] and [p.name for p in only.passed] == ["selector"]
     (growing,) = invented("measurements.growing").calls
     assert len(growing.required) == 1 and len(growing.optional) == 2
 
 
 def test_a_family_of_sets() -> None:
-    """A field occurs in the sets with every field, in those that it lists, or only in some."""
+    """A field occurs in all sets, or in those that it lists."""
     family = some(INVENTED.family("measurements"))
     assert [s.name for s in family.sets] == ["measurements", "more", "copy"]
     there = {s.name: [f.name for f in INVENTED.fields_in(s)] for s in family.sets}
@@ -189,7 +203,6 @@ def test_a_family_of_sets() -> None:
     accel, radio, own = (invented(f"measurements.{name}") for name in ("accel", "radio", "own"))
     assert (accel.sets, radio.sets, own.sets) == ((0x80, 0x81, 0x92), (0x80, 0x92), (0x81,))
     assert (accel.name_in(0x92), own.name_in(0x81), own.full_name) == ("copy.accel", "more.own", "measurements.own")
-    assert [o.title for o in accel.occurrences] == ["Acceleration", "Second acceleration", "Third acceleration"]
     cited = {o.set_name: [s.section for s in o.sources] for o in (*accel.occurrences, *radio.occurrences[1:])}
     assert cited["more"] == ["Second acceleration"] and cited["copy"] == ["Copied measurements"]
     assert [x.name for x in family.named] == ["shade", "ghost"]

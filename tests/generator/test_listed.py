@@ -52,8 +52,8 @@ def loaded(folder: Path, extension: str, within: bool) -> m.Model:
     return load_model(spec, *([] if within else [over]))
 
 
-def device(model: m.Model, id: str) -> m.Device:
-    return some(model.device(id))
+def device(model: m.Model, device_id: str) -> m.Device:
+    return some(model.device(device_id))
 
 
 def kinds(d: m.Device) -> dict[str, str]:
@@ -166,7 +166,7 @@ def test_a_list_says_nothing_of_readings(tmp_path: Path) -> None:
     spec = tmp_path / "spec"
     shutil.copytree(BASE, spec)
     sets = spec / "sets/measurements.yaml"
-    own = "      - {name: state, type: u8, varies: {by: device}, description: Read by device.}\n"
+    own = "      - {name: state, type: u8, varies: device, description: Read by device.}\n"
     text = sets.read_text("utf-8").rstrip() + "\n  - data: 0x22\n    name: states\n    title: States\n"
     sets.write_text(text + f"    description: States.\n    parameters:\n{own}", "utf-8")
     file = spec / "devices/more.yaml"

@@ -156,8 +156,8 @@ def test_constructors() -> None:
     )
     write, read = calls.constructors(f)
     assert [w.function.name for w in (write, read) if w.function] == ["write", "read"]
-    assert (names(write.given), names(write.values), names(write.addable)) == (["n", "a"], ["a"], ["o"])
-    assert (names(read.given), names(read.optional)) == ([], [])
+    assert (names(write.passed), names(write.values), names(write.addable)) == (["n", "a"], ["a"], ["o"])
+    assert (names(read.passed), names(read.optional)) == ([], [])
 
 
 def test_a_tag_follows_from_its_union() -> None:

@@ -51,10 +51,13 @@ def test_escape() -> None:
 @pytest.mark.parametrize(
     ("legal", "taken", "free"),
     [
-        # a module of the runtime, a function of the package, a name where all sets are imported
+        # a module of the runtime, a function of the package, a name where all sets are imported, a class
         (python.module, ["streaming", "checksum", "bytes", "class"], ["filter", "sensor"]),
+        (python.legal_class, ["Sequence", "ResponseClasses", "NamedTuple"], ["Sensor"]),
         (javascript.module, ["registry", "tcp", "session"], ["class", "sensor"]),
         (javascript.namespace, ["registry", "class"], ["sensor"]),
+        (javascript.member, ["packet", "replies"], ["length"]),
+        (javascript.legal_class, ["Values", "FunctionSelector"], ["Sensor"]),
     ],
 )
 def test_names_of_the_runtime_are_escaped(legal: Callable[[str], str], taken: list[str], free: list[str]) -> None:

@@ -71,13 +71,17 @@ def build(sdk: Path) -> Path:
     folder = BUILD / "sdk"
     folder.mkdir(parents=True, exist_ok=True)
     for command in (
-        ["cmake", "-S", sdk, "-B", folder, "-DMICROSTRAIN_BUILD_EXAMPLES=ON"],
-        ["cmake", "--build", folder, "-j2"],
+        ["cmake", "-S", sdk, "-B", folder, "-G", "Unix Makefiles", "-DMICROSTRAIN_BUILD_EXAMPLES=ON"],
+        ["cmake", "--build", folder, "-j2", "--", "--keep-going"],
         ["cc", "-shared", "-fPIC", "-O1", "-Wall", "-Wextra", HERE / "port.c", "-o", BUILD / "port.so", "-ldl"],
     ):
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
-        if done.returncode:
+        if not done.returncode:
+            continue
+        if "--build" not in command:
             raise SystemExit(f"interop: {command[0]} failed\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+        errors = [line for line in done.stderr.splitlines() if " error: " in line]  # of some of the programs
+        print("interop: not all programs compile", *errors, sep="\n", file=sys.stderr)
     return folder
 
 
@@ -130,6 +134,8 @@ def device(model: str, connection: str, notes: Path) -> Iterator[str]:
 
 def play(run: Run) -> Outcome:
     """Runs one program on one device. The output of both is in the folder of logs."""
+    if not run.program.path.is_file():
+        return Outcome(run, False, "does not compile")
     name = f"{run.program.name}-{run.program.language}-{run.model}-{run.connection}".replace("/", "_")
     logs = BUILD / "logs"
     logs.mkdir(exist_ok=True)

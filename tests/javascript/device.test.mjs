@@ -13,7 +13,9 @@ const { Device, fromHex, MipError, Packet, packetOf, Parser, toHex } = await loa
 const { openSerial } = await load("mip/serial.mjs");
 const { openTcp } = await load("mip/tcp.mjs");
 const { openWebSocket } = await load("mip/websocket.mjs");
-const { GetBaseRate } = await load("3dm.mjs");
+const { GetBaseRate, MessageFormat, PpsSourceControl } = await load("3dm.mjs");
+const { rejections } = await load("mip/rejected.mjs");
+const { default: model } = await load("model.mjs");
 const { CommSpeed, GetDeviceInfo, Ping } = await load("base.mjs");
 const { EcefPosition } = await load("aiding.mjs");
 const { ScaledAccel, ScaledGyro } = await load("sensor.mjs");
@@ -106,7 +108,11 @@ test("what a command may end with", async () => {
     assert.equal(await device.request(new Ping()), undefined);
     await assert.rejects(device.request(new GetDeviceInfo()), { name: "MipError", kind: "missing_response" });
     const refused = await opened(acknowledging(3));
-    await assert.rejects(refused.device.request(new Ping()), { kind: "refused", code: 3, message: "base.ping refused: INVALID_PARAMETER" });
+    await assert.rejects(refused.device.request(new Ping()), {
+        kind: "refused",
+        code: 3,
+        message: "base.ping rejected (invalid parameter)",
+    });
     const silent = await opened();
     await assert.rejects(silent.device.request(new Ping(), { timeout: 0.05 }), { kind: "timeout" });
     assert.deepEqual(
@@ -117,6 +123,47 @@ test("what a command may end with", async () => {
     await assert.rejects(device.requestAll([]), { kind: "missing" });
     await assert.rejects(device.request(new ScaledAccel({ scaledAccel: [0, 0, -1] })), { kind: "set" });
     for (const one of [device, refused.device, silent.device]) await one.close();
+});
+
+test("a device that rejects a list is asked once what it is and what it sends", async () => {
+    const text = (words, size) => [...words.padEnd(size)].map((letter) => letter.charCodeAt(0));
+    const sent = [];
+    const { device } = await opened(
+        answering(({ set, descriptor }) => {
+            sent.push(descriptor);
+            if (set !== 1) return ack(set, descriptor, 3);
+            const info = [0, 0, ...text("3DM-CV7-AHRS", 16), ...text("6286-9999", 16), ...text("", 48)];
+            const data = { 3: info, 4: [1, 1, 1, 7, 0x80, 4], 7: [0x82, 0x10] }[descriptor];
+            return [ack(set, descriptor), { descriptor: { 3: 0x81, 4: 0x82, 7: 0x86 }[descriptor], data: Uint8Array.from(data), set }];
+        }),
+        { explain: rejections(model) },
+    );
+    const descriptors = [0x10, 0x01].map((descriptor) => ({ descriptor, decimation: 1 }));
+    for (let i = 0; i < 2; i++)
+        await assert.rejects(device.request(MessageFormat.write({ descriptorSet: 0x82, descriptors })), {
+            message: "3dm.message_format rejected (invalid parameter): 3DM-CV7-AHRS does not send filter_data.llh_position",
+            rejected: { index: 1, set: 0x82, descriptor: 1, reason: "absent", text: "3DM-CV7-AHRS does not send filter_data.llh_position" },
+        });
+    assert.deepEqual(sent, [0x0f, 3, 4, 7, 0x0f]);
+    await assert.rejects(device.request(PpsSourceControl.read()), { rejected: undefined });
+    const [outcome] = await device.exchange([MessageFormat.write({ descriptorSet: 0x82, descriptors })]);
+    assert.equal(outcome.rejected.text, "3DM-CV7-AHRS does not send filter_data.llh_position");
+    await device.close();
+});
+
+test("a device that does not answer all that it was asked about itself is judged by its profile alone", async () => {
+    const { device } = await opened(
+        answering(({ set, descriptor }) => {
+            if (set !== 1 || descriptor === 7) return ack(set, descriptor, 3);
+            const response = (number, data) => [ack(set, descriptor), { descriptor: number, data: Uint8Array.from(data), set }];
+            if (descriptor === 4) return response(0x82, [1, 7, 0x80, 4]);
+            return response(0x81, [0, 0, ...[..."6286".padStart(20).padEnd(80)].map((letter) => letter.charCodeAt(0))]);
+        }),
+        { explain: rejections(model) },
+    );
+    const descriptors = [{ descriptor: 0x05, decimation: 1 }]; // of the list's second half: the model sends it
+    await assert.rejects(device.request(MessageFormat.write({ descriptorSet: 0x82, descriptors })), { rejected: undefined });
+    await device.close();
 });
 
 test("the same command object may be sent twice at once", async () => {
@@ -135,6 +182,22 @@ test("the same command object may be sent twice at once", async () => {
     await device.close();
 });
 
+test("a reply that arrives twice answers no later command, if the copy waits before that is sent", async () => {
+    const reply = rating();
+    const port = fakePort((bytes) => {
+        const answer = reply(bytes);
+        for (let i = 0; i < 2; i++) setImmediate(() => port.arrive(answer)); // like two datagrams that wait at a socket
+        return undefined;
+    });
+    const device = await Device.open(async () => port);
+    for (let i = 0; i < 500; i++) {
+        const descriptorSet = [0x80, 0x82, 0x91][i % 3];
+        assert.equal((await device.request(new GetBaseRate({ descriptorSet }))).descriptorSet, descriptorSet);
+    }
+    assert.ok(device.waiting >= 499); // the copies are data
+    await device.close();
+});
+
 test("data arrives in order, and nothing is lost before the port is", async () => {
     const { device, port } = await opened(undefined, { capacity: 2 });
     assert.equal(await device.next({ timeout: 0.01 }), undefined);
@@ -148,7 +211,7 @@ test("data arrives in order, and nothing is lost before the port is", async () =
         async () => {
             for await (const one of device) {
                 assert.deepEqual(one.find(ScaledAccel).scaledAccel, [0, 0, -1]);
-                assert.ok(Math.abs(one.time - Date.now() / 1000) < 5);
+                assert.ok(Math.abs(one.arrival - Date.now() / 1000) < 5);
                 count++;
             }
         },
@@ -223,7 +286,7 @@ test("the answer to a command that is only sent is not waited for, nor taken for
     const { device, port } = await opened();
     await device.send(new Ping());
     const ping = device.request(new Ping(), { timeout: 5 });
-    await new Promise((resolve) => setTimeout(resolve));
+    while (port.written.length < 2) await new Promise((resolve) => setImmediate(resolve));
     assert.equal(toHex(port.written[1]), toHex(pings(2)) + toHex(pings(1)));
     for (const answer of [[ack(1, 1, 3)], [ack(1, 1), ack(1, 1)], [ack(1, 1)]]) port.arrive(packet(...answer));
     assert.equal(await ping, undefined);

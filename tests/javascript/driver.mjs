@@ -66,8 +66,7 @@ function decoded({ set, descriptor, data }) {
     if (!kind) return { descriptor, raw: toHex(data) };
     try {
         const reader = new Reader(data, { plain: true, floatBits: true });
-        const values = {};
-        kind.layout.read(reader, values, kind.requiredBy(reader));
+        const values = { ...kind.readFrom(reader) };
         const { field, trailing } = kind.decodeWithTrailing(data);
         const again = field.encode();
         if (trailing !== reader.left || toHex(again) !== toHex(data.subarray(0, again.length)) || again.length + trailing !== data.length)

@@ -55,15 +55,6 @@ def baud(streams: dict[str, list[tuple[m.Field, float]]]) -> float:
     )
 
 
-def test_the_example_of_the_manual(page: browser.Page) -> None:
-    """By the notes of the protocol, these take 34000 Bd."""
-    wanted = [["sensor", "sensor.scaled_accel", 100], ["sensor", "sensor.gps_timestamp", 100]]
-    found = page.run(f"choose('3dm-gx5-15', {wanted})")
-    assert found["need"] == "3400 bytes/s; over a UART at least 34000 Bd."
-    assert found["ports"] == {"UART 1": "115200", "USB": "no baud rate"}
-    assert any("34000 Bd" in text for note in model("real").protocol.notes for text in note.text)
-
-
 @pytest.mark.parametrize("device", [d.id for d in model("real").devices if d.base_rates])
 def test_base_rates(page: browser.Page, device: str) -> None:
     """A rate of 0 is known: such a set is sent as it arrives."""
@@ -117,16 +108,7 @@ def test_an_incomplete_profile_has_everything(page: browser.Page) -> None:
     assert of is not None and of.incomplete
     for s in of.supports:
         if s.name.startswith("sensor.") and s.field.role == m.DATA:
-            assert page.run(row.format("sensor", s.field.full_name)).endswith("(probable)") != s.certain
-
-
-def test_a_complete_profile_has_what_it_lists(page: browser.Page) -> None:
-    page.run("choose('3dm-gx5-15', [])")
-    of = model("real").device("3dm-gx5-15")
-    assert of is not None and not of.incomplete
-    listed = {s.field.full_name for s in of.supports if s.field.role == m.DATA}
-    assert set(page.run("[...document.querySelectorAll('[data-field]')].map((row) => row.dataset.field)")) == listed
-    assert "incomplete" not in page.run("document.querySelector('#tool').textContent")
+            assert page.run(row.format("sensor", s.field.full_name)).endswith(("(likely)", "(assumed)")) != s.certain
 
 
 @pytest.mark.parametrize("rate", ["", "0", "-5", "2000"])
@@ -147,13 +129,6 @@ def test_the_nearest_rate_is_what_counts(page: browser.Page) -> None:
     shown = page.run("document.querySelector('tr:has(:checked) .mip-rate').textContent")
     assert shown == "333.333 Hz, the nearest (decimation 3)"
     assert found["need"].startswith(f"{math.ceil(20 * 1000 / 3)} bytes/s")
-
-
-def test_a_rate_without_a_base_rate(page: browser.Page) -> None:
-    wanted = "choose('', [['sensor', 'sensor.scaled_accel', {}]])"
-    assert page.run(wanted.format("'0'"))["need"] is None
-    assert page.run("document.querySelector('.mip-rate.mip-wrong').textContent") == "a rate above 0 Hz"
-    assert page.run(wanted.format("0.05"))["need"] == "1 byte/s; over a UART at least 10 Bd."
 
 
 def test_another_device_keeps_what_it_has(page: browser.Page) -> None:
@@ -182,9 +157,3 @@ def test_another_device_keeps_what_it_has(page: browser.Page) -> None:
     page.open(address)
     assert page.run("document.querySelector('.mip-need').textContent") == need
     assert page.run("document.querySelector('select').value") == "3dm-cv7-gnss-ins"
-
-
-def test_what_is_no_device_leads_to_the_hits_of_the_finder(page: browser.Page) -> None:
-    page.open("about:blank")
-    page.open((workbench("real") / "bandwidth.html").as_uri() + "#mip_sensor_scaled_accel")
-    assert page.run("document.querySelector('.mip-results li').dataset.field") == "sensor.scaled_accel"

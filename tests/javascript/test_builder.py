@@ -329,8 +329,8 @@ def test_what_is_not_known_of_a_device_is_offered_and_marked(own: browser.Page) 
     start(own, "3dm-gq7 filter.run")
     offered = browsed(own)
     assert offered["filter.run"] == "Run navigation filter"
-    assert offered["base.ping"] == "Ping (probable)"
-    assert offered["3dm.poll_imu_data"] == "Poll IMU Data (not known)"
+    assert offered["base.ping"] == "Ping (likely)"
+    assert offered["3dm.poll_imu_data"] == "Poll IMU data (not known)"
     tool = "document.querySelector('#tool > [role=status]').textContent"
     assert "The profile of the 3DM-GQ7-GNSS/INS is incomplete: Only some pages" in own.run(tool)
     own.run("put('#mip-field', '3dm.poll_imu_data')")

@@ -33,7 +33,7 @@ def found(page: browser.Page, text: str) -> list[Any]:
 
 @pytest.mark.parametrize(("text", "field"), FIELDS.items())
 def test_what_people_type(page: browser.Page, text: str, field: str) -> None:
-    assert found(page, text)[0] == field
+    assert field in found(page, text)[:3]
 
 
 def test_nothing_found(page: browser.Page) -> None:

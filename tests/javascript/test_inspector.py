@@ -145,12 +145,12 @@ def test_all_of_them_at_once_with_anything_between(page: browser.Page) -> None:
 
 def test_a_text_without_bytes_is_told_from_none(page: browser.Page) -> None:
     shown = {}
-    for text in ("", "hello world"):
+    for text in ("", "xyzzy plugh"):
         assert inspected(page, text) == []
         shown[text] = page.run("document.querySelector('.mip-output').textContent")
     assert shown == {
         "": "Nothing to read yet.",
-        "hello world": ("No bytes were found in this text; hexadecimal is needed. Not read as bytes: hello world"),
+        "xyzzy plugh": ("No bytes were found in this text; hexadecimal is needed. Not read as bytes: xyzzy plugh"),
     }
 
 
@@ -246,6 +246,42 @@ def test_what_depends_on_the_device_is_said(page: browser.Page) -> None:
     assert [words in row["meaning"] for row in shown["fields"][0]["rows"]] == [False] * 3
 
 
+#: Waits until an expression is true.
+WAIT = (
+    "(async () => {{ for (let i = 0; i < 500 && !({0}); i++) await new Promise((done) => setTimeout(done, 20));"
+    " return {0}; }})()"
+)
+
+
+def dropped(page: browser.Page, log: bytes) -> None:
+    inspected(page, "")
+    page.run(
+        "(() => { const held = new DataTransfer();"
+        f" held.items.add(new File([Uint8Array.of({','.join(map(str, log))})], 'drive.bin'));"
+        " const event = new DragEvent('drop', { dataTransfer: held, bubbles: true });"
+        " document.querySelector('#tool').dispatchEvent(event); })()"
+    )
+    assert page.run(WAIT.format("document.querySelector('.mip-log table') !== null"))
+    page.run("document.querySelector('.mip-pages').open = true")
+    assert page.run(WAIT.format("document.querySelectorAll('.mip-pages .mip-packet').length > 1"))
+
+
+def test_bits_of_a_log_are_those_of_its_device_in_the_state_of_their_record(page: browser.Page) -> None:
+    of = model("real")
+    status = next(f for f in of.fields if f.full_name == "filter_data.status")
+    information = bytes(2) + b"3DM-GX5-25".rjust(16) + b"6253-9999".rjust(16) + bytes(48)
+    log = codec.build(of, 1, [(0xF1, b"\x03\0"), (0x81, information)])
+    for state in (1, 2):
+        log += codec.build(of, 0x82, [(status.descriptor, bytes([0, state, 0, 1, 0x10, 0x01]))])
+    dropped(page, log)
+    flags = page.run(
+        "[...document.querySelectorAll('.mip-pages [data-field=\"filter_data.status\"] [data-path=status_flags]')]"
+        ".map((row) => row.innerText)"
+    )
+    assert ["init_no_attitude" in one for one in flags] == [True, False]
+    assert ["run_mag_bias_est_high_warning" in one for one in flags] == [False, True]
+
+
 def test_a_log_is_dropped(page: browser.Page) -> None:
     """With damage and a gap: its fields, rates and gaps, and any packet of it, page by page."""
     of = model("real")
@@ -255,20 +291,12 @@ def test_a_log_is_dropped(page: browser.Page) -> None:
     for i in [*range(700), *range(710, 2000)]:
         data = ((5 * 10**9 + i * 10**7).to_bytes(8, "big"), bytes(12))
         parts.append(codec.build(of, 0x80, [(f.descriptor, x) for f, x in zip((time, accel), data, strict=True)]))
-    text = ",".join(str(x) for x in b"".join(parts) + b"noise")
-    page.run(
-        "(() => { const held = new DataTransfer();"
-        f" held.items.add(new File([Uint8Array.of({text})], 'drive.bin'));"
-        " const event = new DragEvent('drop', { dataTransfer: held, bubbles: true });"
-        " document.querySelector('#tool').dispatchEvent(event); })()"
-    )
-    wait = (
-        "(async () => {{ for (let i = 0; i < 500 && !({0}); i++) await new Promise((done) => setTimeout(done, 20));"
-        " return {0}; }})()"
-    )
-    assert page.run(wait.format("document.querySelector('.mip-log table') !== null"))
+    page.open("about:blank")
+    page.open(workbench("real") / "inspector.html")
+    dropped(page, b"".join(parts) + b"noise")
+    assert page.run("document.querySelectorAll('.mip-output .mip-packet').length") == 0  # the example is gone
     rows = page.run(
-        "[...document.querySelectorAll('.mip-log tbody tr')]"
+        "[...document.querySelector('.mip-log table').tBodies[0].rows]"
         ".map((row) => [...row.cells].map((cell) => cell.textContent))"
     )
     assert [row[1:] for row in rows] == [
@@ -277,15 +305,13 @@ def test_a_log_is_dropped(page: browser.Page) -> None:
     ]
     said = page.run("document.querySelector('.mip-log .mip-summary').textContent")
     assert said.startswith(f"{sum(map(len, parts)) + 5} bytes, 1990 packets; 5 bytes outside packets.")
-    page.run("document.querySelector('.mip-pages').open = true")
-    assert page.run(wait.format("document.querySelectorAll('.mip-pages .mip-packet').length > 100"))
     page.run(
         "(() => { const input = document.querySelector('#mip-log-packet'); input.value = 1500;"
         " input.dispatchEvent(new Event('change')); })()"
     )
     wanted = parts[1499].hex(" ").upper()
     found = f"[...document.querySelectorAll('.mip-pages .mip-packet')].some((one) => one.dataset.bytes === '{wanted}')"
-    assert page.run(wait.format(found))
+    assert page.run(WAIT.format(found))
 
 
 def test_what_is_no_packet_leads_to_the_hits_of_the_finder(page: browser.Page) -> None:

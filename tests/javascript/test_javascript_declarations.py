@@ -9,11 +9,10 @@ from pathlib import Path
 
 from mipgen import model as m
 from mipgen.facts import describe
-from mipgen.targets.javascript import blocks, members, names
-from mipgen.targets.javascript.docs import COMMENTS
+from mipgen.targets.javascript import blocks, names, view
 from support import SPECS, model, small
 
-say = COMMENTS.say
+say = view.COMMENTS.say
 
 
 @cache
@@ -50,8 +49,7 @@ def test_every_fact_of_a_field_is_declared(spec: str) -> None:
             missing += [f"{p.name}: {s}" for s in found if s not in body]
             seen += len(found)
             if not p.derived:
-                optional = "?" if members.may_be_absent(p, f) else ""
-                line = f" {members.key(p)}{optional}: {members.hint(p, f)};"
+                line = f" {view.declared(p, names.home(f), p.name in f.present_with)};"
                 missing += [] if line in body else [line]
         assert not missing, f"{f.full_name}: {missing}"
     assert seen > 100
@@ -63,7 +61,7 @@ def test_every_fact_of_a_type_is_declared(spec: str) -> None:
     for t in (t for t in of.all_types if not isinstance(t, m.Vector)):
         comment, body = declared(spec, t)
         where = names.home(t)
-        missing = [s for s in sentences(describe.type(t, of), where) if s not in comment]
+        missing = [s for s in sentences(describe.type_facts(t, of), where) if s not in comment]
         if isinstance(t, m.Struct):
             missing += [
                 s for p in t.parameters for s in sentences(describe.parameter(p, t, of), where) if s not in body

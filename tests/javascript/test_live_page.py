@@ -11,11 +11,11 @@ from pathlib import Path
 
 import browser
 import pytest
-from mip_protocol import Parser, sensor
+from mip_protocol import PacketBuilder, Parser, sensor
 from mip_tools.configuration import parsed, talk
 from mip_tools.configuration.settings import ends_talk
 from mip_tools.simulator import Faults, LivePort, VirtualDevice
-from mip_tools.simulator.fault_kinds import parse_faults
+from mip_tools.simulator.faults.kinds import parse_faults
 from mip_tools.simulator.motion import parse_motion
 from mip_tools.web.server import Server
 from settings_files import pulled, pushed, told
@@ -124,11 +124,31 @@ def test_identify_stream_and_see(page: browser.Page) -> None:
             "[...document.querySelectorAll('canvas:not([hidden])')].map((one) => one.getContext('2d')"
             ".getImageData(0, 0, one.width, one.height).data.some((byte) => byte))"
         )
-        page.run(f"until(() => {painted}.every(Boolean))")
-        assert len(page.run(painted)) == 4
+        page.run(f"until(() => {painted}.filter(Boolean).length === 5)")  # four fields and the attitude
         page.run("press('Stop'); until(() => /device is idle/.test(document.querySelector('#tool').innerText), 5)")
         page.run(f"until(() => location.hash.startsWith('#device={DEVICE}&streams=sensor.scaled_accel@100,'))")
         page.run("press('Disconnect'); until(() => text('.mip-status') === 'Not connected.')")
+
+
+@pytest.mark.parametrize(
+    ("device", "attitude"), [(DEVICE, "filter_data.euler_angles"), ("3dm-gx5-35", "sensor.comp_euler_angles")]
+)
+def test_connecting_shows_inertial_data_attitude_and_position_at_once(
+    device: str, attitude: str, page: browser.Page
+) -> None:
+    with served(device=device) as at:
+        opened(page, f"serve={at.server.address}")
+        page.run("press('Connect'); until(() => text('.mip-attitude + .mip-angles'))")
+        fields = {"sensor.scaled_accel", "sensor.scaled_gyro", attitude}
+        shown = "[...document.querySelectorAll('.mip-each > .mip-reading:has(canvas)')].map((one) => one.dataset.field)"
+        page.run(f"until(() => {json.dumps(sorted(fields))}.every((one) => ({shown}).includes(one)))")
+        if device != DEVICE:
+            return
+        page.run("until(() => document.querySelector('[aria-label=Track]'))")
+        latitude = page.run("text('[data-field=\"filter_data.llh_position\"] dd')")
+        assert len(latitude.partition(".")[2]) == len("12345678 deg")
+        units = page.run("[...document.querySelectorAll('canvas.mip-plot')].map((one) => one.ariaLabel)")
+        assert "Plot of LLH position in m" in units and "Plot of LLH position in deg" not in units
 
 
 def test_commands_from_their_page(page: browser.Page) -> None:
@@ -137,9 +157,9 @@ def test_commands_from_their_page(page: browser.Page) -> None:
         connected(page, at)
         page.run("fold('Commands')")
         for name, change, wanted in (
-            ("3dm.pps_source_control", "", "PPS Source Control acknowledged."),
+            ("3dm.pps_source_control", "", "PPS source control acknowledged."),
             ("base.get_device_info", "", "model_name"),
-            ("3dm.pps_source_control", "99", "PPS Source Control refused: invalid parameter."),
+            ("3dm.pps_source_control", "99", "PPS source control refused: invalid parameter."),
         ):
             page.run(
                 f"(() => {{ const search = document.querySelector('#mip-field'); search.value = {name!r};"
@@ -154,6 +174,15 @@ def test_commands_from_their_page(page: browser.Page) -> None:
                 )
             page.run("press('Send')")
             page.run(f"until(() => text('.mip-outcome').includes({wanted!r}), 5)")
+
+
+def test_a_rejected_command_names_the_field_to_blame(page: browser.Page) -> None:
+    sent = PacketBuilder(0x0C).add(0x0F, bytes([1, 0x82, 2, 0x10, 0, 1, 0x01, 0, 1])).build()
+    with served(device="3dm-cv7-ahrs") as at:
+        opened(page, f"serve={at.server.address}&packet={bytes(sent).hex()}")
+        page.run("press('Connect'); until(() => /^Connected to/.test(text('.mip-status')))")
+        page.run("fold('Commands'); press('Send')")
+        page.run("until(() => text('.mip-outcome').includes('3DM-CV7-AHRS does not send filter_data.llh_pos'), 5)")
 
 
 def test_a_recording_has_what_the_device_sent(page: browser.Page) -> None:
@@ -254,15 +283,15 @@ def test_settings_go_from_the_page_to_the_command_and_back(page: browser.Page, t
         connected(page, at)
         page.run("fold('Settings'); press('Save to a file'); until(() => saved.length)")
         path.write_text(page.run("saved[0].text()"))
-        held = parsed.parsed(path).held
+        held = parsed.parsed(path).commands
         path_of_command = tmp_path / "command.yaml"
         path_of_command.write_text(wanted)
-        theirs = parsed.parsed(path_of_command).held
+        theirs = parsed.parsed(path_of_command).commands
         assert [*held.keys() ^ theirs.keys()] == []
         assert not [place for place in held if talk.differs(held[place], theirs[place])]
     other = VirtualDevice(DEVICE)
     done = pushed(other, path)
-    assert len(done.written) > 30 and not done.refused and not done.different
+    assert len(done.written) > 30 and not done.refused and not done.read_differently
     assert pulled(other) == wanted
 
     with served() as at:
@@ -273,7 +302,7 @@ def test_settings_go_from_the_page_to_the_command_and_back(page: browser.Page, t
         ends = [place for place in theirs if ends_talk(place)]
         now = pulled(at.device)
         path.write_text(now)
-        mine = parsed.parsed(path).held
+        mine = parsed.parsed(path).commands
         assert {p for p in mine if talk.differs(mine[p], theirs[p])} <= {*ends}
         assert f"{len(theirs)} already as in the file" in load(page, now)
 

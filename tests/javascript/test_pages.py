@@ -51,6 +51,19 @@ def test_a_page(page: browser.Page, spec: str, name: str) -> None:
     assert all((workbench(spec) / link).is_file() for link in links)
 
 
+@pytest.mark.parametrize("name", PAGES)
+def test_a_phone(page: browser.Page, name: str) -> None:
+    """No control is off the screen, the navigation has one line, and the page is not long."""
+    page.size(390)
+    page.open("about:blank")
+    page.open((workbench("real") / name).as_uri() + {**IN_USE, "inspector.html": ""}[name])
+    controls = "[...document.querySelectorAll('#tool :is(input, select, textarea, button)')]"
+    off = "one.offsetParent && one.getBoundingClientRect().right > innerWidth"
+    assert page.run(f"{controls}.filter((one) => {off}).map((one) => one.outerHTML)") == []
+    assert page.run("document.querySelector('nav').clientHeight") < 60
+    assert page.run("document.documentElement.scrollHeight") <= 2500
+
+
 @pytest.mark.parametrize("fragment", ["%", "%E0%A4%A"])
 @pytest.mark.parametrize("name", PAGES)
 def test_any_fragment_is_an_address(page: browser.Page, name: str, fragment: str) -> None:

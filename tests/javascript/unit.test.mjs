@@ -95,6 +95,7 @@ test("only numbers are numbers", () => {
     for (const scalar of ["u8", "s8", "u16", "s32", "u64", "s64", "char"]) {
         const { encode } = single([{ kind: "scalar", member: "x", scalar }]);
         for (const wrong of NO_NUMBERS) {
+            if (wrong === "12" && scalar.endsWith("64")) continue; // JSON contains it as a text
             assert.throws(() => encode({ x: wrong }), { name: "MipError", kind: "range", message: /^x: .* is not a whole number$/ });
         }
     }

@@ -11,7 +11,7 @@ import vm from "node:vm";
 const script = path.resolve(process.env.WORKBENCH, "workbench.js");
 const load = (name) => import(pathToFileURL(path.resolve(process.env.FOLDER, name)));
 await import(pathToFileURL(script));
-const { Protocol, bytesOfText, find, indexOf, initialValues, inspect, model, toHex } = globalThis.mip;
+const { Protocol, buildPacket, bytesOfText, find, indexOf, initialValues, inspect, model, toHex } = globalThis.mip;
 const protocol = new Protocol(model);
 
 test("the script has all of the codec and the model, and nothing is global but `mip`", async () => {
@@ -242,7 +242,7 @@ test("a log in pieces of any size has the same packets, rates and gaps", { skip:
     const log = logOf(regular(300).filter((_, i) => i < 100 || i >= 103));
     let before;
     for (const size of [1000, 65536]) {
-        const found = await survey(protocol, pieces(log, size));
+        const found = await survey(protocol, () => pieces(log, size));
         assert.equal(found.packets, 297);
         assert.equal(found.sentences, 30);
         assert.equal(found.skipped, 390);
@@ -263,8 +263,8 @@ test("a log in pieces of any size has the same packets, rates and gaps", { skip:
 });
 
 test("packets of events, a reset and a clock that becomes valid are not gaps", { skip: !real && "of the real one" }, async () => {
-    const { survey, buildPacket } = globalThis.mip;
-    const rhythmOf = async (log) => (await survey(protocol, pieces(log, 4096))).fields[0].rhythm;
+    const { survey } = globalThis.mip;
+    const rhythmOf = async (log) => (await survey(protocol, () => pieces(log, 4096))).fields[0].rhythm;
     const events = [5.0013, 5.31, 5.32, 5.9]; // single ones, among regular data or alone
     for (const [times, rate] of [
         [[...regular(100), ...events].sort(), 100],
@@ -282,9 +282,105 @@ test("packets of events, a reset and a clock that becomes valid are not gaps", {
     assert.deepEqual([Math.round(rate), gaps], [100, 0]);
 });
 
+/** A log with one packet per timestamp: [tow, week, flags]. */
+function stamped(rows) {
+    const packet = ([tow, week_number, valid_flags]) =>
+        buildPacket(protocol, 0x80, [{ name: "sensor.gps_timestamp", values: { tow, week_number, valid_flags } }]);
+    return Uint8Array.from(rows.flatMap((row) => [...packet(row).bytes]));
+}
+
+const ticks = (from, count, ...rest) => Array.from({ length: count }, (_, i) => [from + i / 100, ...rest]);
+
+test("times are those of the clocks with and without a date", { skip: !real && "of the real one" }, async () => {
+    const { spanText, survey } = globalThis.mip;
+    const week = "2024-02-08T00:00";
+    for (const [rows, device, rate, texts, read] of [
+        // three flags: valid with and without the device
+        [
+            ticks(345618, 40, 2300, 5),
+            undefined,
+            100,
+            [`${week}:00.000Z to ${week}:00.390Z`],
+            "flags read as those of generation 5 (recognized)",
+        ],
+        [ticks(345618, 40, 2300, 7), "3dm-gx5-25", 100, [`${week}:00.000Z to ${week}:00.390Z`], "device 3DM-GX5-25"],
+        [
+            ticks(345618, 40, 2300, 7),
+            "3dm-cv7-ar",
+            100,
+            ["device clock 345618 to 345618.39 s, no date: not synchronized"],
+            "device 3DM-CV7-AR",
+        ],
+        // five flags later in the log: flags 5 before them are not valid
+        [
+            [...ticks(345618, 20, 2300, 5), ...ticks(345618.2, 20, 2300, 0x1d)],
+            undefined,
+            100,
+            [`${week}:00.200Z to ${week}:00.390Z; device clock 345618 to 345618.19 s, no date: not synchronized`],
+            "",
+        ],
+        [ticks(12.5, 40, 0, 0), "3dm-gx5-25", 100, ["device clock 12.5 to 12.89 s, no date: not synchronized"], "device 3DM-GX5-25"],
+        [
+            [...ticks(5, 40, 0, 0), ...ticks(0.5, 40, 0, 0)],
+            "3dm-gx5-25",
+            100,
+            ["device clock 5 to 5.39 s, no date: not synchronized", "device clock 0.5 to 0.89 s, no date: not synchronized"],
+            "device 3DM-GX5-25",
+        ],
+        [
+            [...ticks(604799.5, 50, 0, 0), ...ticks(0, 50, 0, 0)],
+            "3dm-gx5-25",
+            100,
+            ["device clock 604799.5 to 604800.49 s, no date: not synchronized"],
+            "device 3DM-GX5-25",
+        ],
+        [
+            [...ticks(12, 40, 0, 0), ...ticks(345618, 40, 2300, 7)],
+            "3dm-gx5-25",
+            100,
+            [`${week}:00.000Z to ${week}:00.390Z; device clock 12 to 12.39 s, no date: not synchronized`],
+            "device 3DM-GX5-25",
+        ],
+        [ticks(NaN, 40, 0, 0), "3dm-gx5-25", undefined, [], "device 3DM-GX5-25"],
+        [Array(40).fill([7, 0, 0]), "3dm-gx5-25", undefined, ["device clock 7 to 7 s, no date: not synchronized"], "device 3DM-GX5-25"],
+    ]) {
+        const log = stamped(rows);
+        const found = await survey(protocol, () => pieces(log, 4096), undefined, device);
+        const [{ rhythm, valid }] = found.fields;
+        const shown = found.spans.map((span) => spanText(protocol, span));
+        assert.deepEqual([rhythm.rate && Math.round(rhythm.rate), rhythm.gaps, shown, found.read], [rate, 0, texts, read]);
+        assert.ok(valid <= rows.length);
+    }
+});
+
+test("the device is that of the log, and values that are not valid are counted", { skip: !real && "of the real one" }, async () => {
+    const { survey } = globalThis.mip;
+    const response = protocol.field("base.get_device_info_response");
+    const info = { ...initialValues(protocol, response).device_info, model_number: "       6253-4220" };
+    const reply = buildPacket(protocol, 1, [{ name: response.name, values: { device_info: info } }]);
+    const angles = [1, 0, 0, 1].map((valid_flags) =>
+        buildPacket(protocol, 0x82, [{ name: "filter_data.euler_angles", values: { roll: 0, pitch: 0, yaw: 0, valid_flags } }]),
+    );
+    const log = Uint8Array.from([...stamped(ticks(345618, 10, 2300, 5)), ...reply.bytes, ...angles.flatMap(({ bytes }) => [...bytes])]);
+    for (const [named, read] of [
+        [undefined, "device 3DM-GX5-25 (from the log)"],
+        ["3dm-gx5-45", "device 3DM-GX5-45"],
+    ]) {
+        const found = await survey(protocol, () => pieces(log, 4096), undefined, named);
+        const counts = Object.fromEntries(found.fields.map(({ name, valid, count }) => [name, [valid, count]]));
+        assert.equal(found.read, read);
+        assert.deepEqual(counts["filter_data.euler_angles"], [2, 4]);
+        assert.deepEqual(counts["sensor.gps_timestamp"], [10, 10]);
+    }
+});
+
 test("a survey ends where it is told to", { skip: !real && "of the real specification" }, async () => {
     const log = logOf(regular(300));
-    const found = await globalThis.mip.survey(protocol, pieces(log, 4096), (bytes) => bytes < 8192);
+    const found = await globalThis.mip.survey(
+        protocol,
+        () => pieces(log, 4096),
+        (bytes) => bytes < 8192,
+    );
     assert.equal(found.bytes, 8192);
 });
 
@@ -297,7 +393,7 @@ test("an acknowledge names the command that it answers, and commands and answers
     const acknowledges = parts.flatMap(({ fields }) => fields ?? []).filter(({ answered }) => answered);
     assert.deepEqual(
         acknowledges.map(({ answered }) => answered.text),
-        ["PPS Source Control acknowledged", "PPS Source Control refused: invalid parameter"],
+        ["PPS source control acknowledged", "PPS source control refused: invalid parameter"],
     );
     assert.deepEqual(
         transactions.map(({ command, answer }) => [command?.field.name, answer?.answered.accepted]),

@@ -18,7 +18,6 @@ from mipgen.resolve.load import load_model
 from support import ROOT, heavy, need, uses
 
 ENDS = (".c", ".h", ".hpp", ".rs", ".py", ".mjs", ".mts", ".lua", ".j2")
-SOURCES = "sources: [{manual: guide, section: Ping}]"
 
 
 @cache
@@ -61,7 +60,7 @@ def in_set(number: int, name: str, text: str) -> str:
 
 
 def data(number: int, name: str, parameters: str = "{name: v, type: u8, description: D.}") -> str:
-    head = f'{{data: {number}, name: "{name}", title: "T {name}", description: D., {SOURCES}, parameters: [\n'
+    head = f'{{data: {number}, name: "{name}", title: "T {name}", description: D., parameters: [\n'
     return f"  - {head}{parameters}\n  ]}}"
 
 
@@ -149,8 +148,8 @@ def accepted(kind: str, target: str, folder: Path) -> tuple[m.Model, int]:
         except SpecError as error:
             bad = set()
             for p in error.problems:
-                if not Path(p.file).name.startswith("own"):  # a type of the base that is defined again
-                    bad.add(re.findall(r"'(\w+)'", p.message)[0])
+                if not Path(p.file).name.startswith("own"):  # something of the base, and the word that is like it
+                    bad.update(re.findall(r"'(\w+)'", p.message))
                     continue
                 lines = Path(p.file).read_text("utf-8").splitlines()
                 text = next(x for x in (lines[p.line - 1], *lines[1:2]) if '"' in x)
@@ -170,7 +169,7 @@ def compile_c(made: Path) -> None:
     for source in sorted((made / "src/mip").glob("*.c")):
         run(need("cc"), "-std=c99", "-fsyntax-only", f"-I{made}/src", source)
     for name, end, compiler in (("all.c", ".h", ["cc", "-std=c99"]), ("all.cpp", ".hpp", ["g++", "-std=c++17"])):
-        inner = {"checksum.h", "export.h", "program.h"}
+        inner = {"checksum.h", "export.h", "parser.h", "program.h"}
         headers = sorted(p.name for p in (made / "src/mip").glob(f"*{end}") if p.name not in inner)
         (made / name).write_text("".join(f'#include "mip/{h}"\n' for h in headers) + "int unused;\n")
         run(need(compiler[0]), *compiler[1:], "-fsyntax-only", f"-I{made}/src", made / name)

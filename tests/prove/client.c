@@ -7,7 +7,7 @@
  */
 #include "any.h"
 
-#include "mip/client.h"
+#include "mip/core.h"
 
 static bool any_walk_next(struct mip_walk *walk, struct mip_field *field);
 #define mip_walk_next any_walk_next
@@ -63,11 +63,11 @@ mip_error mip_decode(const struct mip_codec *of, void *value, const struct mip_f
 }
 
 /* The command that begins at `length` has this many bytes; one that selects a function has it in the third. */
-static bool selects;
+static bool has_selector;
 mip_error mip_encode(const struct mip_codec *of, const void *value, struct mip_builder *packet) {
     const size_t size = up_to(packet->capacity - MIP_CHECKSUM_SIZE - packet->length);
     assert(of == &codec && value == &response);
-    if (nondet_bool() || size < (selects ? 3 : 2) || size > 255) {
+    if (nondet_bool() || size < (has_selector ? 3 : 2) || size > 255) {
         return MIP_ERROR_LENGTH;
     }
     packet->buffer[packet->length] = (uint8_t)size;
@@ -105,10 +105,10 @@ static void any_state(unsigned waiting) {
         requests[i]->asked = asked < exchanges[i].response_count ? &responses[i][asked] : NULL;
         requests[i]->codec = &codec;
         requests[i]->response = nondet_bool() ? &response : NULL;
-        requests[i]->error = MIP_OK;
+        requests[i]->result.error = MIP_OK;
         requests[i]->next = client.waiting;
         if ((waiting >> i & 1U) != 0) {
-            requests[i]->state = MIP_REQUEST_WAITING;
+            requests[i]->result.outcome = MIP_WAITING;
             client.waiting = requests[i];
         }
     }
@@ -120,7 +120,7 @@ static void check(void) {
     const struct mip_request *r = client.waiting;
     for (size_t i = 0; i < REQUESTS; i++) {
         if (r == requests[i]) {
-            assert(r->state == MIP_REQUEST_WAITING);
+            assert(r->result.outcome == MIP_WAITING);
             r = r->next;
         }
     }
@@ -151,8 +151,8 @@ static void cancel(void) {
 /* A request begins to wait. */
 static void wait(void) {
     const size_t last = REQUESTS - 1;
-    __CPROVER_assume(requests[last]->state != MIP_REQUEST_WAITING);
-    requests[last]->state = MIP_REQUEST_WAITING;
+    __CPROVER_assume(requests[last]->result.outcome != MIP_WAITING);
+    requests[last]->result.outcome = MIP_WAITING;
     requests[last]->next = NULL;
     mip_client_wait(&client, requests[last], nondet_32());
 }
@@ -192,14 +192,14 @@ static void next(void) {
     if (answered == NULL) {
         return;
     }
-    assert(answered->state == MIP_REQUEST_ACKNOWLEDGED || answered->state == MIP_REQUEST_REFUSED ||
-           answered->state == MIP_REQUEST_MISSING_RESPONSE || answered->state == MIP_REQUEST_UNDECODABLE);
-    assert((answered->state == MIP_REQUEST_REFUSED) == (answered->code != 0));
-    assert(answered->state != MIP_REQUEST_REFUSED || is_about(answered, &field));
+    assert(answered->result.outcome == MIP_ACKNOWLEDGED || answered->result.outcome == MIP_REFUSED ||
+           answered->result.outcome == MIP_MISSING_RESPONSE || answered->result.outcome == MIP_UNDECODABLE);
+    assert((answered->result.outcome == MIP_REFUSED) == (answered->result.code != 0));
+    assert(answered->result.outcome != MIP_REFUSED || is_about(answered, &field));
     const struct mip_request *r = client.waiting;
     for (size_t i = 0; requests[i] != answered; i++) {
         if (r == requests[i]) {
-            assert(answered->state != MIP_REQUEST_REFUSED || !is_about(r, &field)); /* the oldest is refused */
+            assert(answered->result.outcome != MIP_REFUSED || !is_about(r, &field)); /* the oldest is refused */
             r = r->next;
         }
     }
@@ -229,7 +229,7 @@ IN_ANY_STATE(barrier)
 void client_add(void) {
     any_state(nondet_bool() ? 1U << (REQUESTS - 1) : 0);
     struct mip_request *request = requests[REQUESTS - 1];
-    const struct mip_command command = {&codec, request->exchange, selects = nondet_bool()};
+    const struct mip_command command = {&codec, request->exchange, has_selector = nondet_bool()};
     const size_t capacity = up_to(MIP_MAX_PACKET);
     struct mip_builder packet;
     __CPROVER_assume(mip_builder_start(&packet, any_bytes(capacity), capacity, nondet_byte()) == MIP_OK);
@@ -237,7 +237,7 @@ void client_add(void) {
     const size_t before = packet.length;
     const mip_error error = mip_client_add(&client, request, &packet, &command, &response, nondet_32());
     assert(error == MIP_OK ? packet.length > before : packet.length == before);
-    assert((error == MIP_OK) == (request->state == MIP_REQUEST_WAITING || request->state == MIP_REQUEST_SILENT));
+    assert((error == MIP_OK) == (request->result.outcome == MIP_WAITING || request->result.outcome == MIP_SENT));
     mip_client_expect(request, &codec, nondet_bool() ? &response : NULL);
     check();
 }

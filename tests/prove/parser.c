@@ -1,7 +1,7 @@
 /*
- * The stream parser, compiled for size or for speed: one call, in any state that it can be in, with a piece of any
- * bytes. It accesses nothing outside the piece and its buffer, loses no byte, and leaves such a state again, so that
- * what is proved of one call is proved of any number. For speed, it has parts, which are proved one by one.
+ * The stream parsers, small and fast: one call, in any state that it can be in, with a piece of any bytes. It accesses
+ * nothing outside the piece and its buffer, loses no byte, and leaves such a state again, so that what is proved of one
+ * call is proved of any number. The fast one has parts, which are proved one by one.
  *
  * Its loops are proved by induction: when one is entered, all that it changes becomes anything that its invariant
  * allows; after one round, the invariant must hold again. The macro below puts this into the source. Copies and
@@ -10,6 +10,7 @@
 #include "any.h"
 
 #include "mip/checksum.h"
+#include "mip/parser.h"
 
 struct content {
     uint8_t bytes[MIP_MAX_PACKET];
@@ -30,10 +31,13 @@ static uint16_t total(size_t unread) {
 static uint16_t total_before;
 
 static bool is_state(void) {
-#ifndef __OPTIMIZE_SIZE__
     if (state.length > 0 && state.missing > 0) { /* of the packet whose beginning is in the buffer */
         const size_t goal = (size_t)state.length + state.missing;
         return state.done == 0 && goal >= MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE && goal <= MIP_MAX_PACKET;
+    }
+#ifdef MIP_PARSER_SMALL
+    if (state.missing > 0) {
+        return false;
     }
 #endif
     return state.done <= state.length && state.length <= MIP_MAX_PACKET;
@@ -43,9 +47,7 @@ static void any_state(void) {
     state.skipped = nondet_32();
     state.length = nondet_16();
     state.done = nondet_16();
-#ifndef __OPTIMIZE_SIZE__
     state.missing = nondet_16();
-#endif
     *(struct content *)state.buffer = nondet_content();
     __CPROVER_assume(is_state());
 }
@@ -99,7 +101,7 @@ static void search_round(void) {
         data = piece + (size - left_over);
     }
     __CPROVER_assume(total(left_over) == total_before);
-#ifndef __OPTIMIZE_SIZE__
+#ifdef MIP_PARSER_FAST
     __CPROVER_assume(state.missing == 0);
 #endif
 }
@@ -205,10 +207,31 @@ static bool any_call_of(struct mip_parser *parser, const uint8_t **at_now, size_
     return is_found;
 }
 
+/* What mip_parser_examine() may return: the size of a packet that is complete, is not, or is of unknown size. */
+static bool is_goal(size_t goal, size_t count) {
+    if (goal == 0) {
+        return count > 0;
+    }
+    return count < MIP_HEADER_SIZE ? goal == MIP_HEADER_SIZE
+                                   : goal >= MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE && goal <= MIP_MAX_PACKET;
+}
+
 /* The same for sound_again(), which says whether bytes have the checksum that follows them. */
 static bool any_sound(const uint8_t *bytes, size_t count) {
     assert(__CPROVER_r_ok(bytes, count + MIP_CHECKSUM_SIZE));
     return nondet_bool();
+}
+
+/* The same for mip_parser_examine(). */
+static size_t any_goal(const uint8_t *bytes, size_t count, struct mip_packet *to) {
+    assert(count == 0 || __CPROVER_r_ok(bytes, count));
+    const size_t goal = up_to(MIP_MAX_PACKET);
+    __CPROVER_assume(is_goal(goal, count));
+    if (goal > 0 && goal <= count) {
+        to->bytes = bytes;
+        to->size = goal;
+    }
+    return goal;
 }
 
 /* Definitions and declarations keep the name; what is replaced is a call, which begins in another way. */
@@ -219,6 +242,12 @@ static bool any_sound(const uint8_t *bytes, size_t count) {
 #define sound_again(before, begin, bytes) SOUND_##begin, bytes)
 #define SOUND_const sound_again(struct window *before, const
 #define SOUND_at any_sound(at
+#endif
+#ifdef EXAMINED
+#define mip_parser_examine(bytes, ...) EXAMINE_##bytes, __VA_ARGS__)
+#define EXAMINE_const mip_parser_examine(const
+#define EXAMINE_bytes any_goal(bytes
+#define EXAMINE_parser any_goal(parser
 #endif
 #if REPLACED > 1
 #define scan(parser, ...) SCAN_##parser, __VA_ARGS__)
@@ -237,6 +266,8 @@ static bool any_sound(const uint8_t *bytes, size_t count) {
 #endif
 #define mip_sum any_sum
 #include "mip/parser.c"
+#include "mip/parser_fast.c"
+#include "mip/parser_small.c"
 #undef for
 #undef while
 #undef copy
@@ -244,6 +275,7 @@ static bool any_sound(const uint8_t *bytes, size_t count) {
 #undef scan
 #undef search
 #undef mip_parser_next
+#undef mip_parser_examine
 
 /* ----------------------------------------------------------------------------------------- proofs */
 
@@ -279,7 +311,7 @@ void parser_init(void) {
     assert(is_state() && state.skipped == 0);
 }
 
-#ifndef __OPTIMIZE_SIZE__
+#ifdef MIP_PARSER_FAST
 /* What a parser does with bytes while its buffer is empty. */
 void parser_scan(void) {
     any_call(LARGEST);
@@ -317,6 +349,14 @@ void parser_search(void) {
     check_call(search(&state, &data, &left_over, &packet));
 }
 #endif
+
+void parser_examine(void) {
+    size = up_to(LARGEST);
+    piece = any_bytes(size);
+    const size_t goal = mip_parser_examine(piece, size, &packet);
+    assert(is_goal(goal, size));
+    assert(goal == 0 || goal > size || (packet.bytes == piece && packet.size == goal));
+}
 
 void parser_next(void) {
     any_call(LARGEST);

@@ -58,7 +58,7 @@ def texts(of: m.Model) -> Iterator[tuple[str, str, str]]:
         yield from _about(f, describe.sources(f))
         yield from _parameters(f, of)
     for t in (*of.all_types, of.protocol.function_selector):
-        yield from _about(t, [*_prose(t.description, t, of), *_sentences(describe.type(t, of), t)])
+        yield from _about(t, [*_prose(t.description, t, of), *_sentences(describe.type_facts(t, of), t)])
         match t:
             case m.Enum():
                 for v in t.values:
@@ -146,26 +146,8 @@ def test_references_are_names_of_python() -> None:
     assert "Occurs in measurements (0x80), more (0x81) and copy (0x92)." in sensors["Accel"]
 
 
-def test_prose_names_fields_and_types() -> None:
-    of = model("invented")
-    assert say(describe.prose("After `tools.ping`, see `tools.shape` and `a.b`.", of), "more") == (
-        "After `tools.Ping`, see `tools.Shape` and `a.b`."
-    )
-
-
 def test_the_text_of_a_set() -> None:
     of = model("invented")
     x = replace(of.families[0], description="As `tools.ping`.", uncertain=("How `mode` is.",))
-    docstring = docs.filters(of)["family_doc"](x)
+    docstring = docs.docstring(docs.COMMENTS.family(x, of))
     assert ast.literal_eval(docstring) == "Tools (0x01).\n\nAs `Ping`.\n\nUncertain: How `types.Mode` is.\n"
-
-
-def test_layout_of_docstrings() -> None:
-    assert docs.literal(["", ""], 4) == ""
-    assert docs.literal(['Ends in "quotes"'], 4) == '"""Ends in "quotes" """'
-    assert ast.literal_eval(docs.literal([r'A \ and """', "- a"], 4)) == 'A \\ and """\n\n    - a\n    '
-    line = "x" * (docs.WIDTH - 10)
-    assert docs.literal([line], 4) == f'"""{line}"""'
-    assert docs.literal([line + "x"], 4) == f'"""{line}x\n    """'
-    assert docs.literal(["- " + "word " * 30], 4).splitlines()[1].startswith("      word")
-    assert docs.comment("word " * 30, 4).splitlines()[1].startswith("    # word")

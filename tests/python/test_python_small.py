@@ -9,8 +9,7 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli
-from mipgen.targets.python import needs
-from support import ROOT, heavy, model, mypy
+from support import ROOT, heavy, mypy
 
 RUNTIME = ROOT / "runtime/python/mip_protocol"
 
@@ -98,9 +97,10 @@ def test_it_is_small(own: Path) -> None:
     assert not re.search(r"argparse|numpy|pyarrow|simulator", texts)
 
 
-def test_what_needs_a_fact_is_left_out(own: Path) -> None:
+def test_what_needs_a_fact_is_omitted(own: Path) -> None:
     there = {p.stem for p in (own / "own_protocol").iterdir()}
-    assert {p.stem for p in RUNTIME.iterdir() if p.stem != "__pycache__"} - there == {"baud", "sampling", "streaming"}
+    left_out = {p.stem for p in RUNTIME.iterdir() if p.stem != "__pycache__"} - there
+    assert left_out == {"baud", "rejected", "sampling", "streaming"}
     for name in ("device.py", "aio.py", "conversation.py", "__init__.py"):
         text = (own / "own_protocol" / name).read_text("utf-8")
         assert not re.search(r"# needs:|def (stream|change_baud|_follow)\b|detect_baud|\bsamples\b|Dialog", text), name
@@ -127,67 +127,3 @@ def test_it_imports_and_talks(own: Path, tmp_path: Path) -> None:
         "tools.light_response: mode = on, rate = 2 Hz",
         "port",
     ]
-
-
-def test_each_fact_decides_alone() -> None:
-    """Without sessions, only what needs a session is left out; what needs one of two facts stays with either."""
-    invented = model("invented")
-    assert needs.left_out(invented) == {"streaming"} and not needs.left_out(model("real"))
-    source = b"""\
-from .streaming import steps
-from .baud import rates
-
-# needs: session
-def start():
-    return steps()
-
-# needs: session or baud rates
-#: Seconds.
-WAIT = 1
-
-class Device:
-    # ------ commands
-
-    # needs: session
-    @property
-    def stream(self):
-        if self:
-            return 1
-
-    def rates(self):
-        # needs: shared fields
-        if self:
-            return rates()
-        # needs: session
-        if not self:
-            return start()
-        return ()
-"""
-    left = needs.runtime({"a/device.py": source, "a/streaming.py": b"", "a/streaming.txt.md": b"x"}, invented)
-    assert left.keys() == {"a/device.py", "a/streaming.txt.md"}
-    expected = """\
-from .baud import rates
-
-
-# needs: session or baud rates
-#: Seconds.
-WAIT = 1
-
-class Device:
-    # ------ commands
-
-
-    def rates(self):
-        # needs: shared fields
-        if self:
-            return rates()
-        return ()
-"""
-    assert left["a/device.py"].decode() == expected
-
-
-def test_every_fact_that_is_named_is_known() -> None:
-    named = {fact for text in RUNTIME.rglob("*.py") for line in re.findall("# needs: (.+)", text.read_text("utf-8"))
-             for fact in line.split(" or ")}  # fmt: skip
-    assert named | set(needs.NEEDS.values()) == set(needs.FACTS)
-    assert all((RUNTIME / f"{module}.py").is_file() for module in needs.NEEDS)

@@ -4,26 +4,16 @@ from __future__ import annotations
 
 import os
 import re
-import shlex
 import shutil
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from page_text import commands, programs, section
 from support import PATIENCE, PYTHONPATH, ROOT, simulated
 
 PAGE = (ROOT / "docs/contribute-a-device.md").read_text("utf-8")
-
-
-def commands(section: str) -> list[str]:
-    text = re.sub(
-        r"```.*?```", "", f"\n## \n{PAGE}".partition(f"\n## {section}\n")[2].partition("\n## ")[0], flags=re.S
-    )
-    found = re.findall(r"^    (\S.*)$", text, re.M)
-    assert found, section
-    return found
 
 
 @pytest.fixture
@@ -37,11 +27,7 @@ def project(tmp_path: Path) -> Path:
     """A copy of the specification, with the programs in a folder of their own and a repository."""
     folder = tmp_path / "project"
     shutil.copytree(ROOT / "spec", folder / "spec")
-    (tmp_path / "bin").mkdir()
-    for name in ("mip_tools", "mipgen"):
-        path = tmp_path / "bin" / name.partition("_")[0]
-        path.write_text(f'#!/bin/sh\nexec {shlex.join([sys.executable, "-m", name])} "$@"\n')
-        path.chmod(0o755)
+    programs(tmp_path / "bin", mip="mip_tools", mipgen="mipgen")
     subprocess.run(["git", "init", "-q"], cwd=folder, check=True)
     return folder
 
@@ -63,7 +49,7 @@ def run(command: str, folder: Path) -> str:
 
 
 def test_two_commands(device: str, project: Path) -> None:
-    ask, validate = commands("")
+    ask, validate = commands(PAGE.partition("\n## ")[0])
     assert ask.startswith("mip profile /dev/ttyACM0 ") and validate == "mipgen validate"
     run(ask.replace("/dev/ttyACM0", device), project)
     written = (project / "spec/devices/3dm-gx4-25.yaml").read_text("utf-8")
@@ -72,22 +58,17 @@ def test_two_commands(device: str, project: Path) -> None:
     written = re.sub(r"date: \S+", "date: 2026-01-31", written)
     assert written.startswith(first) and written.endswith(last)
     assert re.search(r"; \d+ devices, ", run(validate, project))
-    for command in commands("Send it"):
+    for command in commands(section(PAGE, "Send it")):
         run(command, project)
     listed = subprocess.run(["git", "ls-files"], cwd=project, capture_output=True, text=True, check=True).stdout
     assert "spec/devices/3dm-gx4-25.yaml" in listed
 
 
 def test_used_right_away(device: str, project: Path) -> None:
-    folder, ask, generate, simulate = commands("Use it right away")
+    folder, ask, generate, simulate = commands(section(PAGE, "Use it right away"))
     for command in (folder, ask.replace("/dev/ttyACM0", device), generate):
         run(command, project)
     said = run(simulate, project)
     fields = (project / "mine/devices/3dm-gx4-25.yaml").read_text("utf-8").partition("fields:")[2]
     number = len(re.findall(r"[a-z_0-9]+(?=[],])", fields.partition("base_rates")[0]))
-    assert f"3DM-GX4-25: {number} commands and data fields are certain, 0 probable\n" in said
-
-
-def test_it_is_found() -> None:
-    for page in ("README.md", "CONTRIBUTING.md", "docs/mip.md", "docs/specifications.md", "spec/README.md"):
-        assert "contribute-a-device.md)" in (ROOT / page).read_text("utf-8")
+    assert f"3DM-GX4-25: {number} commands and data fields are certain, 0 likely, 0 assumed\n" in said

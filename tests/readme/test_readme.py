@@ -10,26 +10,27 @@ import sys
 from pathlib import Path
 
 import crates
+import page_text
 import pytest
+from page_text import blocks, section
 from support import BUILD, PYTHONPATH, ROOT, SPECS, driver, heavy, need, simulated, uses
 
 README = (ROOT / "README.md").read_text("utf-8")
+#: The README's section of programs.
+PROGRAMS = README.partition("## First programs\n")[2].partition("\n## ")[0]
 CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
 SPECIFICATIONS = (ROOT / "docs/specifications.md").read_text("utf-8")
 
 
-def block(language: str, section: str = "") -> str:
-    """The one example in a language; of a section of the page about specifications, or of the README."""
-    text = SPECIFICATIONS.partition(f"## {section}\n")[2].partition("\n## ")[0] if section else README
-    found = re.findall(rf"```{language}\n(.*?)```", text, re.S)
-    assert len(found) == 1, (language, section)
-    return str(found[0])
+def block(language: str, title: str = "") -> str:
+    """The one example in a language; of a section of the page about specifications, or of the README's programs."""
+    (found,) = blocks(section(SPECIFICATIONS, title) if title else PROGRAMS, language)
+    return found
 
 
-def commands(section: str) -> list[list[str]]:
+def commands(title: str) -> list[list[str]]:
     """The commands of a section, without comments."""
-    text = SPECIFICATIONS.partition(f"## {section}\n")[2].partition("\n## ")[0]
-    return [line.partition("#")[0].split() for line in re.findall(r"^    (mipgen .*)$", text, re.M)]
+    return [line.partition("#")[0].split() for line in page_text.commands(section(SPECIFICATIONS, title), "mipgen ")]
 
 
 def run(*command: str | Path, **environment: str) -> str:
@@ -87,14 +88,14 @@ def test_first_program_in_python() -> None:
 @pytest.mark.parametrize("language", ["c", "cpp", "rust"])
 def test_first_programs_are_parts_of_examples(language: str) -> None:
     """The examples are the files linked below each, which the tests of the language run."""
-    shown, link = re.findall(rf"```{language}\n(.*?)```\n\nThe whole program: \[[^]]+\]\(([^)]+)\)", README, re.S)[0]
+    shown, link = re.findall(rf"```{language}\n(.*?)```\n\nThe whole program: \[[^]]+\]\(([^)]+)\)", PROGRAMS, re.S)[0]
     lines = iter([line.strip() for line in (ROOT / link).read_text("utf-8").splitlines()])
     for line in filter(None, map(str.strip, shown.splitlines())):
         assert line in lines, line  # in this order
 
 
 def test_first_page_is_short() -> None:
-    prose = re.sub(r"```.*?```", "", README, flags=re.S)
+    prose = re.sub(r"<!-- a field.*?<!-- end of the field -->|```.*?```", "", README, flags=re.S)
     assert len(prose.split()) < 700
 
 
@@ -106,9 +107,9 @@ def test_figures_beside_others_are_those_that_were_measured() -> None:
         assert line, name
         return [cell.strip() for cell in line[1].split("|")]
 
-    size, sdk_size = row("generated/c/README.md", "three fields, ping, message format, stream")[1:]
-    speed, sdk_speed = row("generated/c/README.md", "parse, in pieces of 4 KiB")[1:]
-    crate = row("generated/rust/README.md", "parse a slice: `packets`")[5]
+    size, sdk_size = row("generated/c/docs/measurements.md", "size: application, waiting for replies")[:2]
+    speed, sdk_speed = row("generated/c/docs/measurements.md", "parse, in pieces of 4 KiB")[1:]
+    crate = row("generated/rust/src/guide.md", "parse a slice: `packets`")[5]
     shown = row("README.md", "firmware with three fields and three commands¹")
     assert [x.replace(",", "") for x in shown[:2]] == [size, sdk_size]
     shown = row("README.md", "parser, instructions per byte¹")
@@ -123,7 +124,7 @@ def test_every_target_of_make_is_there() -> None:
 
 
 def test_every_path_is_there() -> None:
-    for page in ("README.md", "CONTRIBUTING.md", "SECURITY.md", "docs/specifications.md"):
+    for page in ("README.md", "CONTRIBUTING.md", ".github/SECURITY.md", "docs/specifications.md"):
         for path in re.findall(r"\]\(([^)#]+)[^)]*\)", (ROOT / page).read_text("utf-8")):
             assert path.startswith("http") or ((ROOT / page).parent / path).exists(), (page, path)
 

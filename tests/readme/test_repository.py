@@ -1,15 +1,18 @@
-"""The files that a repository host reads: workflows, forms, citation; and what the pages name exists."""
+"""The files that a repository host reads, pictures, docs/architecture.md; and what the pages name exists."""
 
 from __future__ import annotations
 
-import json
 import re
+import subprocess
+import sys
 from fnmatch import fnmatch
+from html import unescape
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 import yaml
-from support import ROOT
+from support import ROOT, heavy
 
 HOSTED = sorted((ROOT / ".github").rglob("*.yml"))
 
@@ -26,21 +29,9 @@ def test_files_of_the_host(path: Path) -> None:
         assert (ROOT / name).exists(), name
 
 
-def test_forms_have_a_title_and_questions() -> None:
-    for path in (ROOT / ".github/ISSUE_TEMPLATE").glob("*.yml"):
-        form = yaml.safe_load(path.read_text("utf-8"))
-        if path.name != "config.yml":
-            assert form["name"] and form["description"] and all(b["type"] and b["attributes"] for b in form["body"])
-
-
 def test_citation_has_the_version() -> None:
     citation = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
     assert citation["version"] == yaml.safe_load((ROOT / "spec/protocol.yaml").read_text("utf-8"))["version"]
-
-
-def test_development_container() -> None:
-    container = json.loads((ROOT / ".devcontainer/devcontainer.json").read_text("utf-8"))
-    assert container["postCreateCommand"].startswith("make ")
 
 
 #: Folders with pages for readers, and those whose files and folders are named from the top of the project.
@@ -48,7 +39,7 @@ PAGES = (".github", "docs", "examples", "runtime", "spec", "templates", "tools")
 TOP = (*PAGES, "generated", "generator", "tests")
 #: Files of the reader, or of what is built or installed: they are not in the project.
 ELSEWHERE = re.compile(
-    r"(my[-_]\w+|build|external)[/.].*|spec/devices/MODEL\.yaml|assets/tools\.css|(std\w+|time)\.h|(models|witness)\.yaml"
+    r"(my[-_]\w+|build|external)[/.].*|spec/devices/MODEL\.yaml|assets/tools\.css|(std\w+|time)\.h|(models|witness|ruamel)\.yaml"
 )
 
 
@@ -84,3 +75,50 @@ def test_pages_name_what_exists(page: Path, files: list[str], tests: str) -> Non
         wanted = re.sub(r"<\w+>", "*", name).rstrip("/")
         there = any(fnmatch(path, f"*/{wanted}") for path in files) or f"def {name}(" in tests
         assert there or ELSEWHERE.fullmatch(name), name
+
+
+# --------------------------------------------------------------------------- the architecture
+
+ARCHITECTURE = (ROOT / "docs/architecture.md").read_text("utf-8")
+GENERATOR = ROOT / "generator/mipgen"
+
+
+def test_packages_of_the_architecture() -> None:
+    """The tree and the order of imports name every package."""
+    packages = {p.parent.name for p in GENERATOR.glob("*/__init__.py")}
+    layers = ARCHITECTURE.partition("\n## Who knows what\n")[2].partition(". A target")[0].partition("): ")[2]
+    assert set(re.findall(r"`(\w+)`", layers)) == packages
+    assert set(re.findall(r"^      (\w+)/", ARCHITECTURE, re.M)) == packages
+
+
+def test_paths_of_the_architecture() -> None:
+    """Files and folders, with the target that has them for <name>."""
+    paths = set(re.findall(r"`((?:spec|tests|templates|generated|docs)/[\w./<>-]*)`", ARCHITECTURE))
+    assert len(paths) > 5
+    for path in paths:
+        assert list(ROOT.glob(path.replace("<name>", "*"))), path
+    for link in re.findall(r"\]\((.*?)\)", ARCHITECTURE):
+        assert (ROOT / "docs" / link.partition("#")[0]).exists(), link
+
+
+# --------------------------------------------------------------------------- the pictures of the README
+
+COMMITTED = ROOT / "docs/pictures/session.svg"
+
+
+def commands(picture: Path) -> list[str]:
+    return [unescape(x) for x in re.findall(r'class="command"[^>]*>\$ (.*?)</text>', picture.read_text("utf-8"))]
+
+
+@heavy("a session in a terminal")
+def test_the_session_is_up_to_date(tmp_path: Path) -> None:
+    made = tmp_path / "session.svg"
+    subprocess.run([sys.executable, ROOT / "docs/pictures/session.py", made], check=True)
+    ElementTree.parse(made)
+    assert commands(made) == commands(COMMITTED), "`make pictures` makes it anew"
+    assert len(commands(made)) > 5 and made.stat().st_size < 300_000
+
+
+def test_the_committed_session_is_small_and_well_formed() -> None:
+    ElementTree.parse(COMMITTED)
+    assert COMMITTED.stat().st_size < 300_000 and len(commands(COMMITTED)) > 5

@@ -1,10 +1,9 @@
-"""docs/simulate.md: its programs are the files, its commands run as written, its table of faults is complete."""
+"""docs/simulate.md and its reference: commands run as written, tables of motions and faults are complete."""
 
 from __future__ import annotations
 
 import os
 import re
-import shlex
 import socket
 import subprocess
 import sys
@@ -13,40 +12,16 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from page_text import blocks, commands, programs, section
 from support import PATIENCE, PYTHONPATH, ROOT, need
 
-PAGE = (ROOT / "docs/simulate.md").read_text("utf-8")
-
-
-def section(title: str) -> str:
-    found = PAGE.partition(f"\n## {title}\n")[2].partition("\n## ")[0]
-    assert found, title
-    return found
-
-
-def block(language: str, title: str) -> str:
-    (found,) = blocks(language, title)
-    return found
-
-
-def blocks(language: str, title: str) -> list[str]:
-    return re.findall(rf"```{language}\n(.*?)```", section(title), re.S)
-
-
-def commands(title: str) -> list[str]:
-    """The commands of a section, without the programs in it."""
-    text = re.sub(r"```.*?```", "", section(title), flags=re.S)
-    return re.findall(r"^    (\S.*)$", text, re.M)
+PAGE, REFERENCE = ((ROOT / f"docs/{name}.md").read_text("utf-8") for name in ("simulate", "simulate-reference"))
 
 
 @pytest.fixture
 def shell(tmp_path: Path) -> Iterator[dict[str, str]]:
     """An environment with `mip`, `python` and `cc`; and a folder with the files that the page names."""
-    tools = tmp_path / "bin"
-    tools.mkdir()
-    for name, words in (("mip", [sys.executable, "-m", "mip_tools"]), ("python", [sys.executable])):
-        (tools / name).write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n')
-        (tools / name).chmod(0o755)
+    tools = programs(tmp_path / "bin", mip="mip_tools", python="")
     (tools / "cc").symlink_to(need("cc"))
     for name in ("docs", "generated", "tools"):
         (tmp_path / name).symlink_to(ROOT / name)
@@ -79,15 +54,6 @@ def device(
     assert process.returncode == 0
 
 
-def test_programs_are_the_files() -> None:
-    for language, path, title in (
-        ("c", "../generated/c/examples/stream.c", "Develop a C firmware client without a device"),
-        ("python", "simulate/check_parser.py", "Test your own parser against faults"),
-    ):
-        assert f"]({path})" in section(title)
-        assert block(language, title) == (ROOT / "docs" / path).read_text("utf-8")
-
-
 def test_the_c_program_is_exemplary() -> None:
     """It compiles without warnings, as strictly as the binding itself, and is formatted in the same way."""
     source = ROOT / "generated/c/examples/stream.c"
@@ -99,7 +65,7 @@ def test_the_c_program_is_exemplary() -> None:
 
 
 def test_a_c_client_without_a_device(tmp_path: Path, shell: dict[str, str]) -> None:
-    start, build, client = commands("Develop a C firmware client without a device")
+    start, build, client = commands(section(PAGE, "Develop a C firmware client without a device"))
     put = f"{tmp_path}/terminal"
     start, client = start.replace("/tmp/mip", put), client.replace("/tmp/mip", put)
     built = run(build, tmp_path, shell)
@@ -124,7 +90,7 @@ def free_port() -> str:
 
 
 def test_a_parser_against_faults(tmp_path: Path, shell: dict[str, str]) -> None:
-    start, check = commands("Test your own parser against faults")
+    start, check = commands(section(PAGE, "Test your own parser against faults"))
     number = free_port()
     start, check = start.replace("5000", number), check.replace("5000", number)
     with device(start, tmp_path, shell, ends=True):
@@ -158,24 +124,28 @@ def python(code: str) -> str:
 
 
 def test_in_python() -> None:
-    for program in blocks("python", "In Python"):
+    for program in blocks(section(PAGE, "In Python"), "python"):
         python(program)
 
 
 def test_every_fault_and_option_is_named() -> None:
     code = (
-        "from mip_tools.simulator.fault_kinds import CHANCES, KINDS\n"
+        "from mip_tools.simulator.faults.kinds import CHANCES, KINDS\n"
         "for chance, text in CHANCES.items():\n"
         "    print(f'| | **for each {text}** | |')\n"
         "    for name, k in KINDS.items():\n"
         "        amount = f'{k.amount:g} {k.unit}' if k.unit else ''\n"
         "        if k.of == chance: print(f'| `{name}` | {k.description} | {amount} |')"
     )
-    rows = section("Faults").partition("|---|---|---|\n")[2].partition("\n\n")[0]
+    rows = section(REFERENCE, "Faults").partition("|---|---|---|\n")[2].partition("\n\n")[0]
     assert rows == python(code).rstrip()
     text = python("from mip_tools import __main__ as m; m.main(['simulate', '--help'])")
-    known = set(re.findall(r"^  (--[a-z-]+)", text, re.M))
-    named = set(re.findall(r"(--[a-z-]+)", re.sub(r"```.*?```", "", PAGE, flags=re.S)))
+    known = {
+        name
+        for line in re.findall(r"^  (--.*)", text, re.M)
+        for name in re.findall(r"^--[a-z-]+|(?<=, )--[a-z-]+", line)
+    }
+    named = set(re.findall(r"(--[a-z-]+)", re.sub(r"```.*?```", "", REFERENCE, flags=re.S)))
     assert "--pty" in known and named - {"--help", "---"} == known
 
 
@@ -185,7 +155,7 @@ def test_every_motion_is_named() -> None:
         "for name, (_, options) in MOTIONS.items():\n"
         "    print(f'| `{name}` |', ', '.join(f'`{o}`' for o in options), '|')"
     )
-    table = section("Motion").partition("| Columns |")[0]
+    table = section(REFERENCE, "Motion").partition("| Columns |")[0]
     rows = re.findall(r"^\| `.*?\|.*?\|(?= )", table, re.M)
     motions = [(row.split("|")[1], set(re.findall(r"`(\w+)`", row.split("|")[2]))) for row in rows]
     wanted = [(row.split("|")[1], set(re.findall(r"`(\w+)`", row.split("|")[2]))) for row in python(code).splitlines()]

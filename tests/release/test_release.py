@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+import importlib
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -17,6 +20,8 @@ from pathlib import Path
 import pytest
 from support import BUILD, ROOT, later, need, packaging
 
+sys.path.insert(0, str(ROOT / "tools/release"))  # scripts, which import each other by name
+project, publish = importlib.import_module("project"), importlib.import_module("publish")
 schema, validation = later("cyclonedx.schema"), later("cyclonedx.validation.json")
 
 MESSAGE = "75 65 80 0E 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 84 EE"
@@ -30,17 +35,42 @@ def run(*command: str | Path, cwd: Path) -> str:
     return done.stdout
 
 
-def test_addresses() -> None:
-    """Nothing that is published has an invented address; hand-written files have that of the specification."""
-    address = re.search(r"^url: (\S+)", (ROOT / "spec/protocol.yaml").read_text("utf-8"), re.M)
-    for name in ("CITATION.cff", "tools/pyproject.toml"):
-        keys = re.findall(
-            r"^(?:repository-code|Homepage)(?:: | = )\"?([^\s\"]+)", (ROOT / name).read_text("utf-8"), re.M
-        )
-        assert keys == ([address[1]] if address else []), name
+def test_addresses(tmp_path: Path) -> None:
+    """Each manifest names the repository of the specification, or none does; nothing published has an invented one."""
+    assert project.other_addresses(ROOT, project.REPOSITORY) == {}
+    (tmp_path / "generated").symlink_to(BUILD / "invented")  # it has an address
+    written_by_hand = {name: ROOT / name for name in project.MANIFESTS if not name.startswith("generated/")}
+    for name, path in written_by_hand.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        shutil.copyfile(path, tmp_path / name)
+    assert project.other_addresses(tmp_path, "https://example.com/invented").keys() == written_by_hand.keys()
     published = ["generated", "tools", "README.md", "CITATION.cff"]
-    found = subprocess.run(["git", "grep", "-lF", "example.com", "--", *published], cwd=ROOT, capture_output=True)
-    assert found.stdout == b""
+    invented = subprocess.run(["git", "grep", "-lF", "example.com", "--", *published], cwd=ROOT, capture_output=True)
+    assert invented.stdout == b""
+
+
+def test_nothing_is_published_without_a_repository(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(publish, "REPOSITORY", "")
+    monkeypatch.setattr(sys, "argv", ["publish.py", "npm"])
+    with pytest.raises(SystemExit, match="names no repository"):
+        publish.main()
+
+
+@pytest.mark.parametrize(
+    ("replies", "message"),
+    [
+        ([b"", b"the bytes"], None),
+        ([b"other bytes"], "file: the registry has other bytes, SHA-256 a3ead5ee"),
+        ([b""] * publish.ATTEMPTS, "file: the registry does not have it after 0 minutes"),
+    ],
+)
+def test_a_registry_must_have_what_was_built(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, replies: list[bytes], message: str | None
+) -> None:
+    (tmp_path / "file").write_bytes(b"the bytes")
+    monkeypatch.setattr(publish, "PAUSE", 0)
+    with pytest.raises(SystemExit, match=message) if message else contextlib.nullcontext():
+        publish.compare(tmp_path / "file", iter(replies).__next__)
 
 
 def built(name: str) -> Path:
@@ -78,7 +108,13 @@ def test_sums_bill_and_notes_name_everything() -> None:
     assert files == {n: d for n, d in listed.items() if n not in ("sbom.cdx.json", "NOTES.md")}
     needed = {d["ref"]: d.get("dependsOn", []) for d in bill["dependencies"]}
     assert set(needed["mipgen"]) == files.keys()
-    assert [name for name in files if needed[name] == ["numpy"]] == [n for n in files if n.startswith("mip_tools")]
+    libraries = {c["bom-ref"]: (c["version"], c["scope"]) for c in bill["components"] if c["type"] == "library"}
+    assert [name for name in files if "pkg:pypi/numpy" in needed[name]] == [
+        n for n in files if n.startswith("mip_tools")
+    ]
+    assert all(re.match(r"[0-9.]+$", version) for version, _ in libraries.values())
+    assert [name for name, (_, scope) in libraries.items() if scope == "required"] == ["pkg:pypi/numpy"]
+    assert {"pkg:cargo/serde", "pkg:pypi/pyserial", "pkg:pypi/mcap"} < libraries.keys()
     changes = (ROOT / "CHANGELOG.md").read_text("utf-8").partition("\n## ")[2].partition("\n")[2].strip()
     assert changes.startswith((dist() / "NOTES.md").read_text("utf-8").strip())
 

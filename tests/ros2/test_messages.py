@@ -9,7 +9,8 @@ from xml.etree import ElementTree
 import pytest
 from mipgen import model as m
 from mipgen.facts import describe
-from mipgen.targets.ros2 import fields, names
+from mipgen.targets.ros2 import names
+from mipgen.targets.ros2.view import data_fields
 from support import SPECS, heavy, model
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -24,7 +25,7 @@ def folder(spec: str) -> Path:
 @specs
 def test_each_data_field_is_a_message(spec: str) -> None:
     of = model(spec)
-    data = fields(of)
+    data = data_fields(of)
     made = {path.stem for path in (folder(spec) / "msg").iterdir()}
     assert {names.message(f) for f in data} <= made and all(re.fullmatch(r"[A-Z][A-Za-z0-9]*", name) for name in made)
     listed = set(re.findall(r"msg/(\w+)\.msg", (folder(spec) / "CMakeLists.txt").read_text()))
@@ -46,7 +47,7 @@ def test_each_data_field_is_a_message(spec: str) -> None:
 
 @specs
 def test_values_and_bits_are_constants(spec: str) -> None:
-    for f in fields(model(spec)):
+    for f in data_fields(model(spec)):
         text = (folder(spec) / "msg" / f"{names.message(f)}.msg").read_text("utf-8")
         for p in f.parameters:
             kind = p.leaf.named
@@ -71,7 +72,7 @@ def test_they_are_messages(spec: str) -> None:
     for path in sorted((folder(spec) / "msg").iterdir()):
         types |= get_types_from_msg(path.read_text("utf-8"), f"mip_msgs/msg/{path.stem}")
     store.register(types)
-    for f in fields(model(spec)):
+    for f in data_fields(model(spec)):
         members = dict(types[f"mip_msgs/msg/{names.message(f)}"][1])
         assert next(iter(members)) == "header"
         wanted = [names.member(q.name) for p in f.parameters if not p.derived for q in p.alternatives or (p,)]

@@ -18,7 +18,7 @@ from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.lower import codec
 from mipgen.targets.rust import names as rust
-from mipgen.targets.rust.records import Constructor, Records
+from mipgen.targets.rust.view import Constructor, Crate
 from support import sent
 
 HEAD = """//! Made by everything.py.
@@ -79,16 +79,16 @@ fn occurs<T: Listed>(descriptor: u8, name: &str, sets: &[(u8, &str)], data: &[u8
         let any = AnyField::decode_with_trailing(&field);
         let Some(its_name) = its_name else {
             assert_eq!(pushed, Err((EncodeErrorKind::Set, set.into())), "{name} in {set}");
-            assert_eq!(field.get::<T>(), None);
-            assert!(!matches!(any, Some(Ok(found)) if *found.field.info() == T::INFO));
+            assert_eq!(field.get::<T>(), Ok(None));
+            assert!(!matches!(any, Ok(Some(found)) if *found.field.info() == T::INFO));
             continue;
         };
         let packet = Packet::new(builder.bytes()).unwrap();
         assert_eq!((pushed, packet.set()), (Ok(()), set), "{its_name}");
-        assert_eq!(packet.find::<T>(), Some(Ok(value.clone())), "{its_name}");
+        assert_eq!(packet.find::<T>(), Ok(Some(value.clone())), "{its_name}");
         let any = any.unwrap().unwrap();
         assert_eq!((any.set, any.name()), (set, its_name));
-        assert_eq!(AnyField::decode(&field), Some(Ok(value.clone().into_any())));
+        assert_eq!(AnyField::decode(&field), Ok(Some(value.clone().into_any())));
         assert_eq!(any.field, value.clone().into_any());
     }
 }
@@ -96,9 +96,8 @@ fn occurs<T: Listed>(descriptor: u8, name: &str, sets: &[(u8, &str)], data: &[u8
 /// The same field as a view and decoded; with fewer bytes, both are the same error.
 fn viewed<'a, T: Viewed + Listed>(field: &RawField<'a>) -> (View<'a, T>, T) {
     let short = RawField { data: &field.data[..field.data.len() - 1], ..*field };
-    assert_eq!(short.view::<T>().is_some(), short.is::<T>());
-    if let Some(found) = short.view::<T>() {
-        let error = found.err().unwrap();
+    assert_eq!(short.view::<T>().is_err(), short.is::<T>());
+    if let Err(error) = short.view::<T>() {
         assert_eq!((error.kind, error.field), (DecodeErrorKind::Truncated, T::NAME));
         assert_eq!((error.need, error.got), (field.data.len(), short.data.len()));
     }
@@ -253,7 +252,7 @@ def bitfield(t: m.Bitfield) -> Iterator[str]:
 class _Writer:
     def __init__(self, model: m.Model) -> None:
         self.model = model
-        self.records = Records(model)
+        self.crate = Crate(model)
         self.chance = random.Random(1)
 
     def field(self, f: m.Field) -> Iterator[str]:
@@ -261,10 +260,10 @@ class _Writer:
         yield f"assert_eq!(<{of} as mip_protocol::Wire>::SIZE, {f.max_size});"
         yield f"describes::<{of}>({text(described(f.parameters))});"
         if f.role == m.COMMAND:
-            for call, constructor in zip(f.calls, self.records.constructors(f), strict=True):
+            for call, constructor in zip(f.calls, self.crate.record(f).constructors, strict=True):
                 yield from self.constructed(f, call, constructor)
         elif f.parameters:
-            ((call,), (constructor,)) = f.calls, self.records.constructors(f)
+            ((call,), (constructor,)) = f.calls, self.crate.record(f).constructors
             expression, values = self.call(f, call.required, constructor)
             yield f"same({expression}, {data_literal(codec.encode(f, values))});"
         literal, values = self.literal(f)
@@ -292,7 +291,7 @@ class _Writer:
             yield f"answers::<{of}, {path(response)}>();"
 
     def values_in_view(self, record: m.Record, view: str, value: str) -> Iterator[str]:
-        for x in self.records.members(record):
+        for x in self.crate.record(record).members:
             yield f"alike(&{view}.{x.name}(), &{value}.{x.name});"
             if x.parameter.struct:
                 yield from self.values_in_view(x.parameter.struct, f"{view}.{x.name}()", f"{value}.{x.name}")
@@ -303,7 +302,7 @@ class _Writer:
         return f.max_size <= 64 and not lists
 
     def members(self, record: m.Record) -> Iterator[Any]:
-        for x in self.records.members(record):
+        for x in self.crate.record(record).members:
             yield x
             for p in (x.parameter, *x.parameter.alternatives):
                 if p.struct:
@@ -337,7 +336,7 @@ class _Writer:
         self, record: m.Record, required: tuple[m.Parameter, ...], constructor: Constructor
     ) -> tuple[str, codec.Values]:
         """The call of a constructor with random arguments, and the values that it must make."""
-        given = [x.parameter.name for x in constructor.given]
+        given = [x.parameter.name for x in constructor.arguments]
         values: codec.Values = {}
         for p in required:
             union = next((q for q in record.parameters if q.tag == p.name and q.name in given), None)
@@ -350,7 +349,7 @@ class _Writer:
         return self.called(record, values, constructor), values
 
     def called(self, record: m.Record, values: codec.Values, constructor: Constructor) -> str:
-        arguments = [self.value(x.parameter, record, values[x.parameter.name], values) for x in constructor.given]
+        arguments = [self.value(x.parameter, record, values[x.parameter.name], values) for x in constructor.arguments]
         plain = [f"{a} != Bool(0)" if re.fullmatch(r"Bool\(\d+\)", a) else a for a in arguments]  # they take a `bool`
         return f"{path(record)}::{constructor.name}({', '.join(plain)})"
 
@@ -384,7 +383,7 @@ class _Writer:
         yield f"assert_eq!(b.bytes(), {data_literal(e.packet)});"
 
     def record(self, record: m.Record, values: codec.Values) -> str:
-        members = {x.parameter.name: x for x in self.records.members(record)}
+        members = {x.parameter.name: x for x in self.crate.record(record).members}
         written = []
         for p in record.parameters:
             if p.derived:
@@ -399,11 +398,11 @@ class _Writer:
 
     def value(self, p: m.Parameter, record: m.Record, value: Any, siblings: codec.Values) -> str:
         if p.struct:
-            (constructor,) = self.records.constructors(p.struct)
+            (constructor,) = self.crate.record(p.struct).constructors
             return self.called(p.struct, value, constructor)
         if p.union:
             tag = siblings[p.union.tag]
-            name = f"mip_protocol::{rust.home(record)}::{self.records.union(p.union, rust.home(record)).name}"
+            name = f"mip_protocol::{rust.home(record)}::{self.crate.union(p.union, rust.home(record)).name}"
             case = next((c for c in p.cases if c.tag.value == tag), None)
             if case is None:
                 return f"{name}::Other({path(p.union.type)}({tag}))"

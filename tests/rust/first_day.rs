@@ -6,7 +6,8 @@ use mip_protocol::device::{Device, DeviceError, Port};
 use mip_protocol::protocol::AckCode;
 use mip_protocol::session::{Rate, StreamError, BAUD_RATES};
 use mip_protocol::{
-    base, checksum, filter_data, mip_3dm, sensor, shared, CommandError, Packet, RequestError,
+    base, checksum, filter_data, mip_3dm, sensor, shared, CommandError, Packet, Reason,
+    RequestError,
 };
 
 /// A device, and its faults.
@@ -117,6 +118,12 @@ impl Port for Fake {
             0x0C0E => payload.extend([5, 0x8E, bytes[6], high, low]),
             0x0C06 => payload.extend([4, 0x83, high, low]),
             0x0C0B => payload.extend([4, 0x8A, high, low]),
+            0x0103 => {
+                payload.extend([84, 0x81, 0, 0]);
+                payload.extend(format!("{:16}{:64}", "3DM-CV7-AHRS", "6286-9999").bytes());
+            }
+            0x0104 => payload.extend([6, 0x82, 0x01, 0x07, 0x80, 0x04]),
+            0x0107 => payload.extend([4, 0x86, 0x82, 0x10]),
             _ => {}
         }
         self.coming.extend(packet(bytes[2], &payload));
@@ -180,9 +187,13 @@ fn answers_that_are_lost_are_asked_for_again() {
     }
 }
 
+fn failed<E>(command: &'static str, reason: Reason) -> DeviceError<E> {
+    CommandError::new(command, reason).into()
+}
+
 #[test]
 fn nobody_is_there() {
-    let nobody = Err(DeviceError::Command(CommandError::TimedOut));
+    let nobody = Err(failed("base.ping", Reason::TimedOut));
     let mut none = device(1234);
     assert_eq!(none.connect(&BAUD_RATES), nobody);
     assert_eq!(none.port().tried, BAUD_RATES);
@@ -190,7 +201,7 @@ fn nobody_is_there() {
 
     let mut silent = device(115_200);
     silent.port_mut().rate = 0; // a port without rates
-    assert_eq!(silent.connect(&BAUD_RATES), nobody);
+    assert_eq!(silent.connect(&BAUD_RATES), Err(failed("base.set_idle", Reason::TimedOut)));
     assert_eq!(silent.port().commands(), [0x0102; 3]);
 
     let mut slow = device(0);
@@ -209,7 +220,7 @@ fn rates_that_a_port_lacks_are_passed_over() {
 fn rates() -> [Rate; 3] {
     [
         Rate::of::<shared::GpsTimestamp>(100.0),
-        Rate::of::<sensor::ScaledAccel>(0.0),
+        Rate::fastest::<sensor::ScaledAccel>(),
         Rate::of_descriptor(5, 1000.0 / 3.0),
     ]
 }
@@ -217,7 +228,7 @@ fn rates() -> [Rate; 3] {
 #[test]
 fn streams() {
     let mut device = device(115_200);
-    assert_eq!(device.stream(sensor::SENSOR_SET, &rates()), Ok(1000));
+    assert_eq!(device.stream(sensor::SET, &rates()), Ok(1000));
     let port = device.port();
     assert_eq!(port.commands(), [0x0C0E, 0x0C0F, 0x0C11, 0x0106]);
     assert_eq!(port.last(0x0C0F), [1, 0x80, 3, 0xD3, 0, 10, 4, 0, 1, 5, 0, 3]);
@@ -237,8 +248,8 @@ fn streams_of_older_devices() {
     }
     // It does not have the set at all.
     let refused = |device: &mut Device<Fake>, set| {
-        let error = CommandError::Refused(AckCode(1));
-        assert_eq!(device.stream(set, &[]), Err(DeviceError::Command(error).into()));
+        let error = failed("3dm.get_base_rate", Reason::Refused(AckCode(1)));
+        assert_eq!(device.stream(set, &[]), Err(error.into()));
     };
     let mut device = device(115_200);
     (device.port_mut().older, device.port_mut().refuse) = (true, 0x0C0B);
@@ -248,9 +259,27 @@ fn streams_of_older_devices() {
 }
 
 #[test]
+fn the_rejected_field_is_in_neither_of_its_lists() {
+    let command = mip_3dm::MessageFormat::write(0x82, [(0x10, 1).into(), (0x01, 1).into()]);
+    let mut rejected = device(115_200);
+    let found = rejected.rejected(&command).unwrap().unwrap();
+    assert_eq!((found.index, found.set, found.descriptor), (1, 0x82, 0x01));
+    assert_eq!(found.to_string(), "3DM-CV7-AHRS does not send filter_data.llh_position");
+    assert_eq!(rejected.port().commands(), [0x0103, 0x0104, 0x0107]);
+    assert_eq!(rejected.rejected(&base::Ping::new()), Ok(None));
+    // Without all answers, no list is known.
+    for lost in [0x0107, 0] {
+        (rejected.port_mut().lose, rejected.port_mut().lose_of) = (9, lost);
+        let index = rejected.rejected(&command).unwrap().map(|found| found.index);
+        assert_ne!(index, Some(0), "{lost:#X}"); // nothing shows that the first is absent
+    }
+}
+
+#[test]
 fn a_rate_that_the_device_lacks_changes_nothing() {
+    let least = 1000.0 / 65535.0;
     let wrong =
-        [(70.0, 1000.0 / 14.0), (2000.0, 1000.0), (-1.0, 1000.0 / 65535.0), (f32::NAN, 1000.0)];
+        [(70.0, 1000.0 / 14.0), (2000.0, 1000.0), (-1.0, least), (0.0, least), (f32::NAN, 1000.0)];
     for (hz, next) in wrong {
         let mut device = device(115_200);
         let asked = [Rate::of::<sensor::ScaledGyro>(10.0), Rate::of::<sensor::ScaledAccel>(hz)];
@@ -318,11 +347,11 @@ fn the_baud_rate_changes() {
     assert_eq!(device.change_baud(&base::CommSpeed::write(2, 9600)), Ok(921_600));
     assert_eq!(device.port().rate, 921_600);
     device.port_mut().refuse = 0x0109;
-    let refused = DeviceError::Command(CommandError::Refused(AckCode(1)));
+    let refused = failed("base.comm_speed", Reason::Refused(AckCode(1)));
     assert_eq!(device.change_baud(&base::CommSpeed::write(1, 9600)), Err(refused));
     assert_eq!(device.port().rate, 921_600);
     device.port_mut().baud = 7;
-    let gone = DeviceError::Command(CommandError::TimedOut);
+    let gone = failed("base.ping", Reason::TimedOut);
     assert_eq!(device.change_baud(&mip_3dm::UartBaudRate::write(9600)), Err(gone));
     assert_eq!(device.port().rate, 921_600); // that of before
 

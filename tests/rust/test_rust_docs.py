@@ -13,7 +13,7 @@ from crates import rendered, specification
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.targets.rust import names
-from mipgen.targets.rust.records import Records
+from mipgen.targets.rust.view import Crate
 
 #: Module, type and member ("" for the type itself).
 Item = tuple[str, str, str]
@@ -75,7 +75,7 @@ class Expected:
 
     def __init__(self, model: m.Model) -> None:
         self.model = model
-        self.records = Records(model)
+        self.unions = Crate(model).unions
 
     def all(self) -> Iterator[tuple[Item, str]]:
         for x in self.model.families:
@@ -93,8 +93,8 @@ class Expected:
         yield from self.parameters(self.model.protocol.acknowledge)
         for t in (self.model.protocol.function_selector, *self.model.all_types):
             yield from self.type(t)
-        for u in self.records.unions:
-            yield from self.union(u.record, u.name, u.of)
+        for u in self.unions:
+            yield from self.union(u.record.of, u.name, u.of)
         for d in self.model.devices:
             item = ("known", names.constant(d.name), "")
             prose = [self.prose(text, "devices") for text in (d.description, *(n.description for n in d.notes))]
@@ -163,9 +163,3 @@ def missing(model: m.Model, files: dict[str, bytes]) -> list[str]:
 @pytest.mark.parametrize("spec", ["difficult", "invented", "real"])
 def test_every_fact_is_told_where_it_belongs(spec: str) -> None:
     assert missing(specification(spec), rendered(spec)) == []
-
-
-def test_what_uses_cargo_is_in_one_process(request: pytest.FixtureRequest) -> None:
-    """With several processes, the names of tests end in their groups: other processes would only wait for cargo."""
-    several = getattr(request.config.option, "loadgroup", False)
-    assert request.node.nodeid.endswith("@cargo") == bool(several)

@@ -10,11 +10,11 @@ import sys
 from pathlib import Path
 
 import pytest
-from crates import WORK, passes, project, rendered
+from crates import passes, project, rendered
 from mipgen.targets.rust import session
 from support import PATIENCE, PYTHONPATH, heavy, model, simulated
 from test_rust import HERE
-from test_rust_examples import EXAMPLES, crate, programs, ran
+from test_rust_examples import EXAMPLES, FEATURES, SETS, crate, programs, ran
 from virtual import test_reopen as reopen
 
 CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
@@ -26,14 +26,14 @@ LINE = re.compile(r" +-?0\.0\d{3} +-?0\.0\d{3} +-(?:0\.9|1\.0)\d{3} g")
 def test_connect_and_stream_at_a_scripted_port() -> None:
     """With few sets: building the crate with all of them takes longer than everything else."""
     target = f'[[test]]\nname = "first_day"\npath = "{HERE / "first_day.rs"}"\n'
-    features = '"base", "mip_3dm", "sensor", "filter_data", "shared", "std"'
+    features = '"base", "mip_3dm", "sensor", "filter_data", "shared", "std", "devices", "registry"'
     folder = project("real", "first-day", target, features, default=False)
     out = passes(folder, "test", "--offline", "--quiet", "--test", "first_day")
     assert "test result: ok" in out
 
 
 def test_a_part_without_these_commands_has_no_such_module() -> None:
-    assert session.of(model("invented")) is None
+    assert session.compose(model("invented")) is None
     assert "src/sets/session.rs" not in rendered("invented")
     assert b"session" not in rendered("invented")["src/sets.rs"]
     assert "src/sets/session.rs" in rendered("real")
@@ -57,7 +57,14 @@ def test_devices_of_two_generations(device: str, name: str, tmp_path: object) ->
     with simulated("--tcp", "0", "--duration", "2", device=device) as place:
         good(ran("stream", f"tcp:{place}"), name)
     with simulated("--pty", path, "--duration", "2", device=device):
-        good(ran("stream", f"serial:{path}"), name)
+        good(ran("stream", path), name)
+    for way in (["--tcp", "0"], ["--pty", path]):
+        with simulated(*way, "--duration", "2", device=device) as place:
+            code, out, error = ran("two_tasks", path if way[0] == "--pty" else place)
+        assert code == 1 and re.fullmatch(r"Error: (Closed|Port\(.*\))\n", error), error
+        lines = out.splitlines()
+        data = [line for line in lines if LINE.fullmatch(line)]
+        assert len(data) > 50 and [line.strip() for line in lines if line not in data] == [name]
 
 
 @heavy(EXAMPLES)
@@ -99,10 +106,25 @@ def test_places_that_cannot_be_opened(tmp_path: object) -> None:
         "tcp:127.0.0.1:1": "tcp:127.0.0.1:1: Connection refused",
         "tcp:no.such.host.invalid:1": "tcp:no.such.host.invalid:1: failed to lookup",
         f"file:{tmp_path}/none": f"file:{tmp_path}/none: No such file or directory",
-        "/dev/ttyACM0": "/dev/ttyACM0: expected serial:NAME, serial:NAME:BAUD, tcp:HOST:PORT or file:PATH",
+        f"{tmp_path}/none:115200": f"{tmp_path}/none:115200: No such file or directory",
+        "127.0.0.1:1": "127.0.0.1:1: Connection refused",
+        "com-1.invalid:1": "com-1.invalid:1: failed to lookup",
     }.items():
         code, out, error = ran("stream", place)
         assert (code, out) == (1, "") and said in error, error
+
+
+def built(name: str, text: str) -> Path:
+    """A program that is not among the examples."""
+    example = crate() / f"examples/{name}.rs"
+    folder = programs()
+    example.write_text(text)
+    try:
+        features = ("--no-default-features", "--features", f"{FEATURES},{SETS}")
+        passes(crate(), "build", "--quiet", "--locked", "--example", name, *features)
+    finally:
+        example.unlink()
+    return folder / name
 
 
 #: Prints what is in a log, and shows that a log accepts no commands.
@@ -128,34 +150,43 @@ def test_a_log(tmp_path: object) -> None:
     from test_rust_examples import ACCEL
     from test_rust_examples import LOG as log
 
-    example = crate() / "examples/read_log.rs"
-    programs()
-    example.write_text(LOG)
-    try:
-        passes(crate(), "build", "--quiet", "--locked", "--example", "read_log", "--features", "open")
-    finally:
-        example.unlink()
+    example = built("read_log", LOG)
     path = f"{tmp_path}/log.bin"
     with open(path, "wb") as file:
         file.write(log * 3 + bytes.fromhex("756580ff") + ACCEL)
-    done = subprocess.run(
-        [WORK / "target/debug/examples/read_log", f"file:{path}"], capture_output=True, text=True, timeout=PATIENCE
-    )
+    done = subprocess.run([example, path], capture_output=True, text=True, timeout=PATIENCE)
     assert done.stdout.splitlines() == ["4 46", *["port: a log accepts no commands"] * 2], done.stdout + done.stderr
 
 
 @heavy(EXAMPLES)
 def test_a_port_is_opened_again(tmp_path: Path) -> None:
     """A terminal, a hundred times during a stream."""
-    example = crate() / "examples/pulled.rs"
-    programs()
-    example.write_text((reopen.HERE / "pulled.rs").read_text())
-    try:
-        passes(crate(), "build", "--quiet", "--locked", "--example", "pulled", "--features", "open")
-    finally:
-        example.unlink()
+    example = built("pulled", (reopen.HERE / "pulled.rs").read_text())
     with reopen.pulled(tmp_path, [f"pty:{tmp_path}/port"]) as (place,):
-        command = [WORK / "target/debug/examples/pulled", f"serial:{place}", str(reopen.PULLS)]
+        command = [example, f"serial:{place}", str(reopen.PULLS)]
         done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert done.returncode == 0, done.stderr
     reopen.checked(json.loads(done.stdout))
+
+
+#: Loses its port, which then cannot be opened.
+LOST = """
+use mip_protocol::{base::Ping, device::DeviceError};
+#[tokio::main]
+async fn main() {
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let place = listener.local_addr().unwrap().to_string();
+    let line = mip_protocol::device::AsyncLine::open(&place).await.unwrap();
+    let mut device = mip_protocol::device::TokioDevice::at(line);
+    drop(listener);
+    let error = device.reopen(std::time::Duration::ZERO).await.unwrap_err();
+    assert!(matches!(error, DeviceError::Port(_)), "{error}");
+    let error = device.request(&Ping::new()).await.unwrap_err();
+    assert!(matches!(error, DeviceError::Port(_)), "{error}");
+}
+"""
+
+
+@heavy(EXAMPLES)
+def test_a_lost_port_of_tokio_accepts_nothing() -> None:
+    subprocess.run([built("lost", LOST)], check=True, timeout=PATIENCE)

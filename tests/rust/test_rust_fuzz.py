@@ -21,9 +21,7 @@ import fuzz  # noqa: E402
 SPECS = {
     "parser": "invented",
     "fields-invented": "invented",
-    "client-invented": "invented",
     "fields": "real",
-    "client": "real",
 }
 
 

@@ -34,7 +34,6 @@ fields:
     name: one
     title: One
     description: A field.
-    sources: [{manual: guide, section: Own, length: 3}]
     parameters: [{name: mode, type: mode, description: Of the set.}]
 """
 
@@ -60,7 +59,7 @@ ADDITIONS: dict[str, list[Change]] = {
     "set": [("sets/extra.yaml", "", SET)],
     "device": [("devices/model_d.yaml", "", DEVICE)],
     "value": [("types/types.yaml", "slow: {value: 2,", "idle: {value: 3, description: N.}\n      slow: {value: 2,")],
-    "bit": [("types/types.yaml", "level: {bits: 4-6,", "cold: {bit: 2, description: C.}\n      level: {bits: 4-6,")],
+    "bit": [("types/types.yaml", "level: {bit: 4-6,", "cold: {bit: 2, description: C.}\n      level: {bit: 4-6,")],
     "alternative": [
         ("sets/tools.yaml", "solid: 1, striped: 2}", "solid: 1, striped: 2, dotted: 3}"),
         ("sets/tools.yaml", "striped: {type: stripes}}",

@@ -1,7 +1,1 @@
-"""The tests here import the real package as `mip_protocol`, and the tools on top of it."""
-
-import sys
-
-from support import SPECS
-
-sys.path.insert(0, str(SPECS["real"][1] / "python"))
+"""The tests of the folders below import from the modules here: pytest puts the folder of this file on the path."""

@@ -87,8 +87,6 @@ print(mip_tools.read_log(bytes(data.packet()) * 3)["measurements.temperature"]["
         (["fields", "--package", "json"], "mip fields: json is not a package that mipgen has generated"),
         (["fields", "--package", "no_such"], "mip fields: no_such is neither an installed package nor a folder; "
                                              "install it, or name its folder"),
-        (["fields", "--definitions", "mip.md"], "mip fields: mip.md is neither a package nor a definitions "
-                                                     "file, whose name must end in .json"),
         (["fields", "--package", "."], f"mip fields: {ROOT / 'docs'} contains no package that mipgen has generated"),
         (["fields", "--package"], "mip fields: --package needs the name or the folder of a generated package"),
     ],
@@ -100,19 +98,6 @@ def test_there_is_no_package(words: list[str], said: str) -> None:
 
 def test_without_a_package_there_is_still_help() -> None:
     assert "--package NAME" in mip("--help") and "without a generated package" in mip("--version")
-
-
-def test_a_package_is_chosen_before_it_is_used(own: Path) -> None:
-    code = f"""
-import mip_tools, mip_tools.columns
-mip_tools.use("mip_protocol")
-try: mip_tools.use({str(own)!r})
-except ImportError as error: print(error)
-from mip_tools import binding
-print(binding.name())
-"""
-    done = python("-c", code, path=ROOT / "generated/python")
-    assert done.returncode != 0 or done.stdout.splitlines()[-1] == "mip_protocol", done.stderr
 
 
 def test_a_package_that_lacks_what_a_tool_needs(own: Path, tmp_path: Path) -> None:

@@ -24,7 +24,8 @@ from mip_tools.columns import instants, resample, tables, text
 from mip_tools.columns.tables import Form
 from random_values import chance
 from support import later, rounds
-from test_columns import ACCEL, gps, packet, reference
+from test_columns import gps, reference
+from timed_packets import packet
 
 np, pa, pq, pandas, polars = (later(name) for name in ("numpy", "pyarrow", "pyarrow.parquet", "pandas", "polars"))
 
@@ -90,20 +91,20 @@ def rows_of(stream: bytes, by: str, near: int) -> list[dict[str, Any]]:
         for field in registry.decode_packet(one):
             if isinstance(field, tuple):
                 continue
-            set, name = field.name_in(one.set).split(".", 1)
+            set_name, name = field.name_in(one.set).split(".", 1)
             stamp = isinstance(field, shared.GpsTimestamp)
-            if set == "shared" and not stamp and by == "time":
-                set = {0x80: "sensor", 0x82: "filter_data", 0x91: "gnss_1"}[one.set]
-            same = instant[3].setdefault((set, name), [])
+            if set_name == "shared" and not stamp and by == "time":
+                set_name = {0x80: "sensor", 0x82: "filter_data", 0x91: "gnss_1"}[one.set]
+            same = instant[3].setdefault((set_name, name), [])
             if not (stamp and same and by == "time"):
                 same.append(field)
     rows = []
     for _, time, is_own, fields in order:
         for turn in range(max(map(len, fields.values()), default=0)):
             row = {"time": time, "time_own": is_own}
-            for (set, name), several in fields.items():
+            for (set_name, name), several in fields.items():
                 if turn < len(several):
-                    row |= cells_of(f"{set}.{name}", several[turn])
+                    row |= cells_of(f"{set_name}.{name}", several[turn])
             rows.append({k: v for k, v in row.items() if v is not None})
     return rows
 
@@ -133,9 +134,9 @@ def check(found: list[dict[str, Any]], wanted: list[dict[str, Any]]) -> None:
 
 def all_data(log: Any, by: str) -> tuple[list[Any], Form]:
     form = Form(by, wanted=lambda set, descriptor: set >= 0x80)
-    kinds, clock = tables.survey(log, form)
-    assert clock == "gps"
-    return kinds, form._replace(clock=clock)
+    kinds, clocks = tables.survey(log, form)
+    assert clocks[:2] == ("gps", "device")
+    return kinds, form._replace(dated="gps")
 
 
 def as_rows(table: Any) -> list[dict[str, Any]]:
@@ -154,7 +155,7 @@ def test_rows_are_those_that_plain_python_finds(by: str, near: int, monkeypatch:
         log = read_log(stream)
         wanted = rows_of(stream, by, near)
         kinds, form = all_data(log, by)
-        frame = log.frame([kind for _, kind in registry_order(kinds)], by=by, library="pyarrow")
+        frame = log.frame([kind for _, kind in registry_order(kinds)], by=by, library="pyarrow", time="gps")
         check(as_rows(frame), wanted)
         for size in (200, 1500, 1 << 22):
             monkeypatch.setattr(tables, "PART", size)
@@ -173,9 +174,9 @@ def registry_order(kinds: list[Any]) -> list[Any]:
 
 
 def tables_as_arrow(table: Any) -> Any:
-    from mip_tools.columns.frames import made
+    from mip_tools.columns.frames import as_frame
 
-    return made(table.columns, "pyarrow", True)
+    return as_frame(table.columns, "pyarrow", True)
 
 
 def test_frames_of_all_libraries_and_all_files_have_one_schema(tmp_path: Path) -> None:
@@ -185,7 +186,7 @@ def test_frames_of_all_libraries_and_all_files_have_one_schema(tmp_path: Path) -
     log = read_log(stream)
     for options in ({"by": "time"}, {"by": "packet"}, {"by": "time", "invalid": "mask"}):
         kinds, form = all_data(log, options["by"])
-        form = form._replace(**options)
+        form = form._replace(**options, undated="device")
         words = [w for name, value in options.items() for w in (f"--{name}", value)]
         base = tables_as_arrow(next(iter(tables.parts(log, kinds, form)))[0])
         assert base.num_rows > 100
@@ -278,15 +279,6 @@ def test_what_belongs_to_one_instant_is_one_row() -> None:
         log.frame(kinds, by="second")
 
 
-def test_a_clock_that_starts_again_makes_new_instants() -> None:
-    boot = packet(0x80, reference(5), ACCEL) + packet(0x82, reference(5), angles(1))
-    pause = b"\0" * instants.TOGETHER
-    frame = read_log(boot + pause + boot).frame(["sensor.scaled_accel", "filter_data.euler_angles"])
-    assert len(frame) == 2
-    near = read_log(boot + boot).frame(["sensor.scaled_accel", "filter_data.euler_angles"])
-    assert len(near) == 2 and near["time"].nunique() == 1  # each type twice: two rows of one instant
-
-
 def test_parts_are_freed_as_they_are_passed() -> None:
     """Not only when Python looks for cycles, which it does too rarely for large arrays."""
     log, seen = read_log(drawn(3, 100)), []
@@ -375,6 +367,7 @@ def test_clocks_are_merged_and_stated(library: str) -> None:
     )
     found = read_log(stream).resample("20Hz", library=library, time="gps")
     if library == "pandas":
+        assert found.attrs.pop("units")["sensor.scaled_accel.x [g]"] == "g"
         assert found.attrs == {"clock": "gps", "converted": "filter_data from reference"}
         yaw = found["filter_data.euler_angles.yaw [rad]"].tolist()
         assert yaw[1::2] == pytest.approx([i / 10 for i in range(10)], abs=1e-6)
@@ -437,13 +430,59 @@ def test_text_of_special_values() -> None:
         tables.Series("a%", np.array([0.1, np.nan, np.inf], np.float32), None, {"unit": "%"}),
         tables.Series("b", np.array(["x,y", 'q"', None], object), np.array([False, False, True]), {}),
         tables.Series("c", np.array([[1, 2], [3, 4], [5, 6]], np.uint8), None, {}),
-        tables.Series("d", np.array([-1, 10**9 + 1, 0], "m8[ns]"), None, {"clock": "reference"}),
+        tables.time_column(np.array([-1, 10**9 + 1, 0]), "reference"),
         tables.Series("e", np.array([[0.1], [], [2.5]], object), None, {}, (1, "<f4")),
     ]
-    assert text.csv_head(columns) == "a% [%],b,c,d [s],e\n"
-    assert "".join(text.csv_lines(columns)).splitlines() == [
-        '0.1,"x,y","[1,2]",-0.000000001,[0.1]', 'nan,"q""","[3,4]",1.000000001,[]', 'inf,,"[5,6]",0.000000000,[2.5]',
+    assert text.csv_head(columns) == "a% [%],b,c,time_device [s],e\n"
+    assert b"".join(text.csv_lines(columns)).decode().splitlines() == [
+        '0.1,"x,y","[1,2]",-1e-09,[0.1]', 'nan,"q""","[3,4]",1.000000001,[]', 'inf,,"[5,6]",0.0,[2.5]',
     ]  # fmt: skip
-    lines = [json.loads(line) for line in "".join(text.json_lines(columns)).splitlines()]
-    assert lines[0] == {"a%": 0.1, "b": "x,y", "c": [1, 2], "d": -1e-9, "e": [0.1]}
-    assert lines[1]["a%"] is None and lines[2] == {"a%": None, "c": [5, 6], "d": 0, "e": [2.5]}
+    lines = [json.loads(line) for line in b"".join(text.json_lines(columns)).splitlines()]
+    assert lines[0] == {"a%": 0.1, "b": "x,y", "c": [1, 2], "time_device": -1e-9, "e": [0.1]}
+    assert lines[1]["a%"] is None and lines[2] == {"a%": None, "c": [5, 6], "time_device": 0, "e": [2.5]}
+
+
+def test_frames_as_people_who_use_pandas_expect_them() -> None:
+    pandas = pytest.importorskip("pandas")
+    log = read_log(b"".join(packet(0x80, gps(1 + i / 8), (0x04, struct.pack(">3f", i, 0, -1))) for i in range(4)))
+    frame = log.frame("sensor.scaled_accel", index="time", names="plain")
+    assert isinstance(frame.index, pandas.DatetimeIndex) and frame.scaled_accel_x.tolist() == [0, 1, 2, 3]
+    assert frame.resample("250ms").mean().scaled_accel_x.tolist() == [0.5, 2.5]
+    assert frame.attrs["units"]["scaled_accel_x"] == "g"
+    assert log.frame("sensor.scaled_accel").attrs["units"]["scaled_accel.x [g]"] == "g"
+    for wrong in (
+        {"names": "short"},
+        {"index": "x"},
+        {"index": "time", "library": "polars"},
+        {"index": "time", "time": None},
+    ):
+        with pytest.raises(ValueError, match=f"^{next(iter(wrong))} "):
+            log.frame("sensor.scaled_accel", **wrong)
+    with pytest.raises(ValueError, match="twice"):
+        log.frame(["sensor.scaled_accel", "sensor.scaled_accel"])
+
+
+def test_text_is_the_same_without_pyarrow(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers of all sizes, dates, texts and lists, with gaps."""
+    rng, count = np.random.default_rng(rounds(1, 9)), 5000
+    gaps = rng.random(count) < 0.3
+    singles = rng.integers(0, 2**32, count, dtype=np.uint32).view(np.float32)
+    numbers = np.concatenate(
+        (rng.integers(0, 2**64, 999, np.uint64).view(float), rng.integers(-99, 99, count - 999) / 8)
+    )
+    dates = np.array(rng.integers(-(2**60), 2**60, count), "M8[ns]")
+    texts = np.array([f"{''.join(map(chr, rng.integers(32, 256, 5)))}" for _ in range(count)], object)
+    columns = [
+        tables.Series(f"c{i}", values, mask, {})
+        for i, values in enumerate(
+            (singles, numbers, np.arange(count), singles > 0, dates, texts, singles.reshape(-1, 1))
+        )
+        for mask in (None, gaps)
+    ]
+    forms = (text.csv_lines, text.json_lines)
+    both = [b"".join(form(columns)) for form in forms]
+    monkeypatch.setattr(text, "_arrow", lambda: None)
+    assert [b"".join(form(columns)) for form in forms] == both
+    monkeypatch.undo()
+    one = [tables.Series("a", numbers[:3], np.array([True, False, True]), {})]
+    assert [b"".join(form(one)).count(b"\n") for form in forms] == [3, 3]

@@ -9,9 +9,7 @@ from mipgen.emit import naming
 from mipgen.read.problems import Problems
 from mipgen.resolve.load import load_model
 from mipgen.targets import wireshark
-from support import ROOT, SPECS, generated, model
-
-PARTS = sorted((ROOT / "runtime/wireshark").glob("*.lua"))
+from support import SPECS, model
 
 SET = """
 set: 0x70
@@ -38,12 +36,6 @@ def test_filters_are_names_of_the_specification(spec: str) -> None:
         assert any(name == own or name.startswith(f"{own}.") for name in names)
 
 
-def test_a_parameter_does_not_repeat_its_field() -> None:
-    names = {i.name for i in wireshark.identifiers(model("real"))}
-    assert {"mip.sensor.scaled_accel", "mip.sensor.scaled_accel.x", "mip.aiding.pressure"} <= names
-    assert "mip.sensor.scaled_accel.scaled_accel.x" not in names
-
-
 @pytest.mark.parametrize(("name", "collides"), [("x", True), ("size", False)])
 def test_collisions_are_reported(name: str, collides: bool, tmp_path: Path) -> None:
     mine = tmp_path / "mine"
@@ -53,25 +45,3 @@ def test_collisions_are_reported(name: str, collides: bool, tmp_path: Path) -> N
     naming.collisions("wireshark", wireshark.identifiers(load_model(SPECS["invented"][0], mine)), problems)
     assert any("mip.collisions.place.x" in str(problem) for problem in problems.sorted()) == collides
     assert bool(problems) == collides
-
-
-def test_the_parts_are_plain_lua() -> None:
-    """A template includes them, so that they must not contain template syntax."""
-    assert {p.stem for p in PARTS} == set(wireshark.names.LANGUAGE["parts"])
-    for part in PARTS:
-        text = part.read_text("utf-8")
-        assert not any(mark in text for mark in ("{{", "{%", "{#")), part.name
-
-
-@pytest.mark.parametrize("spec", sorted(SPECS))
-def test_the_output_has_the_parts_unchanged(spec: str) -> None:
-    made = generated("wireshark", spec)
-    assert sorted(made) == [".manifest", "LICENSE", "README.md", "mip.lua"]
-    text = made["mip.lua"].decode()
-    assert all(part.read_text("utf-8") in text for part in PARTS)
-
-
-def test_nothing_of_one_message_is_in_the_parts() -> None:
-    names = set(model("real").names) | {s.name for s in model("real").sets if len(s.name) > 4}
-    for part in PARTS:
-        assert not [name for name in names if f'"{name}"' in part.read_text("utf-8")], part.name

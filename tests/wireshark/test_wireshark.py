@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import re
+import shutil
 import struct
+import subprocess
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -10,17 +14,14 @@ from typing import Any
 import captures
 import pytest
 from conformance.test_conformance import random_values
-from dissected import Element, accel, acknowledge, broken, field_bytes, packet, shark, shown, trees
+from dissected import Element, accel, acknowledge, broken, copied, field_bytes, packet, shark, shown, trees
 from mipgen import model as m
+from mipgen.emit import render
 from mipgen.lower import codec
+from mipgen.resolve.load import load_model
 from mipgen.targets import wireshark
-from support import (
-    SPECS,
-    all_fields,
-    heavy,
-    model,
-    set_of,
-)
+from shark import Shark
+from support import ROOT, SPECS, all_fields, heavy, model, need, set_of
 
 pytestmark = heavy("tshark")
 
@@ -132,6 +133,54 @@ def test_a_sibling_names_values(spec: str, tmp_path: Path) -> None:
     assert seen
 
 
+#: Numbers that are equal as doubles, or too large for a mask that is one.
+LARGE = """
+set: 0xA0
+name: large
+title: Large numbers
+description: Values above 2^53.
+types:
+  wide:
+    enum: u64
+    description: Neighbours.
+    values:
+      one: {value: 1, description: A small one.}
+      last_exact: {value: 0x1FFFFFFFFFFFFF, description: The largest with an exact successor.}
+      odd: {value: 0x20000000000001, description: Equals the number below as a double.}
+      all: {value: 0xFFFFFFFFFFFFFFFF, description: Every bit.}
+  parts:
+    bitfield: u64
+    description: One wide number.
+    bits:
+      low: {bit: 0-3, description: Four bits.}
+      high: {bit: 4-63, description: Sixty bits.}
+fields:
+  - data: 0x01
+    name: numbers
+    title: Numbers
+    description: A value of each type.
+    parameters:
+      - {name: kind, type: wide, description: A number with a name.}
+      - {name: flags, type: parts, description: A number with parts.}
+"""
+
+
+def test_large_numbers_are_exact(tmp_path: Path) -> None:
+    mine = tmp_path / "mine"
+    (mine / "sets").mkdir(parents=True)
+    (mine / "sets/large.yaml").write_text(LARGE, "utf-8")
+    of = load_model(SPECS["invented"][0], mine)
+    (tmp_path / "mip.lua").write_bytes(render.render("wireshark", of)["mip.lua"])
+    names = {1: "one", (1 << 53) - 1: "last_exact", 1 << 53: None, (1 << 53) + 1: "odd", (1 << 64) - 1: "all"}
+    packets = [codec.build(of, 0xA0, [(1, struct.pack(">QQ", kind, kind))]) for kind in names]
+    (tmp_path / "capture.pcap").write_bytes(captures.serial(packets))
+    frames = map(copied, Shark(tmp_path / "mip.lua").trees(tmp_path / "capture.pcap"))
+    for (number, name), frame in zip(names.items(), frames, strict=True):
+        (kind,) = (part for part in frame.iter("field") if part.get("name") == "mip.large.numbers.kind")
+        assert kind.get("showname") == f"kind: {name or 'Unknown'} ({number})"
+        assert [int(x) for x in shown(frame, "mip.large.numbers.flags.high")] == [number >> 4]
+
+
 # --------------------------------------------------------------------------- filters
 
 
@@ -187,3 +236,37 @@ def test_filters_select(expression: str, frames: list[int], tmp_path: Path) -> N
     ]  # fmt: skip
     found = trees(tmp_path, captures.serial(sent), "-Y", expression)
     assert [int(shown(frame, "frame.number")[0]) for frame in found] == frames
+
+
+# --------------------------------------------------------------------------- docs/wireshark.md
+
+PAGE = (ROOT / "docs/wireshark.md").read_text("utf-8")
+
+
+def words(text: str) -> list[str]:
+    """Lines without the spaces of columns."""
+    return [" ".join(line.split()) for line in text.splitlines() if line.strip()]
+
+
+def test_the_commands_print_what_the_page_says(tmp_path: Path) -> None:
+    for tool in ("tshark", "text2pcap", "od", "sed"):
+        need(tool)
+    shutil.copytree(ROOT / "generated/wireshark", tmp_path / "generated/wireshark")
+    environment = {
+        **os.environ,
+        "HOME": str(tmp_path),
+        "XDG_CONFIG_HOME": str(tmp_path / ".config"),
+        "LC_ALL": "C.UTF-8",
+    }
+    blocks = re.findall(r"```(sh|text)\n(.*?)```", PAGE, re.S)
+    assert [kind for kind, _ in blocks].count("text") == len(blocks) // 2
+    printed: list[str] = []
+    for kind, text in blocks:
+        if kind == "sh":
+            done = subprocess.run(
+                ["sh", "-e"], input=text, capture_output=True, text=True, cwd=tmp_path, env=environment
+            )
+            assert done.returncode == 0, text + done.stderr
+            printed = words(done.stdout)
+        else:
+            assert printed == words(text)

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from .binding import use
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> Any:
-        from importlib import import_module
-
         homes = {"read_log": ".columns", "VirtualDevice": ".simulator"}
         if name not in homes:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

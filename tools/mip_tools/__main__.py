@@ -11,7 +11,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from . import __version__, binding
-from .commands import COMMANDS, DEFINITIONS, PACKAGE, loaded, without_package
+from .commands import COMMANDS, PACKAGE, loaded, without_package
 from .errors import Failure, Misuse, NoBinding
 
 EPILOG = """\
@@ -24,16 +24,16 @@ rejected a command, 4 it did not reply, 130 interrupted, 141 the reader of the o
 
 def main(arguments: list[str] | None = None) -> int:
     _usable_streams()
-    given = sys.argv[1:] if arguments is None else arguments
+    words = sys.argv[1:] if arguments is None else arguments
     try:
-        package, given = without_package(given)
+        package, words = without_package(words)
         if package is not None:
             binding.use(package)
-        code = _run(given)
+        code = _run(words)
         sys.stdout.flush()
         return code
     except Failure as failure:
-        print(f"{_program(given)}: {failure}", file=sys.stderr)
+        print(f"{_program(words)}: {failure}", file=sys.stderr)
         return failure.status
     except KeyboardInterrupt:
         return 130  # as shells do
@@ -42,14 +42,14 @@ def main(arguments: list[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except OSError as error:  # of the output: commands report errors of their files and ports
-        said = error.strerror or error
-        print(f"{_program(given)}: standard output cannot be written: {said}", file=sys.stderr)
+        message = error.strerror or error
+        print(f"{_program(words)}: standard output cannot be written: {message}", file=sys.stderr)
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
 
 
-def _program(given: list[str]) -> str:
-    return f"mip {given[0]}" if given and given[0] in COMMANDS else "mip"
+def _program(words: list[str]) -> str:
+    return f"mip {words[0]}" if words and words[0] in COMMANDS else "mip"
 
 
 def _usable_streams() -> None:
@@ -95,40 +95,35 @@ def _engine() -> str:
     return "NumPy and compiled code" if compiled() else "NumPy alone"
 
 
-def _run(given: list[str]) -> int:
+def _run(words: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="mip", description="Tools for devices that use MIP.", epilog=EPILOG, formatter_class=_Layout
     )
-    parser.add_argument("--version", action="version", version=_version() if "--version" in given else "")
+    parser.add_argument("--version", action="version", version=_version() if "--version" in words else "")
     parser.add_argument(
         PACKAGE,
         metavar="NAME",
         help=f"the generated package to work on, or its folder (default: ${binding.VARIABLE}, else {binding.USUAL})",
     )
-    parser.add_argument(
-        DEFINITIONS,
-        metavar="FILE",
-        help="a mip.json to read the definitions from, instead of a generated package",
-    )
-    if given and not given[0].startswith("-") and given[0] not in COMMANDS:
-        near = get_close_matches(given[0], COMMANDS, n=2)
+    if words and not words[0].startswith("-") and words[0] not in COMMANDS:
+        near = get_close_matches(words[0], COMMANDS, n=2)
         hint = f"did you mean {' or '.join(map(repr, near))}? " if near else ""
-        raise Misuse(f"'{given[0]}' is not a command; {hint}`mip --help` lists them")
+        raise Misuse(f"'{words[0]}' is not a command; {hint}`mip --help` lists them")
     used = parser
     commands = parser.add_subparsers(metavar="COMMAND", title="commands", dest="command")
     chosen: Any = None
-    for name, (_, text) in COMMANDS.items():
+    for name, text in COMMANDS.items():
         added = commands.add_parser(
             name, help=text, description=f"{text[0].upper()}{text[1:]}.", formatter_class=_Layout
         )
-        if given[:1] == [name]:  # imports only the requested command
+        if words[:1] == [name]:  # imports only the requested command
             chosen = loaded(name)
             chosen.add_arguments(added)
             used = added
-            given = getattr(chosen, "shielded", list)(given)
-    options, unknown = parser.parse_known_args(given)
+            words = getattr(chosen, "shielded", list)(words)
+    options, unknown = parser.parse_known_args(words)
     if unknown and chosen is not None:  # words after an option, which argparse does not expect
-        options, unknown = used.parse_known_intermixed_args(given[1:], argparse.Namespace(command=given[0]))
+        options, unknown = used.parse_known_intermixed_args(words[1:], argparse.Namespace(command=words[0]))
     if unknown:
         used.error(f"{' '.join(unknown)} is not recognized; see --help")
     if chosen is None:

@@ -1,9 +1,10 @@
 """The generated package that the tools work with, and all names that they use from it.
 
 It is `mip_protocol` unless `use`, `mip --package` or the environment variable `MIP_PACKAGE` names
-another one, or a `mip.json`, from which the package is then made. All other modules of the tools import
-what they need of a specification from this module, by name. A module of the package is imported when one
-of its names is first used.
+another one. All other modules of the tools import what they need of a specification from this module, by
+name. A module of the package is imported when one of its names is first used.
+
+`tests/tools/test_binding.py` uses a package with two fields.
 """
 
 from __future__ import annotations
@@ -12,19 +13,16 @@ import json
 import os
 import sys
 from functools import cache
-from importlib import import_module, resources
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from . import definitions
 from .errors import NoBinding
 
 USUAL = "mip_protocol"
 VARIABLE = "MIP_PACKAGE"
-#: The suffix of a definitions file.
-DEFINITIONS = ".json"
 
 #: The file that distinguishes a generated package from other folders.
 _MARK = "reflection"
@@ -34,36 +32,35 @@ _wanted: str | None = None
 
 
 def use(package: str) -> None:
-    """Selects the generated package by its name, its folder or the folder that contains it, or a `mip.json`.
+    """Selects the generated package by its name, its folder or the folder that contains it.
 
     Call this before you import any other module of the tools. Raises NoBinding.
     """
     global _wanted
     before, _wanted = _wanted, package
-    if name.cache_info().currsize and _found() != name():
-        said, _wanted = f"{name()} is already in use; select {package} before any other call", before
-        raise NoBinding(said)
+    if name.cache_info().currsize and _found(_named()) != name():
+        message, _wanted = f"{name()} is already in use; select {package} before any other call", before
+        raise NoBinding(message)
     name()
 
 
 @cache
 def name() -> str:
     """Returns the name of the package. Raises NoBinding with the remedy."""
-    return _found()
+    return _found(_named())
 
 
 def wanted() -> str:
     """Returns the argument of `use` that loads the same package in another process."""
-    given = _wanted or os.environ.get(VARIABLE) or USUAL
-    return str(Path(given).resolve()) if Path(given).exists() and given != name() else given
+    package = _named()
+    return str(Path(package).resolve()) if Path(package).exists() and package != name() else package
 
 
-def _found() -> str:
-    wanted = _wanted or os.environ.get(VARIABLE) or USUAL
-    return _defined(Path(wanted)) if wanted.endswith(DEFINITIONS) else _generated(wanted)
+def _named() -> str:
+    return _wanted or os.environ.get(VARIABLE) or USUAL
 
 
-def _generated(wanted: str) -> str:
+def _found(wanted: str) -> str:
     if all(word.isidentifier() for word in wanted.split(".")) and _importable(wanted):
         if not _importable(f"{wanted}.{_MARK}"):
             raise NoBinding(f"{wanted} is not a package that mipgen has generated")
@@ -73,16 +70,7 @@ def _generated(wanted: str) -> str:
     if wanted == USUAL:
         remedy = f"name yours with --package NAME, {VARIABLE}=NAME or mip_tools.use(NAME)"
         raise NoBinding(f"{USUAL} is not installed; install the generated Python package, or {remedy}")
-    if Path(wanted).is_file():
-        raise NoBinding(f"{wanted} is neither a package nor a definitions file, whose name must end in {DEFINITIONS}")
     raise NoBinding(f"{wanted} is neither an installed package nor a folder; install it, or name its folder")
-
-
-def _defined(file: Path) -> str:
-    """Makes the package of a definitions file; its runtime is that of an installed package."""
-    before = os.environ.get(VARIABLE) or USUAL
-    runtime = USUAL if before.endswith(DEFINITIONS) else before
-    return definitions.load(file, import_module(_generated(runtime)))
 
 
 def _importable(module: str) -> bool:
@@ -97,11 +85,11 @@ def _in_folder(folder: Path) -> str:
     packages = [p.parent for p in (folder / f"{_MARK}.py", *sorted(folder.glob(f"*/{_MARK}.py"))) if p.is_file()]
     if len(packages) != 1:
         which = ", ".join(p.name for p in packages)
-        said = f"several packages ({which}); name one" if packages else "no package that mipgen has generated"
-        raise NoBinding(f"{folder} contains {said}")
+        message = f"several packages ({which}); name one" if packages else "no package that mipgen has generated"
+        raise NoBinding(f"{folder} contains {message}")
     sys.path.insert(0, str(packages[0].parent))
-    known = sys.modules.get(packages[0].name)
-    if known is not None and str(packages[0]) not in map(str, known.__path__):
+    imported = sys.modules.get(packages[0].name)
+    if imported is not None and str(packages[0]) not in map(str, imported.__path__):
         raise NoBinding(f"{packages[0]}: another package {packages[0].name} is in use")
     return packages[0].name
 
@@ -117,23 +105,23 @@ def module(home: str) -> ModuleType:
 @cache
 def data(file: str) -> dict[str, Any]:
     """Reads a JSON file of the package, with facts for tools."""
-    made = definitions.simulation(name()) if file == "simulation.json" else None
-    if made is not None:
-        return made
+    package: Any = import_module(name())  # `importlib.resources` takes a tenth of the start-up time of `mip`
     try:
-        text = resources.files(name()).joinpath(file).read_text("utf-8")
-    except FileNotFoundError:
+        content = package.__loader__.get_data(os.path.join(package.__path__[0], file))
+    except OSError:
         raise NoBinding(f"{name()} lacks {file}; regenerate it with the mipgen version of these tools") from None
-    values: dict[str, Any] = json.loads(text)
+    values: dict[str, Any] = json.loads(content)
     return values
 
 
 #: Module of a generated package -> the names that the tools use from it.
 _USED = {
-    "_clocks": "CLOCKS LEAP_SECONDS UNIT_KEYS",
-    "_index": "FAMILIES FIELDS SETS",
+    "_clocks": "CLOCKS DEVICE_CLOCK LEAP_SECONDS UNIT_KEYS",
+    "_index": "FAMILIES FIELDS",
     "_scalars": "SCALARS",
     "_session": "session",
+    "_sets": "MODULES SETS",
+    "_words": "KEYWORDS SYNONYMS",
     "client": "Answer TimedOut",
     "codec": "OpenEnum single_from_bits single_to_bits",
     "described": "Described",
@@ -142,30 +130,32 @@ _USED = {
     "errors": "DecodeError EncodeError MipError MissingExtra NoAnswer NoSuchRate PacketError PortClosed "
     "PortError Refused UnknownName",
     "field": "Command Data Field Response Structure chosen",
-    "info": "BitsInfo EnumInfo",
+    "info": "BitsInfo EnumInfo Item",
     "lookup": "device_id",
-    "packet": "MAX_PAYLOAD OVERHEAD SYNC Packet PacketBuilder RawField",
-    "parameter": "Flag Parameter",
+    "packet": "MAX_PAYLOAD OVERHEAD SYNC Packet PacketBuilder RawField checksum",
+    "parameter": "Flag Parameter Variant meant named to_text",
     "parser": "Parser",
     "port": "READ_TIMEOUT",
     "profile": "Device Evidence Port Support",
     "protocol": "VERSION AckCode Acknowledge FunctionSelector",
     "reflection": "info items",
-    "registry": "MODULES all_types types",
-    "text": "meant named shortest",
+    "registry": "all_types types",
+    "text": "shortest",
     "timestamps": "MOST REACH SECOND from_date headers moments moments_of utc",
 }
 #: Modules that the tools use as a whole.
-_MODULES = ("lookup", "reflection", "registry", "timestamps", "wire")
+_MODULES = ("lookup", "reflection", "registry", "timestamps")
 _HOMES = {name: home for home, names in _USED.items() for name in names.split()}
 
 # Type checkers take this package for any generated one.
 if TYPE_CHECKING:
-    from mip_protocol import lookup, reflection, registry, timestamps, wire
-    from mip_protocol._clocks import CLOCKS, LEAP_SECONDS, UNIT_KEYS
-    from mip_protocol._index import FAMILIES, FIELDS, SETS
+    from mip_protocol import lookup, reflection, registry, timestamps
+    from mip_protocol._clocks import CLOCKS, DEVICE_CLOCK, LEAP_SECONDS, UNIT_KEYS
+    from mip_protocol._index import FAMILIES, FIELDS
     from mip_protocol._scalars import SCALARS
     from mip_protocol._session import session
+    from mip_protocol._sets import MODULES, SETS
+    from mip_protocol._words import KEYWORDS, SYNONYMS
     from mip_protocol.client import Answer, TimedOut
     from mip_protocol.codec import OpenEnum, single_from_bits, single_to_bits
     from mip_protocol.described import Described
@@ -186,17 +176,17 @@ if TYPE_CHECKING:
         UnknownName,
     )
     from mip_protocol.field import Command, Data, Field, Response, Structure, chosen
-    from mip_protocol.info import BitsInfo, EnumInfo
+    from mip_protocol.info import BitsInfo, EnumInfo, Item
     from mip_protocol.lookup import device_id
-    from mip_protocol.packet import MAX_PAYLOAD, OVERHEAD, SYNC, Packet, PacketBuilder, RawField
-    from mip_protocol.parameter import Flag, Parameter
+    from mip_protocol.packet import MAX_PAYLOAD, OVERHEAD, SYNC, Packet, PacketBuilder, RawField, checksum
+    from mip_protocol.parameter import Flag, Parameter, Variant, meant, named, to_text
     from mip_protocol.parser import Parser
     from mip_protocol.port import READ_TIMEOUT
     from mip_protocol.profile import Device, Evidence, Port, Support
     from mip_protocol.protocol import VERSION, AckCode, Acknowledge, FunctionSelector
     from mip_protocol.reflection import info, items
-    from mip_protocol.registry import MODULES, all_types, types
-    from mip_protocol.text import meant, named, shortest
+    from mip_protocol.registry import all_types, types
+    from mip_protocol.text import shortest
     from mip_protocol.timestamps import MOST, REACH, SECOND, from_date, headers, moments, moments_of, utc
 else:
 

@@ -20,6 +20,3 @@ class Misuse(Failure):
 
 class NoBinding(Failure, ImportError):
     """There is no generated package, or it lacks something that a tool needs."""
-
-
-__all__ = ["Failure", "Misuse", "NoBinding"]

@@ -48,16 +48,25 @@ def last(line: bytes | bytearray) -> tuple[int, str] | None:
     end = _END.search(line)
     if end is None:
         return None
-    wanted, checksum = int(end[1], 16), 0
+    wanted, xor = int(end[1], 16), 0
     for at in range(end.start() - 1, -1, -1):
         byte = line[at]
         if not 0x20 <= byte <= 0x7E:
             return None
         # Texts may also contain such a character: the checksum decides.
-        if byte in b"$!" and checksum == wanted and at + 1 < end.start():
+        if byte in b"$!" and xor == wanted and at + 1 < end.start():
             return at, line[at:].rstrip(b"\r").decode("ascii")
-        checksum ^= byte
+        xor ^= byte
     return None
 
 
-__all__ = ["LONGEST", "Sentences", "last"]
+def checksum(text: str) -> str:
+    """Computes the checksum of the text between `$` and `*`.
+
+    >>> checksum("PMSRA,221336.93,-0.172,-0.681,3.072")
+    '5D'
+    """
+    value = 0
+    for byte in text.encode("ascii"):
+        value ^= byte
+    return f"{value:02X}"

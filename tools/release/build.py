@@ -1,9 +1,12 @@
 """Builds what people install, in dist/: the same bytes each time, from the committed output.
 
     make release
+    make release REHEARSE=1     does the dry run of each registry, too
 
 Packages of Python, Rust and JavaScript, archives of the rest, single files, checksums, an SBOM (CycloneDX) and the
 notes of the version. The platform wheels of mip-tools are built by the release workflow, on each platform.
+
+`tests/release` installs each artefact.
 """
 
 from __future__ import annotations
@@ -13,7 +16,6 @@ import gzip
 import hashlib
 import io
 import json
-import os
 import re
 import shutil
 import subprocess
@@ -24,51 +26,29 @@ import uuid
 import zipfile
 from collections.abc import Callable
 from datetime import datetime, timezone
+from email import message_from_bytes
 from pathlib import Path
 
 from cyclonedx.model import HashAlgorithm, HashType
 from cyclonedx.model.bom import Bom, BomMetaData
-from cyclonedx.model.component import Component, ComponentType
+from cyclonedx.model.component import Component, ComponentScope, ComponentType
 from cyclonedx.model.license import DisjunctiveLicense
 from cyclonedx.output import make_outputter
 from cyclonedx.schema import OutputFormat, SchemaVersion
 from packageurl import PackageURL
+from packaging.requirements import Requirement
+from project import GENERATED, REPOSITORY, ROOT, UNPUBLISHED, VERSION, copied, other_addresses, run, tracked
 
-ROOT = Path(__file__).resolve().parents[2]
-GENERATED = ROOT / "generated"
-VERSION = re.search(r"^version: (\S+)", (ROOT / "spec/protocol.yaml").read_text("utf-8"), re.M)[1]  # type: ignore[index]
 EPOCH = 315532800  # 1980, the first date that an archive can contain
 LICENSE = "MIT"
-
-
-def run(*command: str | Path, cwd: Path, **environment: str) -> None:
-    done = subprocess.run(
-        [str(c) for c in command], cwd=cwd, capture_output=True, text=True, env={**os.environ, **environment}
-    )
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
-
-
-def tracked(folder: Path) -> list[Path]:
-    """The files of a folder that belong to the project; what tests and editors leave there does not."""
-    listed = subprocess.run(["git", "ls-files", "-z", "."], cwd=folder, capture_output=True, text=True, check=True)
-    return sorted(folder / name for name in listed.stdout.split("\0") if name and (folder / name).is_file())
-
-
-def copied(folder: Path, to: Path) -> Path:
-    for path in tracked(folder):
-        target = to / path.relative_to(folder)
-        target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(path, target)
-    return to
 
 
 def python(folder: Path, dist: Path) -> None:
     """A wheel and a source distribution."""
     with tempfile.TemporaryDirectory() as scratch:
         source, out = copied(folder, Path(scratch) / "source"), Path(scratch) / "out"
-        given = {"SOURCE_DATE_EPOCH": str(EPOCH), "MIP_TOOLS_PURE": "1"}
-        run(sys.executable, "-m", "build", "--no-isolation", "--outdir", out, cwd=source, **given)
+        environment = {"SOURCE_DATE_EPOCH": str(EPOCH), "MIP_TOOLS_PURE": "1"}
+        run(sys.executable, "-m", "build", "--no-isolation", "--outdir", out, cwd=source, **environment)
         for path in sorted(out.iterdir()):
             data = path.read_bytes()
             (dist / path.name).write_bytes(again(data) if path.name.endswith(".tar.gz") else data)
@@ -123,24 +103,61 @@ def sums(dist: Path) -> dict[str, str]:
     return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(dist.iterdir())}
 
 
-def bill(of: dict[str, str]) -> str:
-    """A CycloneDX document: each artefact with its hash, and what it needs. All dependencies are optional but NumPy."""
-    numpy = Component(name="numpy", type=ComponentType.LIBRARY, bom_ref="numpy", purl=PackageURL("pypi", name="numpy"))
+def needs(dist: Path) -> dict[str, dict[str, bool]]:
+    """What each artefact needs, as package URLs without versions: true if always, false if only for an extra."""
+    needed: dict[str, dict[str, bool]] = {}
+    for wheel in dist.glob("*.whl"):
+        with zipfile.ZipFile(wheel) as packed:
+            (name,) = (x for x in packed.namelist() if x.endswith(".dist-info/METADATA"))
+            listed = [Requirement(x) for x in message_from_bytes(packed.read(name)).get_all("Requires-Dist", [])]
+        needed[wheel.name] = {f"pkg:pypi/{x.name}": True for x in listed if x.marker is None}
+        needed[wheel.name] |= {
+            f"pkg:pypi/{x.name}": False for x in listed if f"pkg:pypi/{x.name}" not in needed[wheel.name]
+        }
+        needed[f"{wheel.name.split('-py3')[0]}.tar.gz"] = needed[wheel.name]
+    command = ["cargo", "metadata", "--format-version", "1", "--no-deps", "--offline"]
+    (package,) = json.loads(subprocess.check_output(command, cwd=GENERATED / "rust"))["packages"]
+    wanted = [x for x in package["dependencies"] if x["kind"] != "dev"]
+    needed[f"{package['name']}-{VERSION}.crate"] = {f"pkg:cargo/{x['name']}": not x["optional"] for x in wanted}
+    return needed
+
+
+def tested() -> dict[str, str]:
+    """The versions with which the tests run."""
+    locks = [(ROOT / f"requirements/{name}.txt").read_text("utf-8") for name in ("generator", "development", "all")]
+    pinned = {
+        f"pkg:pypi/{name}": version for lock in locks for name, version in re.findall(r"^(\S+)==(\S+)", lock, re.M)
+    }
+    lock = (ROOT / "tests/rust/Cargo.lock").read_text("utf-8")
+    crates = re.findall(r'^name = "(.*)"\nversion = "(.*)"', lock, re.M)
+    return pinned | {f"pkg:cargo/{name}": version for name, version in crates}
+
+
+def bill(digests: dict[str, str], needed: dict[str, dict[str, bool]]) -> str:
+    """A CycloneDX document: each artefact with its hash, and what it needs, in the version that was tested."""
     about = Component(name="mipgen", type=ComponentType.APPLICATION, bom_ref="mipgen", version=VERSION)
     document = Bom(
-        serial_number=uuid.uuid5(uuid.NAMESPACE_URL, json.dumps(of)),
+        serial_number=uuid.uuid5(uuid.NAMESPACE_URL, json.dumps(digests)),
         metadata=BomMetaData(timestamp=datetime.fromtimestamp(EPOCH, timezone.utc), component=about),
     )
-    document.components.add(numpy)
+    versions, libraries = tested(), {}
+    for address in sorted({address for listed in needed.values() for address in listed}):
+        required = any(listed.get(address) for listed in needed.values())
+        purl = PackageURL.from_string(f"{address}@{versions[address]}")
+        libraries[address] = Component(
+            name=purl.name, version=purl.version, type=ComponentType.LIBRARY, bom_ref=address, purl=purl,
+            scope=ComponentScope.REQUIRED if required else ComponentScope.OPTIONAL,
+        )  # fmt: skip
+        document.components.add(libraries[address])
     files = []
-    for name, digest in of.items():
+    for name, digest in digests.items():
         file = Component(
             name=name, type=ComponentType.FILE, bom_ref=name, version=VERSION,
             licenses=[DisjunctiveLicense(id=LICENSE)], hashes=[HashType(alg=HashAlgorithm.SHA_256, content=digest)],
         )  # fmt: skip
         files.append(file)
         document.components.add(file)
-        document.register_dependency(file, [numpy] if name.startswith("mip_tools") else [])
+        document.register_dependency(file, [libraries[x] for x in needed.get(name, ())])
     document.register_dependency(about, files)
     return make_outputter(document, OutputFormat.JSON, SchemaVersion.V1_6).output_as_string(indent=2) + "\n"
 
@@ -160,7 +177,7 @@ def release(dist: Path, site: Path | None) -> None:
         archive(site, dist / f"mip-reference-{VERSION}.zip", "mip-reference",
                 lambda folder: sorted(p for p in folder.rglob("*") if p.is_file()))  # fmt: skip
     listed = sums(dist)
-    (dist / "sbom.cdx.json").write_text(bill(listed), "utf-8")
+    (dist / "sbom.cdx.json").write_text(bill(listed, needs(dist)), "utf-8")
     (dist / "NOTES.md").write_text(notes(), "utf-8")
     (dist / "SHA256SUMS").write_text("".join(f"{digest}  {name}\n" for name, digest in sums(dist).items()), "utf-8")
 
@@ -169,10 +186,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="make release")
     parser.add_argument("--dist", type=Path, default=ROOT / "dist")
     parser.add_argument("--site", type=Path, help="the folder of the reference as a site")
-    given = parser.parse_args()
-    release(given.dist.resolve(), given.site)
-    for path in sorted(given.dist.iterdir()):
+    options = parser.parse_args()
+    for name, addresses in other_addresses(ROOT, REPOSITORY).items():
+        sys.exit(
+            f"{name}: the repository is {REPOSITORY or 'not'} in spec/protocol.yaml, and here {addresses or 'missing'}"
+        )
+    release(options.dist.resolve(), options.site)
+    for path in sorted(options.dist.iterdir()):
         print(f"{path.stat().st_size:10} {path.name}")
+    if not REPOSITORY:
+        print(UNPUBLISHED)
 
 
 if __name__ == "__main__":

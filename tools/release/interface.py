@@ -5,6 +5,8 @@
 
 The lines are read from the output, whose form the formatters decide, so that finished source and the output of
 templates are treated alike. Comments, bodies of functions and private names are not part of the interface.
+
+`tests/release/test_interface.py` breaks each binding.
 """
 
 from __future__ import annotations
@@ -27,13 +29,13 @@ def main() -> int:
     parser.add_argument("--check", action="store_true", help="compare with what is kept, and write nothing")
     parser.add_argument("--out", type=Path, default=ROOT / "generated", help="the output of the generator")
     parser.add_argument("--kept", type=Path, default=KEPT)
-    given = parser.parse_args()
-    version = json.loads((given.out / "json/mip.json").read_text("utf-8"))["version"]
-    if given.check:
-        return check(given.out, given.kept, version)
-    given.kept.mkdir(parents=True, exist_ok=True)
-    for name, lines in interfaces(given.out).items():
-        (given.kept / f"{name}.txt").write_text("\n".join([f"# {version}", *lines, ""]), "utf-8")
+    options = parser.parse_args()
+    version = json.loads((options.out / "json/mip.json").read_text("utf-8"))["version"]
+    if options.check:
+        return check(options.out, options.kept, version)
+    options.kept.mkdir(parents=True, exist_ok=True)
+    for name, lines in interfaces(options.out).items():
+        (options.kept / f"{name}.txt").write_text("\n".join([f"# {version}", *lines, ""]), "utf-8")
     return 0
 
 
@@ -111,11 +113,11 @@ DECIDES = (
 
 def parameters(of: dict[str, Any]) -> Iterator[str]:
     for number, p in enumerate(of.get("parameters", [])):
-        said = " ".join(f"{key}={json.dumps(p[key])}" for key in DECIDES if key in p)
-        yield f"{of['name']}[{number}] {p['name']} {said}"
+        decisive = " ".join(f"{key}={json.dumps(p[key])}" for key in DECIDES if key in p)
+        yield f"{of['name']}[{number}] {p['name']} {decisive}"
         for case in p.get("cases", []):
-            held = case.get("parameter", {}).get("type", "nothing")
-            yield f"{of['name']}[{number}] {p['name']} {held} if {case['tag']}"
+            case_type = case.get("parameter", {}).get("type", "nothing")
+            yield f"{of['name']}[{number}] {p['name']} {case_type} if {case['tag']}"
 
 
 # ------------------------------------------------------------------- languages with braces

@@ -200,7 +200,7 @@ export function supportOn(protocol, device, field, set) {
     return device.supports?.find((one) => names.includes(one.field));
 }
 
-/** Returns whether the evidence makes the support certain: "yes" or "probable". */
+/** Returns how certain the evidence makes the support: "yes", "likely" or "assumed". */
 function certaintyIn(device, support) {
     return device?.evidence?.[support.evidence]?.answer ?? "yes";
 }
@@ -210,12 +210,13 @@ function commandsOf(protocol, response) {
 }
 
 /**
- * Returns the mark of a field in a set on a device: "" if it is supported, "probable" if it
- * probably is, "not known" if the profile is incomplete and does not list it; undefined if it is not supported.
+ * Returns the mark of a field in a set on a device: "" if it is supported, "likely" or "assumed" if it
+ * is believed to be, "not known" if the profile is incomplete and does not list it; undefined if it is not supported.
  */
 export function certaintyOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
-    if (support) return certaintyIn(device, support) === "probable" ? "probable" : "";
+    const certainty = support && certaintyIn(device, support);
+    if (support) return certainty === "yes" ? "" : certainty;
     if (device?.refuses?.some((one) => one.field === nameIn(field, set))) return undefined;
     return device.incomplete ? "not known" : undefined;
 }
@@ -225,7 +226,8 @@ export function differencesOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
     if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];
     const found = [];
-    if (certaintyIn(device, support) === "probable") found.push(`it probably supports this: ${device.evidence[support.evidence].why}`);
+    const certainty = certaintyIn(device, support);
+    if (certainty !== "yes") found.push(`${certainty}: ${device.evidence[support.evidence].why}`);
     if (support.functions) found.push(`only ${support.functions.join(", ")}`);
     if (support.deprecated) found.push(`deprecated: ${support.deprecated}`);
     for (const parameter of field.parameters) {

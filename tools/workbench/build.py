@@ -144,7 +144,7 @@ _READ = {
     "part": ("name", "short", "value", "description"),
     "parameter": ("name", "type", "description"),
     "set": ("number", "title"),
-    "device": ("id", "title"),
+    "device": ("id", "title", "also", "model_number"),
 }  # fmt: skip
 
 
@@ -181,8 +181,8 @@ def searched(model: dict[str, Any]) -> dict[str, Any]:
 
 
 def _supported(device: dict[str, Any], numbers: dict[str, int]) -> dict[str, list[int]]:
-    """The numbers of the fields that a device has for certain, probably, and not."""
-    answers: dict[str, set[int]] = {"yes": set(), "probable": set(), "no": set()}
+    """The numbers of the fields that a device has for certain, likely, as is assumed, and not."""
+    answers: dict[str, set[int]] = {answer: set() for answer in ("yes", "likely", "assumed", "no")}
     for one in device["supports"]:
         answers[device["evidence"][one["evidence"]]["answer"]].add(numbers[one["field"]])
     return {answer: sorted(found) for answer, found in answers.items()}

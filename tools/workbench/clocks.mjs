@@ -1,9 +1,6 @@
 // The clocks of timestamps, and the rhythm of a field by one of them; `mip doctor` judges logs in the same way.
 
-import { decodeData, MipError } from "mip-protocol/tools";
-
-/** Seconds of the units of time. A timestamp is the sum of all parameters that have one of them. */
-const UNITS = { week: 604_800, s: 1, ms: 1e-3, us: 1e-6, ns: 1e-9 };
+import { clocksIn, Times } from "mip-protocol/tools";
 
 /** The number of equal intervals that make a rhythm. */
 const STEADY = 5;
@@ -14,73 +11,87 @@ const EQUAL = 0.1;
 /** An interval longer than this many usual intervals is a gap. */
 export const GAP = 1.5;
 
+/** Seconds of a week: a time of week that goes back by so much has begun a new one. */
+const WEEK = 604_800;
+
+/** Seconds that may be missing at the change of weeks. */
+const NEAR_WEEK = 60;
+
+/** Returns the names of the clocks that have the time of those with a date when it is not valid. */
+export function undatedClocks(protocol) {
+    const { clocks } = protocol.model;
+    const dated = new Set(clocks.flatMap(({ epoch, timestamps }) => (epoch === undefined ? [] : timestamps)));
+    const own = clocks.filter(({ epoch, timestamps }) => epoch === undefined && timestamps.some((name) => dated.has(name)));
+    return new Set(own.map(({ name }) => name));
+}
+
 /**
  * Finds the time of packets by the clocks of the model. Each set has one clock: the last of those in its first packet
- * with a timestamp, as a clock without a date goes on evenly when the date is set. A clock that is not valid also runs.
+ * with a timestamp, as a clock without a date goes on evenly when the date is set. A time that is not valid as a date is
+ * that of the device's clock, and both together are one clock.
  */
 export class Clocks {
-    #protocol;
-    #order = new Map(); // timestamp -> the place of its clock
-    #sources = new Map(); // set and descriptor -> the timestamp, undefined of other fields
+    /** From each start of the device to the next: name of a clock -> the first and the last time in seconds. */
+    spans = [];
+    #undated;
+    #clocks;
     #chosen = new Map(); // set -> { place, valid, run }
+    #last = new Map(); // set and clock -> time, since the device started
+    #weeks = 0;
 
-    constructor(protocol) {
-        this.#protocol = protocol;
-        for (const [place, clock] of protocol.model.clocks.entries())
-            for (const name of clock.timestamps) this.#order.set(protocol.field(name), place);
+    /** @param times the `Times` of the log; those of an unknown device otherwise */
+    constructor(protocol, times = new Times()) {
+        this.times = times;
+        this.#clocks = clocksIn(protocol);
+        this.#undated = undatedClocks(protocol);
     }
 
     /**
-     * Returns the time of a packet by its set's clock: { seconds, run }; undefined without a clock.
-     * `run` counts how often the clock became valid or invalid: times before and after that cannot be compared.
+     * Returns the time of a packet by its set's clock: { seconds, dated, run }; undefined without a clock.
+     * `run` counts how often the clock got or lost its date: times before and after that cannot be compared.
      */
     timeOf(packet) {
+        const times = this.#clocks
+            .map((clock) => ({ clock, time: this.times.time(packet, clock) }))
+            .filter(({ time }) => typeof time === "bigint");
+        if (!times.length) return undefined;
+        const found = times.map(({ clock, time }) => ({
+            clock,
+            seconds: Number(time) / 1e9,
+            line: clock.dated || this.#undated.has(clock.name),
+        }));
+        this.#extend(packet.set, found.find(({ line }) => line) ?? found[0]);
         const chosen = this.#chosen.get(packet.set);
-        let best;
-        packet.walk((at, end) => {
-            const source = this.#source(packet.set, packet.bytes[at + 1]);
-            if (!source || (chosen ? best || source.place !== chosen.place : best?.place >= source.place)) return;
-            best = this.#read(source, packet.bytes.subarray(at + 2, end)) ?? best;
-        });
+        const place = chosen?.place ?? found.findLast(({ line }) => !line)?.clock.name ?? "";
+        const best = found.find(({ clock, line }) => (place ? clock.name === place : line));
         if (!best) return undefined;
-        const run = chosen ? chosen.run + (chosen.valid !== best.valid) : 0;
-        this.#chosen.set(packet.set, { place: best.place, valid: best.valid, run });
-        return { seconds: best.seconds, run };
+        const run = chosen ? chosen.run + (chosen.dated !== best.clock.dated) : 0;
+        this.#chosen.set(packet.set, { place, dated: best.clock.dated, run });
+        return { seconds: best.seconds, dated: best.clock.dated, run };
     }
 
-    #source(set, descriptor) {
-        const key = set * 256 + descriptor;
-        if (!this.#sources.has(key)) {
-            const layouts = this.#protocol.candidates(set, descriptor);
-            const place = layouts.length === 1 ? this.#order.get(layouts[0]) : undefined;
-            this.#sources.set(key, place === undefined ? undefined : sourceOf(this.#protocol, layouts[0], place));
+    /** Extends the last span, or begins another one if the clock goes back. */
+    #extend(set, { clock, seconds }) {
+        const key = `${set} ${clock.name}`;
+        const before = this.#last.get(key);
+        let time = clock.dated ? seconds : seconds + this.#weeks;
+        if (before !== undefined && time < before) {
+            if (this.#undated.has(clock.name) && before - time > WEEK - NEAR_WEEK) {
+                this.#weeks += WEEK;
+                time += WEEK;
+            } else {
+                this.#last.clear();
+                this.#weeks = 0;
+                time = seconds;
+                this.spans.push({});
+            }
         }
-        return this.#sources.get(key);
+        this.#last.set(key, time);
+        if (!this.spans.length) this.spans.push({});
+        const span = this.spans.at(-1);
+        const [first, last] = span[clock.name] ?? [time, time];
+        span[clock.name] = [Math.min(first, time), Math.max(last, time)];
     }
-
-    #read({ field, place, parts, flags }, data) {
-        let values;
-        try {
-            values = decodeData(this.#protocol, field, data).values;
-        } catch (error) {
-            if (!(error instanceof MipError)) throw error;
-            return undefined;
-        }
-        const valid = flags.every(({ name, bit }) => Math.floor(Number(values[name]) / 2 ** bit) % 2);
-        const seconds = parts.reduce((sum, { name, scale }) => sum + Number(values[name]) * scale, 0);
-        return Number.isFinite(seconds) ? { place, valid, seconds } : undefined;
-    }
-}
-
-function sourceOf(protocol, field, place) {
-    const keyOf = (unit) => protocol.model.units.find(({ symbol }) => symbol === unit)?.key ?? unit;
-    const timed = field.parameters.filter(({ units }) => units?.length === 1 && keyOf(units[0]) in UNITS);
-    const flags = [...new Set(timed.flatMap(({ valid }) => valid ?? []))].map((path) => {
-        const [name, bit] = path.split(".");
-        const type = protocol.type(field.parameters.find((one) => one.name === name).type);
-        return { name, bit: type.bits.find((one) => one.name === bit).first };
-    });
-    return { field, place, flags, parts: timed.map(({ name, units }) => ({ name, scale: UNITS[keyOf(units[0])] })) };
 }
 
 /**

@@ -50,7 +50,7 @@ function link(href, words) {
 export function profileNote(device) {
     if (!device?.incomplete) return undefined;
     const unknown = device.incomplete.join(" ").replaceAll("`", "");
-    const marked = "Fields whose support is probable or unknown are offered and marked.";
+    const marked = "Fields whose support is likely, assumed or unknown are offered and marked.";
     return element("p", { class: "mip-note" }, `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
 }
 
@@ -116,6 +116,7 @@ function copiedBySelection(text) {
 /** Creates a table with column headings, which scrolls if it is too wide. */
 export function table(heads, rows, label) {
     const cells = heads.map((text) => element("th", { scope: "col" }, text));
+    for (const row of rows) for (const [i, cell] of [...row.cells].entries()) cell.dataset.head = heads[i]; // on a narrow screen
     return element(
         "div",
         { class: "mip-scroll", tabindex: "0", role: "group", "aria-label": label ?? heads.join(", ") },

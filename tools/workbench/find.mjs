@@ -2,17 +2,17 @@
 
 import { placesOf, sameBytes } from "mip-protocol/tools";
 import { bytesOfText } from "./pasted.mjs";
+import { Ranking, wordsOf } from "./rank.mjs";
 import { pairOf, spacedHex } from "./words.mjs";
 
-// Ranks by where a word is found: the smaller, the better.
+// Ranks by what of a field a text is: the smaller, the better.
 const EXACT = 0;
 const VENDOR = 0.5;
 const BEGINNING = 1;
-const TITLE = 2;
-const WORDS = 3;
-const PARTS = 4;
-const TEXT = 5;
-const PLACES = [TITLE, WORDS, PARTS, TEXT];
+export const WORDS = 2; // it only has the words
+
+/** Weights of a word in names and keywords, in the title of the set, in parameters and values, in descriptions. */
+export const WEIGHTS = [6, 2, 1.5, 1];
 
 const ASKED_CODE =
     /^(?:mip )?(?:error|nack|n?ack code|ack\/nack|return code|code|err|result|reply)(?: code)?\s*[:=#]?\s*(?:0x([0-9a-f]{1,2})|(\d{1,2}))$/i;
@@ -22,41 +22,58 @@ const FRAME_HEAD = 4;
 
 /** An index of all fields, for `find`. */
 export function indexOf(protocol) {
-    const synonyms = synonymsOf(protocol.model.vocabulary);
     const commands = new Map();
     for (const field of protocol.model.fields) for (const name of field.responses ?? []) commands.set(name, field);
     const vendorWords = vendorWordsOf(protocol);
     const entries = protocol.model.fields.map((field) => entryOf(protocol, field, commands, vendorWords));
-    return { protocol, synonyms, vendorWords, entries };
+    const ranking = new Ranking(
+        entries.map(({ texts }) => texts),
+        WEIGHTS,
+        synonymsOf(protocol.model),
+    );
+    return { protocol, vendorWords, entries, ranking };
+}
+
+/** Returns groups of words of the same meaning. */
+export function synonymsOf({ synonyms = [], vocabulary }) {
+    const plain = (words) => words.filter((word) => !word.includes("_"));
+    return [...synonyms, ...vocabulary.map(({ word, instead_of: others }) => plain([word, ...others]))];
 }
 
 /**
  * Returns the fields that a text may mean, the best first, at most `limit` of them. A text is a descriptor in any form
  * ("0x0D13", "82 10", "(0x82,0x10)", "0x82"), a name, a symbol in a binding (including values), a vendor's name, or
- * words. `rank` is 0 or less if the text is a descriptor, a name, a symbol or a keyword of the field.
+ * words. `rank` is 0 or less if the text is a descriptor, a name, a symbol or a keyword of the field, and `WORDS` if the field
+ * has words of the text.
  */
 export function find(index, text, limit = 20) {
     const query = text.trim();
     if (!query) return [];
+    const found = exactly(index, query);
+    const fields = new Set(found.map(({ field }) => field));
+    const [first, ...others] = index.ranking.search(query).found;
+    const kept = first ? [first, ...others.filter(({ score }) => score > first.score / 8)] : [];
+    const byWords = kept.map(({ at }) => ({ field: index.entries[at].field, rank: WORDS })).filter(({ field }) => !fields.has(field));
+    return [...found, ...byWords].slice(0, limit);
+}
+
+/** Returns the fields of which a text is a descriptor, a name, a symbol, a keyword, or the beginning of one. */
+export function exactly(index, text) {
+    const query = text.trim();
     const ranks = new Map();
     for (const { field, rank } of byDescriptor(index, query)) ranks.set(field, rank);
     const squashed = squash(query);
     const vendor = /\s/.test(query) ? "" : index.vendorWords(query);
-    const words = [...new Set(wordsOf(query))];
-    const enumerator = vendor && /[_:]/.test(query) ? vendor.split(" ") : []; // of the vendor, with its field and its value
+    const part = query.includes("_") ? squashed : ""; // single words are those of too many
     for (const entry of index.entries) {
-        const rank = Math.min(
-            rankOfSymbol(entry, squashed, /\s/.test(query)),
-            entry.vendor.has(vendor) ? VENDOR : Infinity,
-            rankOfWords(entry, words, index.synonyms),
-            rankOfWords(entry, enumerator, index.synonyms),
-        );
+        const isNamed = entry.vendor.has(vendor) || entry.parts.has(part);
+        const rank = Math.min(rankOfSymbol(entry, squashed, /\s/.test(query)), isNamed ? VENDOR : Infinity);
         if (rank < Infinity && !ranks.has(entry.field)) ranks.set(entry.field, rank);
     }
     // Fields found by their set are in the order of the specification.
     const order = ({ field, rank }) => (rank < EXACT - 1 ? [rank] : [rank, entryRank(field), rank < EXACT ? 0 : field.name.length]);
     const found = [...ranks].map(([field, rank]) => ({ field, rank }));
-    return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
+    return found.sort((a, b) => compared(order(a), order(b)));
 }
 
 /**
@@ -67,45 +84,6 @@ export function codeIn({ protocol }, text) {
     const [, hex, decimal] = ASKED_CODE.exec(text.trim()) ?? [];
     const number = hex ? Number.parseInt(hex, 16) : Number(decimal ?? Number.NaN);
     return protocol.types.get(protocol.model.ack_code).values.find((one) => one.value === number);
-}
-
-/** Replaces words that match nothing with the nearest known ones; undefined if all words are known. */
-export function corrected(known, text) {
-    let changed = false;
-    const right = text.toLowerCase().replace(/[a-z]{4,}/g, (word) => {
-        if (known.sorted.some((one) => one.startsWith(stem(word)))) return word;
-        const near = known.sorted.filter((one) => Math.abs(one.length - word.length) < 3 && !/[0-9]/.test(one));
-        const ranked = near.map((one) => [slips(word, one), -known.counts.get(one), one]).filter(([far]) => far <= word.length / 4);
-        if (!ranked.length) return word;
-        changed = true;
-        return ranked.sort((a, b) => a[0] - b[0] || a[1] - b[1])[0][2];
-    });
-    return changed ? right : undefined;
-}
-
-/** Collects the words of texts and of all fields, for `corrected`. */
-export function knownWords({ entries }, texts) {
-    const counts = new Map();
-    const all = [...entries.flatMap(({ words }) => Object.values(words)), ...texts];
-    for (const text of all) for (const word of wordsOf(text)) counts.set(word, (counts.get(word) ?? 0) + 1);
-    return { counts, sorted: [...counts.keys()].sort() };
-}
-
-/** Counts the letters that are wrong, missing, superfluous, or swapped with the next one. */
-function slips(one, other) {
-    let before = [];
-    let last = Array.from({ length: other.length + 1 }, (_, j) => j);
-    for (let i = 1; i <= one.length; i++) {
-        const row = [i];
-        for (let j = 1; j <= other.length; j++) {
-            const same = one[i - 1] === other[j - 1];
-            row[j] = Math.min(last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1));
-            const exchanged = i > 1 && j > 1 && one[i - 1] === other[j - 2] && one[i - 2] === other[j - 1];
-            if (exchanged) row[j] = Math.min(row[j], before[j - 2] + 1);
-        }
-        [before, last] = [last, row];
-    }
-    return last[other.length];
 }
 
 /** Returns a text that is a packet, or the beginning of one, for the inspector; undefined for other texts. */
@@ -167,10 +145,6 @@ function squash(text) {
     return text.toLowerCase().replace(/[^a-z0-9]+/g, "");
 }
 
-function wordsOf(text) {
-    return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
-}
-
 // The parts of the vendor's symbols that are not words of a name: mip::data_sensor::, MIP_CMD_DESC_, CH_FIELD_,
 // extract_mip_.
 const BESIDE = ["mip", "data", "command", "cmd", "descriptor", "ch", "field", "vec", "estimated", "insert", "to", "extract", "from"];
@@ -185,17 +159,12 @@ function vendorWordsOf({ model, functions }) {
     const beside = new Set([...BESIDE, ...[...functions.values()].map((one) => one.name)]);
     return (symbol) => {
         const words = wordsOf(symbol.replace(/(?<=[a-z]|[0-9](?=[A-Z][a-z]))(?=[A-Z])/g, "_").replaceAll("_", " "));
-        const plain = words.map(stem).map((word) => usual.get(word) ?? word);
+        const plain = words.map((word) => (word.length > 3 ? word.replace(/s$/, "") : word)).map((word) => usual.get(word) ?? word);
         return plain
             .filter((word) => !beside.has(word))
             .sort()
             .join(" ");
     };
-}
-
-/** Returns all words of some texts, with a space before and after each. */
-function spaced(...texts) {
-    return ` ${[...new Set(wordsOf(texts.join(" ")))].join(" ")} `;
 }
 
 function entryOf(protocol, field, commands, vendorWords) {
@@ -225,13 +194,14 @@ function entryOf(protocol, field, commands, vendorWords) {
         field,
         squashed: [...new Set(names.map(squash))],
         vendor: new Set([name, ...also].flatMap((one) => sets.map((set) => vendorWords(`${set}.${one}`)))),
+        parts: new Set(types.map((one) => squash(one.name))),
         constants: new Set(field.parameters.flatMap((parameter) => constantsOf(protocol, parameter))),
-        words: {
-            [TITLE]: spaced(field.title, name, ...also, ...keywords),
-            [WORDS]: spaced(...sets, ...titles, field.title, name, ...also, ...keywords, ...sections),
-            [PARTS]: spaced(...types.map((one) => one.name)),
-            [TEXT]: spaced(field.description, asked?.description ?? "", ...types.map((one) => one.description ?? "")),
-        },
+        texts: [
+            [field.title, name, ...also, ...keywords],
+            [...sets, ...titles, ...sections],
+            types.map((one) => one.name),
+            [field.description, asked?.description, ...types.map((one) => one.description)],
+        ].map((some) => [...new Set(wordsOf(some.join(" ")))].join(" ")),
     };
 }
 
@@ -272,43 +242,6 @@ function rankOfSymbol(entry, query, several) {
         else if (name.startsWith(query)) rank = Math.min(rank, BEGINNING + 0.9);
     }
     return rank;
-}
-
-/** Returns the best rank at which all words, or their synonyms, are found. */
-function rankOfWords(entry, words, synonyms) {
-    if (!words.length) return Infinity;
-    let [worst, sum] = [0, 0];
-    for (const word of words) {
-        const wanted = synonyms.get(stem(word)) ?? [word];
-        const place = PLACES.find((one) => wanted.some((each) => holds(entry.words[one], each)));
-        if (place === undefined) return Infinity;
-        worst = Math.max(worst, place);
-        sum += place;
-    }
-    return worst + (sum / words.length) * 0.1;
-}
-
-/** Does the text contain the word, or one that begins with it? Short words must match exactly. */
-function holds(words, wanted) {
-    return words.includes(wanted.length < 3 ? ` ${wanted} ` : ` ${stem(wanted)}`);
-}
-
-/** Returns a word in the singular. */
-function stem(word) {
-    return word.length > 3 ? word.replace(/s$/, "") : word;
-}
-
-/** Word -> its synonyms in the specification, including itself. */
-function synonymsOf(vocabulary) {
-    const synonyms = new Map();
-    for (const { word, instead_of: others } of vocabulary) {
-        if (word.includes("_")) continue;
-        for (const other of others.filter((one) => !one.includes("_"))) {
-            synonyms.set(stem(other), [...(synonyms.get(stem(other)) ?? [other]), word]);
-            synonyms.set(stem(word), [...(synonyms.get(stem(word)) ?? [word]), other]);
-        }
-    }
-    return synonyms;
 }
 
 /** "command 0x0C,0x28", for lists. */

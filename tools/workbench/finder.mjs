@@ -55,8 +55,9 @@ export function hitsList(fields, to) {
                 to.field(field, element("strong", {}, field.title)),
                 ` ${kindOf(field)} `,
                 element("code", {}, field.name),
-                element("div", {}, field.description),
+                " ",
                 to.builder(field),
+                element("div", {}, field.description),
             ),
         ),
     );

@@ -14,6 +14,7 @@ export { rotationOf } from "./readings.mjs";
 export { bytesOfText } from "./pasted.mjs";
 export { instancesOf, keysOf, settingsOf } from "./settings.mjs";
 export { settingsIn, textOf } from "./settings_text.mjs";
+export { spanText } from "./logs.mjs";
 export { survey } from "./survey.mjs";
 export { programOf } from "./programs/index.mjs";
 export { live } from "./live.mjs";

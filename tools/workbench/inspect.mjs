@@ -3,6 +3,7 @@
 import {
     decodeData,
     decodePacket,
+    deviceWithNumber,
     enumValue,
     FIRST_DATA_SET,
     fromHex,
@@ -112,12 +113,6 @@ export function answeredBy(protocol, { set, field, values }) {
     return { command, descriptor, code, accepted: code === 0, text: code === 0 ? `${title} acknowledged` : `${title} refused: ${why}` };
 }
 
-/** Returns the device with a model number: 6292, or "6292-4270". */
-export function deviceWithNumber(protocol, number) {
-    const digits = /^\s*(\d{4})/.exec(String(number))?.[1];
-    return digits && protocol.model.devices.find((device) => String(device.model_number) === digits);
-}
-
 /** Returns the values of a data field: rows like those of `inspect`, with the `key` of each value. */
 export function inspectData(protocol, { set, descriptor, field, data }, device) {
     if (!field) return [];
@@ -165,7 +160,7 @@ function inspectValue(protocol, { field, values, data }, part, device) {
         type,
         meaning,
         byDevice: byDevice && device === undefined && meaning === undefined,
-        ...shown(protocol, part, parameter, type, index),
+        ...shown(protocol, part, parameter, type, index, siblings),
     };
 }
 

@@ -39,6 +39,11 @@ export function inspector(root, protocol, options = {}) {
     };
     const log = logPanel(protocol, {
         device: () => device.chosen()?.id,
+        opened() {
+            if (state.get("bytes")) return;
+            input.value = ""; // the example
+            output.replaceChildren();
+        },
         show: (parts) => [transactionList(transactionsOf(parts), to), ...parts.map((part) => partReport(part, to))].filter(Boolean),
     });
     root.replaceChildren(

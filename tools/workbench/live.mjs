@@ -1,21 +1,22 @@
 // The live view: a device at a serial port or shared by `mip serve`, with its data, commands and settings.
 
 import { registry } from "mip-protocol/registry";
+import { rejections } from "mip-protocol/rejected";
 import { openSerial } from "mip-protocol/serial";
-import { buildPacket, MipError } from "mip-protocol/tools";
+import { buildPacket, deviceWithNumber, MipError } from "mip-protocol/tools";
 import { openWebSocket } from "mip-protocol/websocket";
 import { State } from "./address.mjs";
 import { builder } from "./builder.mjs";
 import { count, deviceOf, element, links, profileNote } from "./dom.mjs";
-import { drawAttitude, drawPlot } from "./draw.mjs";
-import { deviceWithNumber, inspectBytes, inspectData } from "./inspect.mjs";
+import { colourOf, drawAttitude, drawPlot, drawTrack } from "./draw.mjs";
+import { inspectBytes, inspectData } from "./inspect.mjs";
 import { transaction } from "./inspector.mjs";
 import { anglesOf, Readings, rotationOf } from "./readings.mjs";
 import { pull, push } from "./settings.mjs";
 import { settingsIn, textOf } from "./settings_text.mjs";
 import { needOf, needText } from "./stream.mjs";
-import { streamChooser } from "./streams.mjs";
-import { flagText } from "./words.mjs";
+import { presetOf, streamChooser } from "./streams.mjs";
+import { flagText, hexByte } from "./words.mjs";
 
 /** Milliseconds between two updates of the numbers. */
 const TURN = 200;
@@ -24,7 +25,10 @@ const TURN = 200;
 const FRAME = 30;
 
 /** Fields that are plotted from the start, if they can be. */
-const PLOTS = 3;
+const PLOTS = 4;
+
+/** Decimals of values by their unit: a float of four bytes has fewer, and other units have six significant digits. */
+const DECIMALS = { deg: 8, rad: 5, "rad/s": 5, g: 5, "m/s^2": 4, gauss: 5, m: 3, "m/s": 3, s: 6, mbar: 2, degC: 2 };
 
 const SERIAL =
     "This browser has no Web Serial, so it cannot open a serial port; Chrome, Edge and Opera on a computer can. " +
@@ -98,6 +102,7 @@ class Live {
             actions: element("p", { class: "mip-actions" }),
             identity: element("div", {}),
             connected: element("div", { hidden: true }),
+            preset: element("input", { type: "checkbox", id: "mip-preset", checked: true }),
             start: button("Start", this.#start, { class: "mip-main" }),
             stop: button("Stop", this.#stop),
             need: element("span", { class: "mip-need" }),
@@ -136,6 +141,7 @@ class Live {
                 " ",
                 element("button", {}, "Connect"),
             ),
+            element("p", {}, parts.preset, element("label", { for: "mip-preset" }, " Start inertial data, attitude and position at once")),
             element(
                 "details",
                 {},
@@ -178,7 +184,8 @@ class Live {
                 parts.progress,
             ]),
         );
-        root.replaceChildren(connect, parts.status, parts.actions, parts.identity, parts.connected);
+        const bar = element("div", { class: "mip-bar" }, parts.status, parts.actions);
+        root.replaceChildren(connect, bar, parts.identity, parts.connected);
         this.#builder = builder(commands, this.#protocol, {
             ...options,
             state,
@@ -254,7 +261,7 @@ class Live {
         this.#say(`Connecting …${words}`);
         let device;
         try {
-            device = await open({ onBytes: (bytes) => this.#recording?.add(bytes) });
+            device = await open({ explain: rejections(this.#protocol.model), onBytes: (bytes) => this.#recording?.add(bytes) });
         } catch (error) {
             this.#say(element("span", { class: "mip-wrong" }, `Not connected: ${error.message}.`));
             this.#offer("Try again");
@@ -294,7 +301,13 @@ class Live {
         this.#parts.actions.replaceChildren(element("button", { type: "button", onclick: () => this.#leave() }, "Disconnect"));
         if (known) this.#state.set({ device: known.id });
         this.#parts.streams.open = true;
-        this.#useDevice(known);
+        if (known && this.#parts.preset.checked && !this.#state.get("streams")) {
+            this.#state.set({ streams: presetOf(this.#protocol, known) });
+            this.#useDevice(known);
+            await this.#start();
+        } else {
+            this.#useDevice(known);
+        }
     }
 
     async #read(device) {
@@ -396,7 +409,7 @@ class Live {
             if (outcome.type !== "answer") return { command, error: outcome.type === "timedOut" ? "no answer" : outcome.message };
             const answered = inspectBytes(this.#protocol, acknowledged(this.#protocol, command, outcome.code))[0].fields[0];
             const response = outcome.response && inspectBytes(this.#protocol, outcome.response.packet().bytes)[0].fields[0];
-            return { command, answer: answered, response, error: outcome.error && `${outcome.error.message}` };
+            return { command, answer: answered, response, error: outcome.error?.message ?? outcome.rejected?.text };
         });
     }
 
@@ -411,7 +424,7 @@ class Live {
                     one.answer
                         ? transaction(one, this.#to)
                         : element("p", { class: "mip-wrong" }, `${one.command.field.title}: ${one.error}.`),
-                    one.answer && one.error && element("p", { class: "mip-wrong" }, one.error),
+                    one.answer && one.error && element("p", { class: "mip-wrong" }, `${one.error}.`),
                 ),
             );
         } catch (error) {
@@ -534,30 +547,36 @@ class Live {
     #begin(reading) {
         const title = reading.field ? this.#to.field(reading.field) : `Unknown descriptor ${reading.descriptor}`;
         const rate = element("span", { class: "mip-note" });
+        const set = this.#protocol.sets.get(reading.set)?.title ?? hexByte(reading.set);
         const values = element("dl", { class: "mip-values" });
-        const canvas = element("canvas", { class: "mip-plot", role: "img", "aria-label": `Plot of ${reading.field?.title}`, hidden: true });
+        const plots = element("div", { class: "mip-plots", hidden: true });
         const box = element("input", { type: "checkbox" });
         const plotted = [...this.#shown.values()].filter(({ reading: one }) => one.plotted).length;
         const choose = (on) => {
             box.checked = on;
             reading.plotted = on;
-            canvas.hidden = !on;
+            plots.hidden = !on;
         };
         box.addEventListener("input", () => choose(box.checked));
-        if (reading.plottable) choose(plotted < PLOTS);
+        const isTime = this.#protocol.model.clocks.some(({ timestamps }) => timestamps.includes(reading.name ?? ""));
+        if (reading.plottable) choose(plotted < PLOTS && !isTime);
         const root = element(
             "section",
-            { class: "mip-reading", "data-field": reading.name ?? "" },
-            element("h3", {}, title, " ", rate),
-            reading.plottable && element("label", { class: "mip-note" }, box, " plot"),
+            { class: `mip-reading${isTime ? " mip-last" : ""}`, "data-field": reading.name ?? "" },
+            element(
+                "div",
+                { class: "mip-bar" },
+                element("h3", {}, title, " ", rate),
+                reading.plottable && element("label", { class: "mip-note" }, box, " plot"),
+            ),
             values,
-            canvas,
+            plots,
         );
         this.#parts.data.append(root);
         let cells = [];
         const update = (now) => {
             const late = now - reading.times.at(-1) > 2;
-            rate.textContent = late ? "no longer sent" : `${Number(reading.rate(now).toPrecision(3))} Hz`;
+            rate.textContent = `${set}, ${late ? "no longer sent" : `${Number(reading.rate(now).toPrecision(3))} Hz`}`;
             root.classList.toggle("mip-late", late);
             const rows = inspectData(this.#protocol, reading, this.#state.get("device") || undefined);
             if (rows.length !== cells.length) {
@@ -565,24 +584,30 @@ class Live {
                 values.replaceChildren(...made.flat());
                 cells = made.map(([dt, dd]) => ({ dt, dd }));
             }
-            const paths = [...reading.series.keys()];
             for (const [i, row] of rows.entries()) {
                 const { dt, dd } = cells[i];
-                const at = canvas.hidden ? -1 : paths.indexOf(row.key);
-                dt.className = at < 0 ? "" : `mip-line-${at % 6}`;
+                const line = plots.hidden ? undefined : reading.series.get(row.key);
+                dt.style.setProperty("--mip-own", line ? colourOf(line) : "transparent");
                 dt.textContent = row.path;
                 dd.textContent = valueText(row);
             }
         };
-        return { reading, canvas, update };
+        return { reading, plots, update };
     }
 
     /** Draws the pictures once per screen frame. */
     #draw() {
         const now = Date.now() / 1000;
         let attitude;
-        for (const { reading, canvas } of this.#shown.values()) {
-            if (reading.plotted) drawPlot(canvas, [...reading.series.values()], now);
+        for (const { reading, plots } of this.#shown.values()) {
+            for (const [i, plot] of (reading.plotted ? reading.plots : []).entries()) {
+                const what = plot.track ? "Track" : `Plot of ${reading.field.title} in ${plot.unit}`;
+                const canvas = plots.children[i] ?? element("canvas", { class: "mip-plot", role: "img" });
+                if (!canvas.isConnected) plots.append(canvas);
+                canvas.setAttribute("aria-label", what);
+                if (plot.track) drawTrack(canvas, plot);
+                else drawPlot(canvas, plot, reading.timeAt(now), reading.dated);
+            }
             attitude ??= now - reading.times.at(-1) < 2 ? rotationOf(reading.field, reading.values) : undefined;
         }
         this.#parts.picture.hidden = !attitude;
@@ -628,11 +653,17 @@ function acknowledged(protocol, command, code) {
     return buildPacket(protocol, command.set, [{ name: protocol.acknowledge.name, values }]).bytes;
 }
 
-function valueText({ text, unit, name, flags }) {
+function valueText({ text, value, unit, name, flags, float, bytes }) {
     const said = flags ? flags.map(flagText).join(", ") || "none set" : name;
-    const number = Number(text);
-    const short = text.includes(".") && Number.isFinite(number) ? number.toPrecision(6) : text;
+    const short = float && Number.isFinite(value) ? floatText(value, unit, bytes.length) : text;
     return [said ?? short, !said && unit].filter(Boolean).join(" ");
+}
+
+function floatText(value, unit, size) {
+    const decimals = DECIMALS[unit];
+    if (decimals === undefined) return value.toPrecision(6);
+    const before = Math.max(1, Math.floor(Math.log10(Math.abs(value) || 1)) + 1);
+    return value.toFixed(size === 4 ? Math.max(0, Math.min(decimals, 7 - before)) : decimals);
 }
 
 /** Records bytes in the browser, which stores them on disk if there are many. */

@@ -1,6 +1,6 @@
 // A log in the inspector: the contents of a file of any size, and its packets page by page.
 
-import { GAP } from "./clocks.mjs";
+import { GAP, undatedClocks } from "./clocks.mjs";
 import { copyButton, count, element, table } from "./dom.mjs";
 import { inspectBytes } from "./inspect.mjs";
 import { survey } from "./survey.mjs";
@@ -12,24 +12,27 @@ const LISTED = 50;
 /**
  * A panel for logs: `chooser`, the input for a file; `output`; and `acceptDrops(element)`.
  *
- * @param show returns the elements for parts of bytes; device returns the id of the device whose readings are used
+ * @param show returns the elements for parts of bytes; device returns the id of the device whose readings are used;
+ *   opened is called when a log is opened
  */
-export function logPanel(protocol, { show, device }) {
+export function logPanel(protocol, { show, device, opened }) {
     const output = element("div", { class: "mip-log", role: "status" });
     const file = element("input", { type: "file", id: "mip-file", class: "mip-file" });
     const chooser = element("span", { class: "mip-chooser" }, element("label", { for: "mip-file" }, "Log or recording "), file);
     let reading = 0; // the latest file
     const open = async (chosen) => {
         const mine = ++reading;
+        opened();
         const bar = element("progress", { max: Math.max(chosen.size, 1), value: 0, "aria-label": "Read so far" });
         const stop = element("button", { type: "button", onclick: () => reading++ }, "Stop");
         output.replaceChildren(element("p", {}, `Reading ${chosen.name} `, bar, " ", stop));
         let found;
         try {
-            found = await survey(protocol, piecesOf(chosen), (bytes) => {
+            const progress = (bytes) => {
                 bar.value = bytes;
                 return mine === reading;
-            });
+            };
+            found = await survey(protocol, () => piecesOf(chosen), progress, device());
         } catch (error) {
             output.replaceChildren(element("p", { class: "mip-wrong" }, `${chosen.name} cannot be read: ${error.message}.`));
             return;
@@ -86,6 +89,7 @@ function logReport(protocol, file, found, show, device, close) {
             " ",
             element("button", { type: "button", onclick: close }, "Close the log"),
         ),
+        ...timeReport(protocol, found),
         found.fields.length > 0 &&
             table(
                 ["Field", "Descriptor", "Count", "Rate in Hz", "Gaps"],
@@ -106,8 +110,32 @@ function logReport(protocol, file, found, show, device, close) {
                 "Fields without a rate are not regular, or have no timestamps.",
             ),
         found.gaps.length > 0 && gapList(found.gaps),
-        found.packets > 0 && pages(protocol, file, found, show, device),
+        found.packets > 0 && pages(protocol, file, found, show, () => device() ?? found.device),
     ].filter(Boolean);
+}
+
+/** Describes the time of a log, how flags were read, and values that were not valid. */
+function timeReport(protocol, { spans, fields, read }) {
+    const lines = spans.map((span, i) => `${i ? "Restart of the clock: " : ""}${spanText(protocol, span)}.`);
+    if (read) lines.push(`${read[0].toUpperCase()}${read.slice(1)}.`);
+    for (const { field, valid, count: times } of fields) {
+        if (valid === undefined || valid === times) continue;
+        lines.push(`${field.title}: valid in ${Number(((100 * valid) / times).toPrecision(3))} % of ${times}.`);
+    }
+    return lines.map((line) => element("p", { class: "mip-time" }, line));
+}
+
+/** "2024-02-08T00:00:00.000Z to …; device clock 12.5 to 12.89 s, no date: not synchronized" */
+export function spanText(protocol, span) {
+    return protocol.model.clocks
+        .filter(({ name }) => span[name])
+        .map(({ name, title, epoch }) => {
+            const [first, last] = span[name];
+            if (epoch) return [first, last].map((time) => new Date(1000 * time).toISOString()).join(" to ");
+            const alone = undatedClocks(protocol).has(name);
+            return `${title} ${[first, last].map((time) => Number(time.toFixed(4))).join(" to ")} s${alone ? ", no date: not synchronized" : ""}`;
+        })
+        .join("; ");
 }
 
 function cellsOf({ set, descriptor, field, name, count: times, rhythm: { rate, gaps, lost } }) {

@@ -1,10 +1,13 @@
 // Data from a device: the latest values, their rates, and the last seconds of those that are plotted.
 
-import { decodeData, MipError, nameIn, partsOf } from "mip-protocol/tools";
+import { decodeData, MipError, nameIn, parametersAt, partsOf, unitOf } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
 
 /** The number of seconds that a plot shows. */
 export const SPAN = 10;
+
+/** The maximum number of points of a track. */
+const TRACK = 2000;
 
 /** The number of seconds over which a rate is counted. */
 const WINDOW = 2;
@@ -31,7 +34,7 @@ export class Readings {
         for (const reading of this.fields.values()) reading.rhythm = new Rhythm();
     }
 
-    /** Processes a data packet, whose `time` is the time of its arrival. */
+    /** Processes a data packet, with the time of its `arrival`. */
     take(packet) {
         this.packets++;
         const time = this.#clocks.timeOf(packet);
@@ -46,9 +49,9 @@ export class Readings {
             reading.data = data;
             reading.count++;
             reading.rhythm.add(time);
-            reading.times.push(packet.time);
+            reading.times.push(packet.arrival);
             if (reading.times.length > 4096) reading.times.splice(0, 2048);
-            if (reading.plotted) reading.sample(packet.time);
+            if (reading.plotted) reading.sample(time, packet.arrival);
         });
     }
 
@@ -65,8 +68,14 @@ class Reading {
     rhythm = new Rhythm();
     data;
     times = [];
-    /** Returns the path of each number -> [[time, value], …] of the last seconds. */
+    /** The path of each number -> { unit, number, points: [[time, value], …] }, of the last seconds. */
     series = new Map();
+    /** Positions, the oldest first: { seconds, latitude, longitude }. */
+    track = [];
+    dated = true; // are times those of a date?
+    #seconds = Number.NaN; // the time of the latest data
+    #behind = Infinity; // seconds by which the device's clock is behind that of this computer
+    #step = 0.1; // seconds between two points of the track
 
     constructor(protocol, of) {
         this.#protocol = protocol;
@@ -95,22 +104,64 @@ class Reading {
         return some.length > 1 ? (some.length - 1) / (some.at(-1) - some[0] || WINDOW) : some.length / WINDOW;
     }
 
-    /** Stores the numbers of the latest data for plots. */
-    sample(time) {
+    /**
+     * Stores the numbers of the latest data for plots, at the time of the device, or without one at that of the arrival.
+     */
+    sample(time, arrival) {
         const values = this.values;
         if (!values) return;
+        const seconds = time?.seconds ?? arrival;
+        const passed = seconds - this.#seconds;
+        if (!(passed >= 0 && passed < SPAN)) {
+            this.series.clear(); // the clock was set, or the stream interrupted
+            this.track = [];
+            this.#behind = Infinity;
+        }
+        this.#seconds = seconds;
+        this.#behind = Math.min(this.#behind, arrival - seconds); // without the delays of some arrivals
+        this.dated = time ? time.dated : true;
         for (const { path, operation, value } of partsOf(this.#protocol, this.field, values)) {
             if (this.#protocol.scalar(operation.scalar)?.kind !== "float" || typeof value !== "number") continue;
             const key = path.join(".");
-            if (!this.series.has(key)) this.series.set(key, { path, points: [] });
+            if (!this.series.has(key)) this.series.set(key, { unit: this.#unitOf(path), number: this.series.size, points: [] });
             const { points } = this.series.get(key);
-            points.push([time, value]);
-            if (points[0][0] < time - 2 * SPAN)
+            points.push([seconds, value]);
+            if (points[0][0] < seconds - 2 * SPAN)
                 points.splice(
                     0,
-                    points.findIndex(([at]) => at > time - SPAN),
+                    points.findIndex(([at]) => at > seconds - SPAN),
                 );
         }
+        if (typeof values.latitude === "number" && typeof values.longitude === "number") this.#travel(seconds, values);
+    }
+
+    #unitOf(path) {
+        const index = path.findLast((step) => typeof step === "number") ?? 0;
+        return unitOf(parametersAt(this.#protocol, this.field, path).at(-1).parameter, index);
+    }
+
+    /** Extends the track; a long one keeps each second point. */
+    #travel(seconds, { latitude, longitude }) {
+        if (seconds - (this.track.at(-1)?.seconds ?? -1) < this.#step) return;
+        this.track.push({ seconds, latitude, longitude });
+        if (this.track.length < TRACK) return;
+        this.track = this.track.filter((_, i) => i % 2);
+        this.#step *= 2;
+    }
+
+    /** Returns the time of the device at a time of this computer. */
+    timeAt(now) {
+        return now - this.#behind;
+    }
+
+    /** Returns what is plotted together: for each unit { unit, series }, and for a position the { track } in place of its angles. */
+    get plots() {
+        const moves = this.track.length > 0;
+        const angles = new Set(moves ? ["latitude", "longitude"] : []);
+        const shown = [...this.series].filter(([key]) => !angles.has(key)).map(([, one]) => one);
+        const units = [...new Set(shown.map(({ unit }) => unit))];
+        const plots = units.map((unit) => ({ unit, series: shown.filter((one) => one.unit === unit) }));
+        return moves ? [{ track: this.track }, ...plots] : plots;
     }
 
     /** Can the field be plotted, that is, does it contain a float? */

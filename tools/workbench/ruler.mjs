@@ -29,7 +29,7 @@ export function ruler({ bytes, kind, fields }) {
         until(offset + 2, { class: "mip-head", title: `${field?.title ?? "Field"}: length, descriptor` });
         for (const row of rows) {
             row.colour = colour++ % COLOURS;
-            until(at + row.bytes.length, { class: `mip-piece mip-colour-${row.colour}`, "data-value": row.path, title: row.path });
+            until(at + row.bytes.length, { ...coloured(row.colour), "data-value": row.path, title: row.path });
         }
         until(offset + whole.length, { class: "mip-rest", title: "No known parameter" });
     }
@@ -56,9 +56,10 @@ export function linkRows(root) {
     for (const event of ["mouseover", "focusin"]) root.addEventListener(event, mark);
 }
 
-function colourOf(one) {
-    return [...one.classList, ...(one.firstElementChild?.classList ?? [])].find((name) => name.startsWith("mip-colour-"));
-}
+/** Returns the attributes of bytes in a colour of the style sheet. */
+const coloured = (colour) => ({ class: "mip-colour", "data-colour": colour, style: `--mip-own: var(--mip-${colour})` });
+
+const colourOf = (one) => one.dataset.colour ?? one.firstElementChild?.dataset.colour;
 
 export function valueTable(rows, label) {
     return table(["Bytes", "Parameter", "Value", "Meaning"], rows.map(valueRow), label);
@@ -75,7 +76,7 @@ function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter, by
     return element(
         "tr",
         { "data-path": path },
-        element("td", { class: `mip-colour-${colour}` }, element("code", {}, spacedHex(bytes))),
+        element("td", coloured(colour), element("code", {}, spacedHex(bytes))),
         element("td", {}, element("code", {}, path)),
         element("td", {}, value),
         element(

@@ -16,6 +16,34 @@ export function streamName(field, set) {
     return field.set === SHARED_SET ? `${set.name}+${field.name}` : nameIn(field, set.number);
 }
 
+/** Fields that show a device at once: the first one that it supports of each line. */
+const PRESET = [
+    ["sensor.scaled_accel"],
+    ["sensor.scaled_gyro"],
+    ["filter_data.euler_angles", "sensor.comp_euler_angles"],
+    ["filter_data.llh_position", "gnss_1.llh_position", "gnss_data.llh_position"],
+];
+
+/** Their rate in Hz. */
+const SHOWN = 50;
+
+/** Returns the text in an address for those fields of a device, each set with a timestamp. */
+export function presetOf(protocol, device) {
+    const places = streamsOf(protocol, device).flatMap(({ set, base, fields }) =>
+        fields
+            .filter((field) => base !== 0 && certaintyOn(protocol, device, field, set.number) !== "not known")
+            .map((field) => ({ name: nameIn(field, set.number), set, base, field })),
+    );
+    const timestamps = protocol.model.clocks.flatMap((clock) => clock.timestamps);
+    const chosen = PRESET.map((names) => names.map((name) => places.find((place) => place.name === name)).find(Boolean)).filter(Boolean);
+    const timed = [...new Set(chosen.map(({ set }) => set))].map((set) =>
+        timestamps.map((name) => places.find((place) => place.name === name && place.set === set)).find(Boolean),
+    );
+    return [...timed.filter(Boolean), ...chosen]
+        .map(({ set, base, field }) => `${streamName(field, set)}@${base ? base / decimation(base, SHOWN) : SHOWN}`)
+        .join(",");
+}
+
 /** Parses the text in an address, "sensor.scaled_accel@100,sensor.scaled_gyro@50", as name -> rate. */
 export function ratesOf(text) {
     const pairs = text.split(",").map((part) => part.split("@"));

@@ -1,6 +1,6 @@
 // Surveys a log of any size, which is read in pieces: packets, rates, gaps.
 
-import { MipError, nameIn, Parser } from "mip-protocol/tools";
+import { decodeData, deviceWithNumber, isValid, MipError, nameIn, Parser, Times } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
 
 /** The number of bytes in a page, which contains the packets that begin in them. */
@@ -10,15 +10,45 @@ const PAGE = 8192;
 const GAPS = 1000;
 
 /**
- * Surveys the pieces of a log, Uint8Arrays in order: { bytes, packets, skipped, sentences, fields, gaps, pages }.  A
- * field has `name`, `set`, `field`, `count`, and a `rhythm` by the clock of the device; a gap, the fields that it
- * concerns and the packet after it; a page, the `offset` at which it begins and the number of the first packet in it.
+ * Surveys a log: { bytes, packets, skipped, sentences, fields, gaps, pages, spans, device, read }. A field has `name`,
+ * `set`, `field`, `count`, how many are `valid` (undefined if it has no flags), and a `rhythm` by the clock of the device;
+ * a gap, the fields that it concerns and the packet after it; a page, the `offset` at which it begins and the number of
+ * the first packet in it. `spans` are those of `Clocks`; `read` is what was assumed about the device, in words.
+ * @param open returns the pieces, Uint8Arrays in order; it is called again if a later part changes how flags are read
  * @param progress is called with the bytes that were read; if it returns false, the survey ends there
+ * @param named the id of the device; if it is undefined, it is the one in the log, if there is one
  */
-export async function survey(protocol, pieces, progress = () => true) {
+export async function survey(protocol, open, progress = () => true, named = undefined) {
+    let device = named;
+    let times = new Times({ device });
+    for (;;) {
+        const found = await surveyed(protocol, open(), progress, times, device);
+        if (found.stopped) return found;
+        if (device === undefined && found.device) {
+            device = found.device;
+            times = new Times({ device });
+        } else if (times.changed) {
+            times.changed = false;
+        } else {
+            return { ...found, device, read: assumed(protocol, times, device, named) };
+        }
+    }
+}
+
+/** Describes in words how the flags were read. */
+function assumed(protocol, { recognized }, device, named) {
+    const of = (id) => protocol.model.devices.find((one) => one.id === id);
+    if (device !== undefined) return `device ${of(device)?.title ?? device}${named === undefined ? " (from the log)" : ""}`;
+    if (!recognized) return "";
+    const generations = recognized.map((id) => of(id)?.generation).filter(Boolean);
+    return `flags read as those of generation ${Math.max(...generations)} (recognized)`;
+}
+
+async function surveyed(protocol, pieces, progress, times, named) {
     const found = { bytes: 0, packets: 0, sentences: 0, damaged: 0, pages: [{ offset: 0, first: 0 }] };
     const fields = new Map();
-    const clocks = new Clocks(protocol);
+    const clocks = new Clocks(protocol, times);
+    let device;
     const gaps = new Map(); // packet after it -> gap
     let dollar = false; // the last byte outside packets
     const parser = new Parser({
@@ -41,6 +71,11 @@ export async function survey(protocol, pieces, progress = () => true) {
                     fields.set(key, one);
                 }
                 one.count++;
+                if (one.flagged.length || one.names) {
+                    const values = valuesOf(protocol, one.field, packet.bytes.subarray(at + 2, end));
+                    if (one.names) device ??= deviceIn(protocol, values);
+                    else one.valid += Boolean(values) && one.flagged.every((name) => isValid(protocol, one.field, values, name, named));
+                }
                 for (const { mark: packet, ...gap } of one.rhythm.add(time, found.packets)) {
                     if (gaps.has(packet)) gaps.get(packet).fields.push(one);
                     else if (gaps.size < GAPS) gaps.set(packet, { ...gap, fields: [one], packet });
@@ -56,12 +91,17 @@ export async function survey(protocol, pieces, progress = () => true) {
             found.bytes += part.length;
             found.pages.push({ offset: found.bytes - parser.pending.length, first: found.packets });
         }
-        if (progress(found.bytes) === false) break;
+        if (progress(found.bytes) === false) {
+            found.stopped = true;
+            break;
+        }
     }
     take(parser.flush());
     const holds = ({ first }, i) => (found.pages[i + 1]?.first ?? found.packets) > first;
     return {
         ...found,
+        device,
+        spans: clocks.spans,
         skipped: parser.skipped,
         pages: found.pages.filter(holds),
         gaps: [...gaps.values()].sort((a, b) => a.packet - b.packet),
@@ -78,5 +118,27 @@ function seriesOf(protocol, packet, at, end) {
         if (!(error instanceof MipError)) throw error;
     }
     const name = field ? nameIn(field, packet.set) : undefined;
-    return { set: packet.set, descriptor, field, name, count: 0, rhythm: new Rhythm() };
+    const flagged = field?.role === "data" ? field.parameters.filter(({ valid }) => valid?.length).map((one) => one.name) : [];
+    const names = field?.role === "response" && field.parameters.some(({ type }) => named(protocol, type)); // the device
+    const valid = flagged.length ? 0 : undefined;
+    return { set: packet.set, descriptor, field, name, count: 0, valid, flagged, names, rhythm: new Rhythm() };
+}
+
+function named(protocol, type) {
+    return protocol.types.get(type)?.parameters?.some(({ name }) => name === "model_number");
+}
+
+function valuesOf(protocol, field, data) {
+    try {
+        return decodeData(protocol, field, data).values;
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        return undefined;
+    }
+}
+
+/** Returns the id of the device that a reply names. */
+function deviceIn(protocol, values = {}) {
+    const numbers = Object.values(values).map((one) => one?.model_number);
+    return numbers.map((number) => number && deviceWithNumber(protocol, number)).find(Boolean)?.id;
 }

@@ -112,20 +112,21 @@ export function pathText(parameters, path) {
  * Formats a value for people: `text`, `unit`, for an enumeration `name` and `meaning`, and for a bitfield `flags`.
  *
  * @param type the enumeration or bitfield of the value, if it has one
+ * @param values those of the record, on which the meaning of bits may depend
  */
-export function shown(protocol, part, parameter, type, index) {
+export function shown(protocol, part, parameter, type, index, values = {}) {
     const { operation, value, size } = part;
     const unit = unitOf(parameter, index);
     const kind = protocol.scalar(operation.scalar)?.kind;
     if (operation.kind === "text") return { text: JSON.stringify(value.replace(/[\0 ]+$/, "")), unit };
-    if (kind === "float") return { text: decimal(value, size), unit };
+    if (kind === "float") return { text: decimal(value, size), unit, float: true };
     if (kind === "bool") return { text: `${value}`, name: value ? "true" : "false", unit };
     if (type?.kind === "enum") {
         const known = enumValue(type, value);
         return { text: `${value}`, name: known?.name ?? "unknown", meaning: known?.description, unit };
     }
     if (type?.kind === "bitfield") {
-        const { found, rest } = bitsOf(protocol, type, value);
+        const { found, rest } = bitsOf(protocol, type, value, values);
         const flags = found.filter(({ flag, value: held }) => !flag || held);
         const text = Array.isArray(value) ? spacedHex(Uint8Array.from(value)) : hexLiteral(value, size);
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };

@@ -24,6 +24,8 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/number.c
   ${MIP_FOLDER}/src/mip/outcome.c
   ${MIP_FOLDER}/src/mip/parser.c
+  ${MIP_FOLDER}/src/mip/parser_fast.c
+  ${MIP_FOLDER}/src/mip/parser_small.c
   ${MIP_FOLDER}/src/mip/print.c
   ${MIP_FOLDER}/src/mip/profile.c
   ${MIP_FOLDER}/src/mip/profiles.c
@@ -32,11 +34,14 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/reflect.c
   ${MIP_FOLDER}/src/mip/reflection.c
   ${MIP_FOLDER}/src/mip/registry.c
+  ${MIP_FOLDER}/src/mip/rejected.c
+  ${MIP_FOLDER}/src/mip/rejected_text.c
   ${MIP_FOLDER}/src/mip/rtk.c
   ${MIP_FOLDER}/src/mip/sensor.c
   ${MIP_FOLDER}/src/mip/shared.c
   ${MIP_FOLDER}/src/mip/stream.c
   ${MIP_FOLDER}/src/mip/system.c
   ${MIP_FOLDER}/src/mip/system_data.c
+  ${MIP_FOLDER}/src/mip/timestamps.c
   ${MIP_FOLDER}/src/mip/value.c
 )

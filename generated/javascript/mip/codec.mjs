@@ -14,12 +14,17 @@ export const MAX_FIELD_DATA = 253;
 // ---------------------------------------------------------------------------------------------------- bytes of a field
 
 export class Reader {
-    /** @param options.plain use the form for tools; @param options.floatBits in that form, every float is the text of its bits */
-    constructor(bytes, { plain = false, floatBits = false } = {}) {
+    /**
+     * @param options.plain use the form for tools; @param options.floatBits in that form, every float is the text of its bits
+     * @param options.json values that JSON lacks are texts
+     */
+    constructor(bytes, { plain, floatBits, json } = {}) {
         this.bytes = bytes;
         this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
         this.plain = plain;
         this.floatBits = floatBits;
+        this.json = json;
+        this.exact = floatBits || json;
         this.limit(0, bytes.length);
     }
 
@@ -53,7 +58,7 @@ export class Reader {
     /** Handles a NaN: JavaScript does not preserve its bits, so they are recorded. */
     exactly(number, at, size) {
         const bytes = this.bytes.subarray(at, at + size);
-        if (this.floatBits) return floatBits(bytes);
+        if (this.floatBits || (this.json && !Object.is(JSON.parse(JSON.stringify(number)), number))) return floatBits(bytes);
         if (this.plain) return readFloat(bytes);
         if (typeof readFloat(bytes) === "string") {
             this.nans ??= new Map();
@@ -79,19 +84,32 @@ class Writer {
 
 const integer = (size, signed, read) => ({
     size,
-    big: size > 4, // its values are BigInts
     read,
     write: (w, value, where) => w.put(writeInteger(value, size, signed, where)),
+});
+
+/** A block whose values are BigInts. JSON lacks them, so it contains decimal texts. */
+const big = (size, signed, read, order = (bytes) => bytes) => ({
+    size,
+    big: true,
+    read(r) {
+        const value = read(r);
+        return r.json ? String(value) : value;
+    },
+    write(w, value, where) {
+        const number = typeof value === "string" && /^-?\d+$/.test(value) ? BigInt(value) : value;
+        w.put(order(writeInteger(number, size, signed, where)));
+    },
 });
 
 export const u8 = /* @__PURE__ */ integer(1, false, (r) => r.bytes[r.take(1)]);
 export const u16 = /* @__PURE__ */ integer(2, false, (r) => r.view.getUint16(r.take(2)));
 export const u32 = /* @__PURE__ */ integer(4, false, (r) => r.view.getUint32(r.take(4)));
-export const u64 = /* @__PURE__ */ integer(8, false, (r) => r.view.getBigUint64(r.take(8)));
+export const u64 = /* @__PURE__ */ big(8, false, (r) => r.view.getBigUint64(r.take(8)));
 export const s8 = /* @__PURE__ */ integer(1, true, (r) => r.view.getInt8(r.take(1)));
 export const s16 = /* @__PURE__ */ integer(2, true, (r) => r.view.getInt16(r.take(2)));
 export const s32 = /* @__PURE__ */ integer(4, true, (r) => r.view.getInt32(r.take(4)));
-export const s64 = /* @__PURE__ */ integer(8, true, (r) => r.view.getBigInt64(r.take(8)));
+export const s64 = /* @__PURE__ */ big(8, true, (r) => r.view.getBigInt64(r.take(8)));
 export const char = u8;
 
 const floating = (size, get) => ({
@@ -99,7 +117,7 @@ const floating = (size, get) => ({
     read(r) {
         const at = r.take(size);
         const number = get(r.view, at);
-        return Number.isNaN(number) || r.floatBits ? r.exactly(number, at, size) : number;
+        return Number.isNaN(number) || r.exact ? r.exactly(number, at, size) : number;
     },
     write(w, value, where) {
         const noted = Number.isNaN(value) ? w.nans?.get(w.bytes.length) : undefined;
@@ -173,35 +191,18 @@ class Bitfield extends Names {
 export const bitfield = (of, bits) => new Bitfield(of, bits);
 
 /** Creates a block for a bitfield in bytes, the least significant first: a BigInt, or in the plain form an array of bytes. */
-export const octets = (size) => ({
-    size,
-    big: true,
-    read(r) {
-        const bytes = Array.from(r.slice(size));
-        return r.plain ? bytes : bytes.reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n);
-    },
-    write(w, value, where) {
-        if (!w.plain) {
-            w.put(writeInteger(value, size, false, where).reverse());
-            return;
-        }
-        refuseOther(where, value, isList(value), "an array");
-        if (value.length !== size) throw new MipError("count", `${where} needs ${size} bytes`);
-        for (const [i, byte] of value.entries()) w.put(writeInteger(byte, 1, false, `${where}[${i}]`));
-    },
-});
+export const octets = (size) => {
+    const plain = array(u8, size);
+    const number = (r) => plain.read(r).reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n);
+    const whole = big(size, false, number, (bytes) => bytes.reverse());
+    return {
+        ...whole,
+        read: (r) => (r.plain ? plain : whole).read(r),
+        write: (w, ...of) => (w.plain ? plain : whole).write(w, ...of),
+    };
+};
 
 // ---------------------------------------------------------------------------------------------------- several values
-
-/** Returns the number of items: `fixed`, the value of the parameter `counter`, or as many as follow; at most `most`. */
-function countOf(of, r, counts) {
-    if (of.fixed !== undefined) return of.fixed;
-    if (of.counter === undefined) return Math.min(Math.floor(r.left / of.item.size), of.most);
-    const count = Number(counts[of.counter]);
-    if (count * of.item.size > r.left) throw new MipError("count", `${of.counter} is ${count}, but ${r.left} bytes follow`);
-    if (count > of.most) throw new MipError("count", `${of.counter} is ${count}, but a field holds ${of.most}`);
-    return count;
-}
 
 function checkCount(of, value, where) {
     if (value.length !== (of.fixed ?? value.length) || value.length > of.most) {
@@ -211,17 +212,18 @@ function checkCount(of, value, where) {
 }
 
 class Items {
-    constructor(item, fixed, most, counter) {
+    /** @param count returns the number of items, which `fixed` is if it is always the same; at most `most` */
+    constructor(item, fixed, most, count = () => fixed) {
         this.item = item;
         this.fixed = fixed;
         this.most = most;
-        this.counter = counter;
+        this.count = count;
         this.size = fixed === undefined ? undefined : fixed * item.size;
     }
 
     read(r, _, counts) {
         const { item } = this;
-        const count = this.fixed ?? countOf(this, r, counts);
+        const count = this.fixed ?? this.count(r, counts);
         const items = [];
         for (let i = 0; i < count; i++) items.push(item.read(r));
         return items;
@@ -234,16 +236,32 @@ class Items {
     }
 }
 
+/** The number of items is the value of another parameter. */
+const countedBy =
+    (counter, { size }, most) =>
+    (r, counts) => {
+        const count = Number(counts[counter]);
+        if (count * size > r.left) throw new MipError("count", `${counter} is ${count}, but ${r.left} bytes follow`);
+        if (count > most) throw new MipError("count", `${counter} is ${count}, but a field holds ${most}`);
+        return count;
+    };
+
+/** As many items as follow. */
+const following =
+    ({ size }, most) =>
+    (r) =>
+        Math.min(Math.floor(r.left / size), most);
+
 /** Creates a block for a vector, or another array of fixed length. */
 export const array = (item, count) => new Items(item, count, count);
 /** Creates a block for an array whose length is the value of another parameter. */
-export const counted = (counter, item, most) => new Items(item, undefined, most, counter);
+export const counted = (counter, item, most) => new Items(item, undefined, most, countedBy(counter, item, most));
 /** Creates a block for an array that fills the rest of the field. */
-export const rest = (item, most) => new Items(item, undefined, most);
+export const rest = (item, most) => new Items(item, undefined, most, following(item, most));
 
 class Text extends Items {
     read(r, _, counts) {
-        return readText(r.slice(countOf(this, r, counts)));
+        return readText(r.slice(this.count(r, counts)));
     }
 
     write(w, value, where) {
@@ -256,8 +274,8 @@ class Text extends Items {
 
 /** Creates a block for Latin-1 text: of fixed length, of the length in another parameter, or up to the end of the field. */
 export const text = (count) => new Text(u8, count, count);
-export const countedText = (counter, most) => new Text(u8, undefined, most, counter);
-export const restText = (most) => new Text(u8, undefined, most);
+export const countedText = (counter, most) => new Text(u8, undefined, most, countedBy(counter, u8, most));
+export const restText = (most) => new Text(u8, undefined, most, following(u8, most));
 
 // ---------------------------------------------------------------------------------------------------- values that follow from others
 
@@ -298,7 +316,7 @@ export const union = (tag, cases) => {
 // ---------------------------------------------------------------------------------------------------- layouts
 
 /** Names that every object has; a member with such a name is suffixed with "_". */
-const TAKEN = new Set(["constructor", "encode", "packet", "set", "answered", "replies", "toJSON", "toString", "valueOf"]);
+const TAKEN = new Set(["constructor", "encode", "packet", "set", "answered", "replies", "isValid", "toJSON", "toString", "valueOf"]);
 
 /** Converts a name to a member's name in programs: "gnss_1" to "gnss1", and "3d_fix" to "_3dFix". */
 export function memberName(words) {

@@ -35,10 +35,10 @@ export class Device {
     /** The number of packets that were dropped because they were not read in time. */
     dropped = 0;
 
-    constructor(open, { timeout = 1, capacity = 10_000, onBytes, onSkipped } = {}) {
+    constructor(open, { timeout = 1, capacity = 10_000, onBytes, onSkipped, explain } = {}) {
         if (!(capacity >= 1)) throw new MipError("range", `capacity ${capacity}: must be at least 1 packet`);
         this.#open = open;
-        this.#options = { capacity, onBytes };
+        this.#options = { capacity, onBytes, explain };
         this.#client = new Client({ timeout, onSkipped });
     }
 
@@ -89,14 +89,19 @@ export class Device {
 
     /** Sends commands of one set in one packet and returns the response of each. Throws the error of the first that fails. */
     async requestAll(commands, options) {
-        return (await this.exchange(commands, options)).map((outcome, i) => responseOf(outcome, commands[i]));
+        const outcomes = await this.exchange(commands, options);
+        return outcomes.map((outcome, i) => responseOf(outcome, commands[i]));
     }
 
     /** Like `requestAll`, but returns all outcomes, even of failed commands; undefined for one that is never acknowledged. */
     async exchange(commands, options = {}) {
         for (const command of commands) await this.#askFor(command);
-        const outcomes = await this.#send(commands, options, true);
-        return Promise.all(outcomes);
+        const outcomes = await Promise.all(await this.#send(commands, options, true));
+        for (const [i, outcome] of outcomes.entries()) {
+            if (outcome?.type !== "answer" || outcome.accepted) continue;
+            outcome.rejected = await this.#options.explain?.(this, commands[i], this.#port);
+        }
+        return outcomes;
     }
 
     /** Sends commands of one set in one packet and does not wait for replies, which are treated as data. */
@@ -105,6 +110,9 @@ export class Device {
     }
 
     async #send(commands, options, wait) {
+        // What has already arrived is taken in first, as data: the copy of an earlier reply, on a line that may repeat it, is
+        // not matched to this command.
+        await new Promise((done) => setTimeout(done));
         this.#mustBeOpen();
         const client = this.#client;
         const pending = client.pending; // the client distinguishes commands by their objects
@@ -253,7 +261,7 @@ export class Device {
     }
 
     #arrive(packet) {
-        packet.time = Date.now() / 1000;
+        packet.arrival = Date.now() / 1000;
         const reader = this.#readers.shift();
         if (reader) {
             clearTimeout(reader.timer);
@@ -351,8 +359,10 @@ function responseOf(outcome, command) {
     if (outcome.type === "timedOut") throw new MipError("timeout", `${NAME}: no answer`, { command });
     if (outcome.type === "closed") throw new MipError("closed", `${NAME}: ${outcome.message}`, { command });
     if (!outcome.accepted) {
-        const { code } = outcome;
-        throw new MipError("refused", `${NAME} refused: ${AckCode.nameOf(code) ?? `code ${code}`}`, { command, code });
+        const { code, rejected } = outcome;
+        const words = AckCode.nameOf(code)?.toLowerCase().replaceAll("_", " ") ?? `code ${code}`;
+        const why = rejected ? `: ${rejected.text}` : "";
+        throw new MipError("refused", `${NAME} rejected (${words})${why}`, { command, code, rejected });
     }
     if (outcome.error) throw outcome.error;
     return outcome.response;

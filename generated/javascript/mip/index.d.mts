@@ -18,6 +18,20 @@ export declare class MipError extends Error {
     readonly command?: Command;
     /** The acknowledge code, for "refused". */
     readonly code?: number;
+    /** The field that is to blame, for "refused", if the device has the option `explain`. */
+    readonly rejected?: Rejected;
+}
+
+/** The field for which a device rejected a command that lists fields. */
+export interface Rejected {
+    /** Its index in the list. */
+    index: number;
+    set: number;
+    /** 0 for the whole set. */
+    descriptor: number;
+    reason: "absent" | "decimation" | "too_many" | "undefined" | "unlisted";
+    /** "3DM-CV7-AR has no GNSS receiver" */
+    text: string;
 }
 
 /** Computes a packet's two checksum bytes from all bytes before them. */
@@ -85,8 +99,23 @@ export declare class Field {
     static decode<F extends Field>(this: new (values: never) => F, data: Bytes): F;
     /** Like `decode`, but also returns the number of bytes left over, which newer devices may send. */
     static decodeWithTrailing<F extends Field>(this: new (values: never) => F, data: Bytes): { field: F; trailing: number };
+    /** Makes a field from what `toJSON` returned. Throws a MipError. */
+    static fromJSON<F extends Field>(this: new (values: never) => F, values: object): F;
+    /**
+     * Returns its values as JSON can contain them: an integer of more than four bytes as a decimal text, a float that JSON
+     * lacks, such as a NaN, as the text of its bits, "0x7fc00000". Throws a MipError if it cannot be encoded.
+     */
+    toJSON(): { [name: string]: unknown };
     /** The set of the packet that contained it, or the only set in which it occurs; undefined if unknown. */
     get set(): number | undefined;
+    /**
+     * Is a value valid, as its flags say? One without flags is, unless it is absent.
+     *
+     * @param name the member, or an element: "velocity[0]"
+     * @param device the id of the device, "3dm-gx5-15", on which the flags may depend; if it is undefined, they are
+     *   recognized by the bits that are set
+     */
+    isValid(name: string, device?: string): boolean;
     /** Encodes the field's data, without length and descriptor. Throws a MipError. */
     encode(): Uint8Array;
     /** Makes a packet with only this field, in the set that contained it or in `set`. Throws a MipError. */
@@ -151,13 +180,44 @@ export declare class Packet {
     /** Is the checksum correct? */
     get sound(): boolean;
     /** For a packet from a device: when it arrived, in seconds since 1970 by this computer's clock. */
-    readonly time?: number;
+    readonly arrival?: number;
+    /**
+     * Returns its time by a clock of `mip-protocol/time`, in nanoseconds: since 1970 in UTC if the clock has a date,
+     * otherwise since the clock's start. It is null if that is not valid, and undefined if the packet has none. A time of
+     * week that is not valid as a date is the time of a clock without one.
+     *
+     * @param device the id of the device, on which valid flags may depend; `Times` is for devices that are not known
+     */
+    time(clock: Clock, device?: string): bigint | null | undefined;
     /** Yields the fields; throws "field_length" at a malformed one. */
     fields(): Generator<RawField, void, undefined>;
     /** Returns the first field of a type; undefined if there is none. Throws a MipError if it cannot be decoded. */
     find<F extends Field>(kind: FieldClass<F>): F | undefined;
     /** Returns the fields of a type, in order. Throws a MipError if one cannot be decoded. */
     findAll<F extends Field>(kind: FieldClass<F>): F[];
+}
+
+/** A clock of timestamps, from `mip-protocol/time`. */
+export declare class Clock {
+    private constructor();
+    /** Its name in the specification: "gps". */
+    readonly name: string;
+    /** Are its times in UTC? Otherwise, they count from its start. */
+    readonly dated: boolean;
+    /** Converts nanoseconds since its epoch to UTC, since 1970. A leap second becomes the second after it. */
+    utc(time: bigint): bigint;
+}
+
+/** The times of a device's packets. How valid flags are read is recognized by those of all packets so far. */
+export declare class Times {
+    /** @param options.device the id of the device, if it is known */
+    constructor(options?: { device?: string });
+    /** Did later flags change how those before them are read? Then set it to false, and read a log again with this object. */
+    changed: boolean;
+    /** The ids of the devices whose flags were recognized; undefined if the usual ones, or those of a named device, hold. */
+    readonly recognized: readonly string[] | undefined;
+    /** Returns the time of a packet by a clock, like `packet.time`. */
+    time(packet: Packet, clock: Clock): bigint | null | undefined;
 }
 
 /** Finds packets in a stream that may also contain other data, and arrives in pieces of any size. */
@@ -198,6 +258,8 @@ export interface Answer {
     error?: MipError;
     /** The undecoded response. */
     raw?: RawField;
+    /** The field that is to blame for a rejection, if the device has the option `explain`. */
+    rejected?: Rejected;
 }
 
 /** The device has not answered in time. */
@@ -288,6 +350,8 @@ export interface DeviceOptions {
     onBytes?: (bytes: Uint8Array) => void;
     /** Called with bytes that are not part of a packet. */
     onSkipped?: (bytes: Uint8Array) => void;
+    /** Finds the field for which the device rejected a command, for the error: `rejections(model)` of `mip-protocol/rejected`. */
+    explain?: (device: Device, command: Command, port: Port) => Promise<Rejected | undefined>;
 }
 
 type Answers<C extends readonly Command[]> = { -readonly [I in keyof C]: C[I] extends Command<infer R> ? R : never };

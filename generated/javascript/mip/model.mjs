@@ -75,6 +75,12 @@ export class Protocol {
     }
 }
 
+/** Returns the device with a model number: 6292, or "6292-4270"; undefined if there is none. */
+export function deviceWithNumber({ model }, number) {
+    const digits = /^\s*(\d+)(?=[-. \0]|$)/.exec(String(number))?.[1];
+    return digits && model.devices?.find((device) => device.model_number === Number(digits));
+}
+
 /** Returns the sets in which a field occurs, with its name in each. */
 export function placesOf(field) {
     return field.occurrences ?? [{ set: field.set, name: field.name }];

@@ -75,12 +75,18 @@ export function maskOf(bits) {
     return ((1n << BigInt(bits.last - bits.first + 1)) - 1n) << BigInt(bits.first);
 }
 
-/** Returns the parts of a bitfield with their values: flags that are set, and all numbers. `rest` are unnamed bits. */
-export function bitsOf(protocol, type, value) {
+/**
+ * Returns the parts of a bitfield with their values: flags that are set, and all numbers. `rest` are unnamed bits.
+ *
+ * @param values those of the record: bits that mean nothing in its state are left out, and remain in `rest`
+ */
+export function bitsOf(protocol, type, value, values = {}) {
     let rest = bitsNumber(value);
     const whole = rest;
     const found = [];
     for (const bits of type.bits) {
+        const state = bits.when && values[bits.when.parameter];
+        if (state !== undefined && !bits.when.numbers.includes(Number(state))) continue;
         const mask = maskOf(bits);
         const held = (whole & mask) >> BigInt(bits.first);
         rest &= ~mask;

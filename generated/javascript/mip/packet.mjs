@@ -33,8 +33,12 @@ export class RawField {
 
 /** Bytes in the form of a packet; the checksum may be wrong. */
 export class Packet {
-    constructor(bytes) {
+    #reader;
+
+    /** @param reader reads the bytes around these, if there is one for several packets */
+    constructor(bytes, reader) {
         this.bytes = bytes;
+        this.#reader = reader;
     }
 
     /** Checks that bytes are a whole packet. Throws a MipError: "sync", "length" or "checksum". */
@@ -115,6 +119,11 @@ export class Packet {
         return undefined;
     }
 
+    /** Returns its time by a clock of `mip-protocol/time`, in nanoseconds; null if that is not valid, undefined if it has none. */
+    time(clock, device) {
+        return clock.timeOf(this, device);
+    }
+
     /** Returns the first field of a type; undefined if there is none. Throws a MipError if it cannot be decoded. */
     find(kind) {
         return this.#search(kind, true)[0];
@@ -129,13 +138,20 @@ export class Packet {
         const found = [];
         const { bytes, set } = this;
         if (!kind.occursIn(set)) return found;
-        const reader = new Reader(bytes);
         const wrong = this.walk((at, end) => {
             if (bytes[at + 1] !== kind.DESCRIPTOR || !kind.matches(bytes, at + 2, end)) return false;
-            found.push(kind.readFrom(reader, at + 2, end, set));
+            found.push(this.read(kind, at, end));
             return once;
         });
         if (wrong) throw wrong;
         return found;
+    }
+
+    /** Decodes the field from `at` to `end` as one of this type. Throws a MipError. */
+    read(kind, at, end) {
+        const { bytes } = this;
+        this.#reader ??= new Reader(bytes);
+        const begin = bytes.byteOffset - this.#reader.bytes.byteOffset;
+        return kind.readFrom(this.#reader, begin + at + 2, begin + end, bytes[2]);
     }
 }

@@ -1,16 +1,24 @@
 // Finds packets in a stream of bytes.
 
-import { bytesOf, concatenated } from "./bytes.mjs";
+import { bytesOf } from "./bytes.mjs";
+import { Reader } from "./codec.mjs";
 import { isSet, Packet, SYNC } from "./packet.mjs";
+
+/** Bytes are copied to blocks of this size, so that small pieces do not cost a buffer each. Packets are views of them. */
+const BLOCK = 16384;
 
 /**
  * Accepts bytes in pieces of any size; the packets found do not depend on the division. A false packet never hides a true
  * one: the search continues one byte after its beginning.
  */
 export class Parser {
+    #block = new Uint8Array(0);
+    #reader;
+    #begin = 0; // the pending bytes in it
+    #end = 0;
+
     /** @param options.onSkipped is called with bytes that are not part of a packet, in order with the packets */
     constructor({ onSkipped } = {}) {
-        this.pending = new Uint8Array(0);
         this.onSkipped = onSkipped;
         /** The number of bytes so far that are not part of a packet. */
         this.skipped = 0;
@@ -18,59 +26,79 @@ export class Parser {
 
     /** Returns the packets that these bytes complete: a Uint8Array or an ArrayBuffer, which is copied. */
     feed(bytes) {
-        this.pending = concatenated(this.pending, bytesOf(bytes));
-        return this.#search(false);
+        const packets = [];
+        const whole = bytesOf(bytes);
+        for (let at = 0; at < whole.length; ) {
+            if (this.#end === this.#block.length) {
+                const { pending } = this; // less than a packet
+                this.#block = new Uint8Array(BLOCK);
+                this.#block.set(pending);
+                this.#reader = new Reader(this.#block);
+                this.#begin = 0;
+                this.#end = pending.length;
+            }
+            const part = whole.subarray(at, at + this.#block.length - this.#end);
+            this.#block.set(part, this.#end);
+            this.#end += part.length;
+            at += part.length;
+            this.#search(packets);
+        }
+        return packets;
     }
 
     /** Ends the stream: returns the packets within an incomplete one. */
     flush() {
-        return this.#search(true);
+        return this.#search([], true);
+    }
+
+    /** The bytes of an incomplete packet so far. */
+    get pending() {
+        return this.#block.subarray(this.#begin, this.#end);
     }
 
     /** Discards an incomplete packet if a whole packet begins within it, because it was noise. */
     lookBehind() {
-        for (let at = 1; at < this.pending.length; at++) {
-            if (!packetAt(this.pending, at)) continue;
-            this.#skip(0, at);
-            this.pending = this.pending.subarray(at);
-            return this.#search(false);
+        for (let at = this.#begin + 1; at < this.#end; at++) {
+            if (!packetAt(this.#block, at, this.#end)) continue;
+            this.#skip(at);
+            return this.#search([]);
         }
         return [];
     }
 
-    #search(ended) {
-        const packets = [];
-        const bytes = this.pending;
-        let from = 0; // the bytes from here on are not part of a packet so far
-        let at = 0;
-        while (at < bytes.length) {
-            const size = packetAt(bytes, at);
+    #search(packets, ended) {
+        const bytes = this.#block;
+        const end = this.#end;
+        let at = this.#begin;
+        while (at < end) {
+            const size = packetAt(bytes, at, end);
             if (size === undefined && !ended) break;
             if (size) {
-                this.#skip(from, at);
-                packets.push(new Packet(bytes.subarray(at, at + size)));
+                this.#skip(at);
+                packets.push(new Packet(bytes.subarray(at, at + size), this.#reader));
                 at += size;
-                from = at;
+                this.#begin = at;
             } else {
-                const next = bytes.indexOf(SYNC[0], at + 1);
-                at = next < 0 ? bytes.length : next;
+                do at++;
+                while (at < end && bytes[at] !== SYNC[0]);
             }
         }
-        this.#skip(from, at);
-        this.pending = bytes.subarray(at);
+        this.#skip(at);
         return packets;
     }
 
-    #skip(from, to) {
-        if (to <= from) return;
-        this.skipped += to - from;
-        this.onSkipped?.(this.pending.subarray(from, to));
+    /** Gives up the pending bytes before `at`. */
+    #skip(at) {
+        if (at === this.#begin) return;
+        this.skipped += at - this.#begin;
+        this.onSkipped?.(this.#block.subarray(this.#begin, at));
+        this.#begin = at;
     }
 }
 
 /** Returns the size of the whole packet that begins here; 0 if there is none, undefined if that is not known yet. */
-function packetAt(bytes, at) {
-    const left = bytes.length - at;
+function packetAt(bytes, at, last = bytes.length) {
+    const left = last - at;
     if (bytes[at] !== SYNC[0] || (left > 1 && bytes[at + 1] !== SYNC[1]) || (left > 2 && !isSet(bytes[at + 2]))) return 0;
     if (left < 4) return undefined;
     const size = bytes[at + 3] + 6;

@@ -1,7 +1,6 @@
 // Finds the class of a field by its descriptor or its name.
 
 import { MipError } from "./bytes.mjs";
-import { Reader } from "./codec.mjs";
 import { Field } from "./field.mjs";
 import { RawField } from "./packet.mjs";
 
@@ -51,7 +50,6 @@ export class Registry {
      */
     decode(packet) {
         const { bytes, set } = packet;
-        const reader = new Reader(bytes);
         const fields = [];
         packet.walk((at, end) => {
             const kind = this.typeOf(set, bytes[at + 1], bytes, at + 2, end);
@@ -61,7 +59,7 @@ export class Registry {
                 return;
             }
             try {
-                fields.push(kind.readFrom(reader, at + 2, end, set));
+                fields.push(packet.read(kind, at, end));
             } catch (error) {
                 if (!(error instanceof MipError)) throw error;
                 fields.push(raw(error));

@@ -1,8 +1,8 @@
 // The interface for tools, without classes: the protocol's model, and values by their names in the specification.
 
-import type { Bytes, MipError, Packet, RawField } from "./index.mjs";
+import type { Bytes, Clock, MipError, Packet, RawField } from "./index.mjs";
 
-export { checksum, fromHex, MipError, Packet, Parser, segments, toHex } from "./index.mjs";
+export { checksum, fromHex, MipError, Packet, Parser, segments, Times, toHex } from "./index.mjs";
 
 /** An object of mip.json, described by its README and schema. */
 export type Item = { readonly [name: string]: any };
@@ -54,6 +54,8 @@ export declare class Protocol {
     /** Returns the number of required parameters, without the function selector. */
     required(field: Item, selector?: number): number;
 }
+/** Returns the device with a model number: 6292, or "6292-4270"; undefined if there is none. */
+export declare function deviceWithNumber(protocol: Protocol, number: number | string): Item | undefined;
 /** Returns the sets in which a field occurs, with its name in each. */
 export declare function placesOf(field: Item): { set: number; name: string }[];
 /** Returns the full name of a field in a set: "gnss_2.dop". */
@@ -77,6 +79,19 @@ export declare function buildPacket(
     fields: readonly ({ name: string; values: Plain; descriptor?: number } | { descriptor: number; raw: Bytes | string })[],
 ): Packet;
 
+/**
+ * Is a value valid, as its flags say? One without flags is, unless it is absent.
+ *
+ * @param values the values of the field
+ * @param name the parameter, or an element: "velocity[0]"
+ * @param device the id of the device, on which the flags may depend; if it is undefined, they are recognized by the bits
+ *   that are set
+ * @param seen the values whose bits count for that, if not these
+ */
+export declare function isValid(protocol: Protocol, field: Item, values: Plain, name: string, device?: string, seen?: Plain): boolean;
+/** Returns the clocks of timestamps, the preferred ones first. */
+export declare function clocksIn(protocol: Protocol): Clock[];
+
 export declare function parameterOf(record: Item, name: string): Item | undefined;
 export declare function parametersAt(protocol: Protocol, field: Item, path: Part["path"]): { parameter: Item; record: Item }[];
 export declare function valueAt(values: Plain, path: Part["path"]): unknown;
@@ -85,10 +100,12 @@ export declare function measuredHere(protocol: Protocol, parameter: Item, siblin
 export declare function enumValue(type: Item, number: number | bigint): Item | undefined;
 export declare function bitsNumber(value: number | bigint | number[]): bigint;
 export declare function maskOf(bits: Item): bigint;
+/** @param values those of the record: bits that mean nothing in its state are left out, and remain in `rest` */
 export declare function bitsOf(
     protocol: Protocol,
     type: Item,
     value: number | bigint | number[],
+    values?: Plain,
 ): { found: { bits: Item; value: bigint; flag: boolean; named?: Item }[]; rest: bigint };
 export declare function unitOf(parameter: Item, index?: number): string;
 /** Returns the decimation of a base rate for the nearest rate that a device supports; 1 for 0 Hz, the highest. */

@@ -8,21 +8,20 @@ does so for asyncio. Modules are imported on first use: `import mip_protocol` is
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from .errors import (
+from ._sets import MODULES
+from .exceptions import (
     DecodeError,
     EncodeError,
     MipError,
     MissingExtra,
     MissingResponse,
-    NoAnswer,
     NoDevice,
-    NoSuchRate,
     PacketError,
     PortClosed,
     PortError,
-    Refused,
     Truncated,
     UnknownName,
 )
@@ -54,9 +53,10 @@ if TYPE_CHECKING:
     from . import types as types
     from .baud import detect_baud
     from .client import Answer, Client, Outcome, Received, Skipped, TimedOut
-    from .conversation import Arrival
+    from .conversation import Arrival, Stamp
     from .decoder import Decoder
     from .device import Device, open_port
+    from .errors import NoAnswer, NoSuchRate, Refused
     from .sampling import Samples, samples
 
 __version__ = VERSION
@@ -65,9 +65,10 @@ __version__ = VERSION
 _HOMES = {
     "baud": "detect_baud",
     "client": "Answer Client Outcome Received Skipped TimedOut",
-    "conversation": "Arrival",
+    "conversation": "Arrival Stamp",
     "decoder": "Decoder",
     "device": "Device open_port",
+    "errors": "NoAnswer NoSuchRate Refused",
     "sampling": "Samples samples",
 }
 _LAZY = {name: home for home, names in _HOMES.items() for name in names.split()}
@@ -76,23 +77,17 @@ _MODULES = ("aio", "devices", "reflection", "registry")
 if not TYPE_CHECKING:  # type checkers would accept any name
 
     def __getattr__(name: str) -> Any:
-        from importlib import import_module
-
-        from ._sets import MODULES
-
         if name in _LAZY:
-            found = getattr(import_module(f".{_LAZY[name]}", __name__), name)
-        elif name in (*_MODULES, *MODULES.values()):
-            found = import_module(f".{name}", __name__)
+            value = getattr(import_module(f".{_LAZY[name]}", __name__), name)
+        elif name in (*_MODULES, "errors", *MODULES.values()):
+            value = import_module(f".{name}", __name__)
         else:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        globals()[name] = found
-        return found
+        globals()[name] = value
+        return value
 
 
 def __dir__() -> list[str]:
-    from ._sets import MODULES
-
     return sorted({*__all__, "VERSION", *_MODULES, *MODULES.values()})
 
 
@@ -102,7 +97,7 @@ __all__ = [
     "Decoder", "Device", "EncodeError", "Field", "FunctionSelector", "MipError", "MissingExtra",
     "MissingResponse", "NoAnswer", "NoDevice", "NoSuchRate", "Outcome", "Packet", "PacketBuilder", "PacketError",
     "Parser", "PortClosed", "PortError", "RawField", "Received", "Refused", "Response",
-    "Skipped", "TimedOut", "Truncated", "Undecoded", "UnknownName", "checksum", "open_port",
+    "Skipped", "Stamp", "TimedOut", "Truncated", "Undecoded", "UnknownName", "checksum", "open_port",
     "detect_baud",
     "Samples", "samples",
 ]

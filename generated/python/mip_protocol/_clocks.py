@@ -3,21 +3,30 @@
 from __future__ import annotations
 
 #: Clock -> the day of its epoch; None if it has none. Preferred clocks come first.
-CLOCKS: dict[str, str | None] = {"gps": "1980-01-06", "external": None, "reference": None}
-
-#: Set and descriptor of the fields that contain the time of their packet -> the clock.
-TIMESTAMPS: dict[tuple[int, int], str] = {
-    (0xFF, 0xD3): "gps",
-    (0x80, 0x12): "gps",
-    (0x82, 0x11): "gps",
-    (0x81, 0x09): "gps",
-    (0x91, 0x09): "gps",
-    (0x92, 0x09): "gps",
-    (0x94, 0x09): "gps",
-    (0x95, 0x09): "gps",
-    (0xFF, 0xD7): "external",
-    (0xFF, 0xD5): "reference",
+CLOCKS: dict[str, str | None] = {
+    "gps": "1980-01-06",
+    "external": None,
+    "reference": None,
+    "device": None,
 }
+
+#: Set and descriptor of the fields that contain the time of their packet -> the clock, and the one
+#: that has the time when it is not valid as a date.
+TIMESTAMPS: dict[tuple[int, int], tuple[str, ...]] = {
+    (0xFF, 0xD3): ("gps", "device"),
+    (0x80, 0x12): ("gps", "device"),
+    (0x82, 0x11): ("gps", "device"),
+    (0x81, 0x09): ("gps",),
+    (0x91, 0x09): ("gps",),
+    (0x92, 0x09): ("gps",),
+    (0x94, 0x09): ("gps",),
+    (0x95, 0x09): ("gps",),
+    (0xFF, 0xD7): ("external",),
+    (0xFF, 0xD5): ("reference",),
+}
+
+#: The clock of times that are not valid as a date; "" if there is none.
+DEVICE_CLOCK = "device"
 
 #: Symbol of a unit -> its key, if that differs.
 UNIT_KEYS: dict[str, str] = {}

@@ -16,6 +16,9 @@ def session() -> Session | None:
         item=types.DescriptorRate,
         stream=mip_3dm.DataStreamControl.write,
         resume=base.Resume,
+        identify=base.GetDeviceInfo,
+        information=lambda answer: answer.device_info,
+        descriptors=(base.GetDeviceDescriptors, base.GetExtendedDescriptors),
         older={
             0x80: Older(
                 mip_3dm.GetImuBaseRate,

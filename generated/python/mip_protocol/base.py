@@ -11,9 +11,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from . import codec, wire
+from . import codec
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
+
+# Numbers that are read and written together, by their letters for `struct`.
+_16B = codec.Block("16B")
+
+_B = codec.Block("B")
+
+_BI = codec.Block("BI")
+
+_H = codec.Block("H")
+
+_I = codec.Block("I")
 
 
 class BaseDeviceInfo(Structure):
@@ -38,15 +49,6 @@ class BaseDeviceInfo(Structure):
         "serial_number",
         "lot_number",
         "device_options",
-    )
-
-    _LAYOUT = (
-        ("firmware_version", "H", None),
-        ("model_name", "", wire.Text(16, 16)),
-        ("model_number", "", wire.Text(16, 16)),
-        ("serial_number", "", wire.Text(16, 16)),
-        ("lot_number", "", wire.Text(16, 16)),
-        ("device_options", "", wire.Text(16, 16)),
     )
 
     firmware_version: int
@@ -78,6 +80,35 @@ class BaseDeviceInfo(Structure):
         self.lot_number = lot_number
         self.device_options = device_options
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.firmware_version = _H.read(raw, at)[0]
+        at += 2
+        n = 16
+        self.model_name = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        n = 16
+        self.model_number = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        n = 16
+        self.serial_number = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        n = 16
+        self.lot_number = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        n = 16
+        self.device_options = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        return at
+
+    def _write(self) -> bytes:
+        out = _H.write("firmware_version", self.firmware_version)
+        out += codec.padded("model_name", self.model_name, 16)
+        out += codec.padded("model_number", self.model_number, 16)
+        out += codec.padded("serial_number", self.serial_number, 16)
+        out += codec.padded("lot_number", self.lot_number, 16)
+        out += codec.padded("device_options", self.device_options, 16)
+        return out
+
 
 class GpsTimeField(codec.OpenEnum):
     """The part of the GPS time that a value contains."""
@@ -90,8 +121,9 @@ class GpsTimeField(codec.OpenEnum):
 class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
-    Response to `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Response to `GetDeviceInfo`. Supported by all devices; confirmed on 3DM-CV5-10, -15,
+    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT
+    and -45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -101,11 +133,8 @@ class GetDeviceInfoResponse(Response):
     __match_args__ = ("device_info",)
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x81
     NAME = "base.get_device_info_response"
-    ROLE = "response"
-    _LAYOUT = (("device_info", "", BaseDeviceInfo),)
 
     device_info: BaseDeviceInfo
     """Identity of the device."""
@@ -113,13 +142,21 @@ class GetDeviceInfoResponse(Response):
     def __init__(self, device_info: BaseDeviceInfo) -> None:
         self.device_info = device_info
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.device_info, at = BaseDeviceInfo._decoded(raw, at)
+        return at
+
+    def _write(self) -> bytes:
+        out = codec.structure("device_info", self.device_info, BaseDeviceInfo)
+        return codec.finished(out)
+
 
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
-    Response to `GetDeviceDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Response to `GetDeviceDescriptors`. Supported by all devices; confirmed on 3DM-CV5-10, -15,
+    3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35,
+    3DM-RQ1-45-LT and -45-ST.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -129,11 +166,8 @@ class GetDeviceDescriptorsResponse(Response):
     __match_args__ = ("descriptors",)
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x82
     NAME = "base.get_device_descriptors_response"
-    ROLE = "response"
-    _LAYOUT = (("descriptors", "H", wire.Items(None, None, 126)),)
 
     descriptors: tuple[int, ...]
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
@@ -143,12 +177,24 @@ class GetDeviceDescriptorsResponse(Response):
     def __init__(self, descriptors: Sequence[int]) -> None:
         self.descriptors = codec.several(descriptors)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        n = codec.remaining(raw, at, 2)
+        self.descriptors = codec.read_numbers("H", raw, at, n)
+        at += n * 2
+        return at
+
+    def _write(self) -> bytes:
+        out = codec.write_numbers(
+            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
+        )
+        return codec.finished(out)
+
 
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
-    Response to `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Response to `BuiltInTest`. Confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 27 more.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -159,29 +205,32 @@ class BuiltInTestResponse(Response):
     __match_args__ = ("result",)
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x83
     NAME = "base.built_in_test_response"
-    ROLE = "response"
-    _LAYOUT = (("result", "I", None),)
+    _SIZE = 4
 
     result: int
     """Failure flags, defined by each device. Zero means that every test passed.
 
-    - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25 and 3DM-GX5-25:
-      values of `types.Gx5BuiltInTest`. Inferred: The 3DM-GX5-15 has it.
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
-      `types.Cv7BuiltInTest`. Inferred: The 3DM-CV7-GNSS/INS has it.
+    - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25 and 3DM-GX5-25: values of
+      `types.Gx5BuiltInTest` (inferred: the 3DM-GX5-15 has it).
+    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR,
+      -INS and 3DM-RTK: values of `types.Cv7BuiltInTest` (inferred: the 3DM-CV7-GNSS/INS has it).
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7BuiltInTest`.
-    - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
-      3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
-      3DM-RQ1-IMU: the values are unknown.
+    - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, -25, -35, -45, 3DM-GX4-15, -25, -45, -IMU,
+      3DM-GX5-35, -45, 3DM-RQ1-45-LT, -45-ST and -IMU: the values are unknown.
     - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
     """
 
     def __init__(self, result: int) -> None:
         self.result = result
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.result = _I.unpack(raw, at)[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _I.write("result", self.result)
 
 
 class GpsTimeUpdateWeekNumberResponse(Response):
@@ -189,8 +238,8 @@ class GpsTimeUpdateWeekNumberResponse(Response):
 
     The current week number.
 
-    Response to `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Supported by
-    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+    Response to `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Confirmed on
+    3DM-CV5-10, -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 16 more.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -201,11 +250,9 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     __match_args__ = ("week_number",)
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x84
     NAME = "base.gps_time_update_week_number_response"
-    ROLE = "response"
-    _LAYOUT = (("week_number", "I", None),)
+    _SIZE = 4
 
     week_number: int
     """GPS week number. Unit: week."""
@@ -213,14 +260,21 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     def __init__(self, week_number: int) -> None:
         self.week_number = week_number
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.week_number = _I.unpack(raw, at)[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _I.write("week_number", self.week_number)
+
 
 class GpsTimeUpdateTowResponse(Response):
     """GPS time update, time of week (0x01,0x85).
 
     The current time of week.
 
-    Response to `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+    Response to `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Confirmed on 3DM-CV5-10,
+    -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 16 more.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -231,11 +285,9 @@ class GpsTimeUpdateTowResponse(Response):
     __match_args__ = ("tow",)
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x85
     NAME = "base.gps_time_update_tow_response"
-    ROLE = "response"
-    _LAYOUT = (("tow", "I", None),)
+    _SIZE = 4
 
     tow: int
     """GPS time of week in whole seconds. Unit: s."""
@@ -243,12 +295,19 @@ class GpsTimeUpdateTowResponse(Response):
     def __init__(self, tow: int) -> None:
         self.tow = tow
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.tow = _I.unpack(raw, at)[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _I.write("tow", self.tow)
+
 
 class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
-    Response to `GetExtendedDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Response to `GetExtendedDescriptors`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, -AR, -GNSS/INS,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and -45; likely or assumed on 12 more.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -258,11 +317,8 @@ class GetExtendedDescriptorsResponse(Response):
     __match_args__ = ("descriptors",)
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x86
     NAME = "base.get_extended_descriptors_response"
-    ROLE = "response"
-    _LAYOUT = (("descriptors", "H", wire.Items(None, None, 126)),)
 
     descriptors: tuple[int, ...]
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
@@ -272,12 +328,24 @@ class GetExtendedDescriptorsResponse(Response):
     def __init__(self, descriptors: Sequence[int]) -> None:
         self.descriptors = codec.several(descriptors)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        n = codec.remaining(raw, at, 2)
+        self.descriptors = codec.read_numbers("H", raw, at, n)
+        at += n * 2
+        return at
+
+    def _write(self) -> bytes:
+        out = codec.write_numbers(
+            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
+        )
+        return codec.finished(out)
+
 
 class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
-    Also called `continuous_bit_response`. Response to `ContinuousBuiltInTest`. Supported by
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Also called `continuous_bit_response`. Response to `ContinuousBuiltInTest`. Confirmed on
+    3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -286,31 +354,35 @@ class ContinuousBuiltInTestResponse(Response):
     __match_args__ = ("result",)
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x88
     NAME = "base.continuous_built_in_test_response"
-    ROLE = "response"
-    _LAYOUT = (("result", "BBBBBBBBBBBBBBBB", tuple),)
+    _SIZE = 16
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
     byte.
 
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of
-      `types.Cv7InertialContinuousBuiltInTest`.
+    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
+      and -INS: values of `types.Cv7InertialContinuousBuiltInTest`.
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
     def __init__(self, result: Sequence[int]) -> None:
         self.result = codec.several(result)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.result = _16B.unpack(raw, at)
+        return at + 16
+
+    def _write(self) -> bytes:
+        return _16B.write("result*16", *codec.exactly("result", self.result, 16))
+
 
 class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
-    Response to `CommSpeed`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS.
+    Response to `CommSpeed`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely
+    or assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -319,17 +391,15 @@ class CommSpeedResponse(Response):
     __match_args__ = ("port", "baud")
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x89
     NAME = "base.comm_speed_response"
-    ROLE = "response"
-    _LAYOUT = (("port", "B", None), ("baud", "I", None))
+    _SIZE = 5
 
     port: int
     """Port id of the device.
 
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values
-      of `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
+    - On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of
+      `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
       `types.CommInterface.USB_1`.
     - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
     - On the 3DM-CV7-INS and 3DM-CX7-INS: values of `types.CommInterface`; only
@@ -347,14 +417,21 @@ class CommSpeedResponse(Response):
         self.port = port
         self.baud = baud
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.port, self.baud = _BI.unpack(raw, at)
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _BI.write("port baud", self.port, self.baud)
+
 
 class Ping(Command[None]):
     """Ping (0x01,0x01).
 
     Checks whether a device is present and replies to commands.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST.
 
     A device that is not in a normal operating mode may reject the command.
 
@@ -365,10 +442,8 @@ class Ping(Command[None]):
     __slots__ = ()
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x01
     NAME = "base.ping"
-    ROLE = "command"
 
 
 class SetIdle(Command[None]):
@@ -376,8 +451,8 @@ class SetIdle(Command[None]):
 
     Stops all data streams, and wakes a sleeping device, so that it can be configured.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST.
 
     `Resume` restores the previous mode. While idle, the device does not send NMEA sentences either.
 
@@ -388,10 +463,8 @@ class SetIdle(Command[None]):
     __slots__ = ()
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x02
     NAME = "base.set_idle"
-    ROLE = "command"
 
 
 class GetDeviceInfo(Command[GetDeviceInfoResponse]):
@@ -399,8 +472,9 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
 
     Gets the firmware version and the identity strings of the device.
 
-    Response: `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Response: `GetDeviceInfoResponse`. Supported by all devices; confirmed on 3DM-CV5-10, -15,
+    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT
+    and -45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -409,10 +483,8 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     __slots__ = ()
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x03
     NAME = "base.get_device_info"
-    ROLE = "command"
     RESPONSES = (GetDeviceInfoResponse,)
 
 
@@ -421,9 +493,9 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
 
     Gets the command and data descriptors that the device supports.
 
-    Response: `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Response: `GetDeviceDescriptorsResponse`. Supported by all devices; confirmed on 3DM-CV5-10,
+    -15, 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35,
+    3DM-RQ1-45-LT and -45-ST.
 
     If the list contains the descriptor of `GetExtendedDescriptors`, that command returns further
     descriptors.
@@ -435,10 +507,8 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     __slots__ = ()
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x04
     NAME = "base.get_device_descriptors"
-    ROLE = "command"
     RESPONSES = (GetDeviceDescriptorsResponse,)
 
 
@@ -447,10 +517,10 @@ class BuiltInTest(Command[BuiltInTestResponse]):
 
     Runs the self test of the device and gets its result.
 
-    Response: `BuiltInTestResponse`. The device may take 10 s to reply. Supported by
-    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Uncertain: The maximum duration of the test. The manual of the 3DM-CV7 states several seconds;
-    10 s leaves room for that.
+    Response: `BuiltInTestResponse`. The device may take 10 s to reply. Confirmed on 3DM-CV5-10,
+    -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or
+    assumed on 27 more. Uncertain: The maximum duration of 10 s is assumed; the manual of the
+    3DM-CV7 states several seconds.
 
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
     The device must be at rest; acceleration, rotation or vibration cause false failures. The
@@ -464,10 +534,8 @@ class BuiltInTest(Command[BuiltInTestResponse]):
     __slots__ = ()
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x05
     NAME = "base.built_in_test"
-    ROLE = "command"
     RESPONSES = (BuiltInTestResponse,)
     TIMEOUT = 10.0
 
@@ -477,8 +545,8 @@ class Resume(Command[None]):
 
     Ends idle mode and returns the device to the mode that it was in before.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST.
 
     If the device was not idle, it enters its default mode (3DM-GX5-15).
 
@@ -489,10 +557,8 @@ class Resume(Command[None]):
     __slots__ = ()
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x06
     NAME = "base.resume"
-    ROLE = "command"
 
 
 class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
@@ -500,8 +566,8 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
 
     Gets the supported descriptors that did not fit into the reply of `GetDeviceDescriptors`.
 
-    Response: `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Response: `GetExtendedDescriptorsResponse`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, -AR,
+    -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and -45; likely or assumed on 12 more.
 
     Only supported if `GetDeviceDescriptors` lists it.
 
@@ -512,10 +578,8 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     __slots__ = ()
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x07
     NAME = "base.get_extended_descriptors"
-    ROLE = "command"
     RESPONSES = (GetExtendedDescriptorsResponse,)
 
 
@@ -524,8 +588,8 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
 
     Gets the flags of the tests that run all the time. It does not interrupt operation.
 
-    Also called `continuous_bit`. Response: `ContinuousBuiltInTestResponse`. Supported by 3DM-CV7-AR
-    and 3DM-CV7-GNSS/INS.
+    Also called `continuous_bit`. Response: `ContinuousBuiltInTestResponse`. Confirmed on 3DM-CV7-AR
+    and -GNSS/INS; likely or assumed on 9 more.
 
     It is less thorough than `BuiltInTest`. Each flag stays set until this command reports it; the
     streamed field has its own copy of the flags. The self-test flags change only when `BuiltInTest`
@@ -537,10 +601,8 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     __slots__ = ()
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x08
     NAME = "base.continuous_built_in_test"
-    ROLE = "command"
     RESPONSES = (ContinuousBuiltInTestResponse,)
 
 
@@ -550,7 +612,7 @@ class CommSpeed(Command[R]):
     Sets the baud rate of one communication port.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommSpeedResponse`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 8 more.
 
     The change takes effect once pending data is sent and received, after at most 250 ms. Send it
     alone in a packet while the device is idle, and wait 250 ms before you continue. Commands and
@@ -563,22 +625,18 @@ class CommSpeed(Command[R]):
     __match_args__ = ("function", "port", "baud")
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x09
     NAME = "base.comm_speed"
-    ROLE = "command"
     RESPONSES = (CommSpeedResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    _LAYOUT = (("function", "B", FunctionSelector), ("port", "B", None), ("baud", "I", None))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     port: int | None
     """Port id of the device; 0 means all ports, and is for save, load and default only.
 
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values
-      of `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
+    - On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of
+      `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
       `types.CommInterface.USB_1`.
     - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
     - On the 3DM-CV7-INS and 3DM-CX7-INS: values of `types.CommInterface`; only
@@ -598,6 +656,23 @@ class CommSpeed(Command[R]):
         self.function = function
         self.port = port
         self.baud = baud
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5))
+        self.port = _B.read(raw, at)[0] if there >= 1 else None
+        self.baud = _I.read(raw, at + 1)[0] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "port"), (2, "baud")
+        )
+        out += _B.write("port", self.port) if there >= 1 else b""
+        out += _I.write("baud", self.baud) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(cls: ClassOf[CommSpeed[Any]], port: int, baud: int) -> CommSpeed[None]:
@@ -637,9 +712,10 @@ class GpsTimeUpdate(Command[R]):
     Sets the week number or the time of week of the external (GPS) time.
 
     Functions: `write`, `read` and `apply`. Response: `GpsTimeUpdateWeekNumberResponse` or
-    `GpsTimeUpdateTowResponse`. Changes `filter_data.Timestamp`, `sensor.GpsTimestamp`,
-    `shared.GpsTimestamp` and `shared.ExternalTimestamp`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: `write` only.
+    `GpsTimeUpdateTowResponse`. Affects `filter_data.Timestamp`, `sensor.GpsTimestamp`,
+    `shared.GpsTimestamp` and `shared.ExternalTimestamp`. Confirmed on 3DM-CV5-10, -15,
+    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 16 more. On
+    the 3DM-CV7-GNSS/INS: `write` only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. On the
     3DM-CV7-GNSS/INS, the time may have a different epoch from GPS time, for example the Unix epoch;
@@ -658,18 +734,10 @@ class GpsTimeUpdate(Command[R]):
     __match_args__ = ("function", "field_id", "value")
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x72
     NAME = "base.gps_time_update"
-    ROLE = "command"
     RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTowResponse)
     REQUIRED = {1: 2, 2: 1, 6: 2}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("field_id", "B", GpsTimeField),
-        ("value", "I", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -691,6 +759,23 @@ class GpsTimeUpdate(Command[R]):
         self.function = function
         self.field_id = field_id
         self.value = value
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5))
+        self.field_id = codec.KNOWN[GpsTimeField][_B.read(raw, at)[0]] if there >= 1 else None
+        self.value = _I.read(raw, at + 1)[0] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "field_id"), (2, "value")
+        )
+        out += _B.write("field_id", self.field_id) if there >= 1 else b""
+        out += _I.write("value", self.value) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -731,8 +816,8 @@ class SoftReset(Command[None]):
 
     Acknowledges the command, then resets the device immediately.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Confirmed on 3DM-CV5-10, -15, 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+    -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 18 more.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
@@ -741,10 +826,8 @@ class SoftReset(Command[None]):
     __slots__ = ()
 
     SET = 0x01
-    SETS = (0x01,)
     DESCRIPTOR = 0x7E
     NAME = "base.soft_reset"
-    ROLE = "command"
 
 
 GetDeviceInfoResponse.COMMANDS = (GetDeviceInfo,)

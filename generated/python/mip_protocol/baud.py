@@ -6,8 +6,10 @@ import time
 from collections.abc import Iterable
 from typing import Any
 
+from ._index import BAUD_RATES
 from .conversation import AtPort, Dialog, Step
-from .errors import NoAnswer, NoDevice, Refused
+from .errors import NoAnswer, Refused
+from .exceptions import NoDevice
 from .field import Command
 from .parser import Parser
 from .port import READ_TIMEOUT, USUAL, as_port, read_some, write_all
@@ -38,10 +40,7 @@ PING = bytes(Ping().packet())
 
 def rates() -> tuple[int, ...]:
     """Returns the rates of all known devices: the default one, then the others, highest first."""
-    from .devices import DEVICES
-
-    known = {rate for d in DEVICES.values() for port in d.ports for rate in port.baud_rates}
-    return (USUAL, *sorted(known - {USUAL}, reverse=True))
+    return (USUAL, *(rate for rate in BAUD_RATES if rate != USUAL))
 
 
 def detect_baud(port: Any, candidates: Iterable[int] | None = None, listen: float = LISTEN) -> int:

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from collections.abc import Callable, Collection, Mapping, Sequence, Set
 from enum import IntEnum, IntFlag
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any, Protocol, TypeAlias, TypeVar
 
-from .errors import DecodeError, EncodeError, Truncated
+from .exceptions import DecodeError, EncodeError
+from .exceptions import Truncated as Truncated
 
 E = TypeVar("E", bound="OpenEnum")
 T = TypeVar("T", bound=IntFlag)
 S = TypeVar("S", bound="_Structure")
-Groups = tuple[tuple[int, tuple[str, ...], bool], ...]
 
 #: A vector, or what can be converted to one: a sequence or array of numbers, but not bytes or text.
 Numbers: TypeAlias = Collection[float]
@@ -25,7 +26,7 @@ class _Structure(Protocol):
     """The interface of `field.Structure`."""
 
     @classmethod
-    def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]: ...
+    def _decoded(cls: type[S], raw: bytes, at: int) -> tuple[S, int]: ...
 
     def _write(self) -> bytes: ...
 
@@ -85,10 +86,16 @@ class Known(dict[int, Any]):
         return member
 
 
-@cache
-def known(kind: Callable[[int], Any]) -> Known:
-    """Returns the cache of a type."""
-    return Known(kind)
+class _Caches(dict[Any, Known]):
+    def __missing__(self, kind: Any) -> Known:
+        made = self[kind] = Known(kind)
+        return made
+
+
+#: Enumeration or bitfield -> its members by number.
+KNOWN = _Caches()
+#: A byte -> its bool. Bytes other than 0 and 1 remain numbers.
+TRUTH: tuple[Any, ...] = (False, True, *range(2, 256))
 
 
 def fits(name: str, value: int, bits: int) -> int:
@@ -105,62 +112,57 @@ class Block:
     of signalling NaNs.
     """
 
-    __slots__ = ("_codec", "_names", "_singles", "size")
+    __slots__ = ("_layout", "pack", "size", "unpack")
 
-    def __init__(self, layout: str, *names: str) -> None:
-        self._codec = struct.Struct(">" + layout)
-        self._names = names
-        self.size = self._codec.size
-        self._singles = _singles(layout)
+    def __init__(self, layout: str) -> None:
+        codec = struct.Struct(">" + layout)
+        self.pack, self.unpack, self.size = codec.pack, codec.unpack_from, codec.size
+        self._layout = layout
 
     def read(self, data: bytes, at: int) -> tuple[Any, ...]:
-        try:
-            values = self._codec.unpack_from(data, at)
-        except struct.error:
-            raise Truncated(self.size, len(data) - at) from None
-        if self._singles:
-            total = 0.0
-            for index, _ in self._singles:
-                total += values[index]
-            if total != total:
-                return self._read_exactly(values, data, at)
+        """Reads the numbers at an offset. Raises Truncated."""
+        if self.size > len(data) - at:
+            raise Truncated(self.size, len(data) - at)
+        values = self.unpack(data, at)
+        if "f" in self._layout and (total := sum(values)) != total:  # one of them may be NaN
+            return self.keep_nan_bits(values, data, at)
         return values
 
-    def _read_exactly(self, values: tuple[Any, ...], data: bytes, at: int) -> tuple[Any, ...]:
-        exact = list(values)
-        for index, offset in self._singles:
-            start = at + offset
-            exact[index] = single_from_bits(int.from_bytes(data[start : start + 4], "big"))
-        return tuple(exact)
+    def keep_nan_bits(self, values: tuple[Any, ...], data: bytes, at: int) -> tuple[Any, ...]:
+        """Returns the numbers that were read at an offset; NaNs of four bytes keep their bits."""
+        made = list(values)
+        for index, offset in _singles(self._layout):
+            if values[index] != values[index]:
+                start = at + offset
+                made[index] = single_from_bits(int.from_bytes(data[start : start + 4], "big"))
+        return tuple(made)
 
-    def write(self, *values: Any) -> bytes:
+    def write(self, names: str, *values: Any) -> bytes:
+        """Encodes numbers. The names of their parameters, as in "time accel*3", are for errors."""
         try:
-            packed = self._codec.pack(*values)
+            packed: bytes = self.pack(*values)
         except (struct.error, OverflowError, TypeError) as error:
-            raise self._complaint(values, error) from None
-        for index, offset in self._singles:
+            raise self._complaint(names.split(), values, error) from None
+        for index, offset in _singles(self._layout):
             if values[index] != values[index]:
                 bits = single_to_bits(values[index]).to_bytes(4, "big")
                 packed = packed[:offset] + bits + packed[offset + 4 :]
         return packed
 
-    def _complaint(self, values: Sequence[Any], error: Exception) -> EncodeError:
-        numbers = [n for n, value in enumerate(values) if value is None]
-        if numbers:
-            return EncodeError("missing", f"{self._path(numbers[0])} is None")
-        for n, (letter, value) in enumerate(zip(self._codec.format[1:], values)):
+    def _complaint(
+        self, names: Sequence[str], values: Sequence[Any], error: Exception
+    ) -> EncodeError:
+        paths: list[str] = []
+        for name, star, count in (name.partition("*") for name in names):
+            paths += [f"{name}[{i}]" for i in range(int(count))] if star else [name]
+        missing = [path for path, value in zip(paths, values) if value is None]
+        if missing:
+            return EncodeError("missing", f"{missing[0]} is None")
+        for path, letter, value in zip(paths, _expanded(self._layout), values):
             needs = _needs(letter, value)
             if needs:
-                return EncodeError("range", f"{self._path(n)} is {value!r}, needs {needs}")
-        return EncodeError("range", f"{', '.join(dict.fromkeys(self._names))}: {error}")
-
-    def _path(self, number: int) -> str:
-        """Returns the name of a value, with its index if there are several."""
-        name = self._names[min(number, len(self._names) - 1)]
-        if name.endswith("[]"):
-            return f"{name[:-1]}{number}]"
-        index = self._names[:number].count(name)
-        return f"{name}[{index}]" if self._names.count(name) > 1 else name
+                return EncodeError("range", f"{path} is {value!r}, needs {needs}")
+        return EncodeError("range", f"{', '.join(names)}: {error}")
 
 
 def _needs(letter: str, value: Any) -> str:
@@ -185,9 +187,8 @@ WHOLE = "a whole number from "
 
 def typed(record: Any, error: EncodeError) -> EncodeError:
     """Returns the error with the type that the value should have, if it is of the wrong type."""
-    from .reflection import info
-
-    for p in info(type(record)).members:
+    info = getattr(record, "INFO", None)  # the user's own class has none
+    for p in info.members if info else ():
         begin = f"{p.attribute} is {getattr(record, p.attribute)!r}, needs "
         if error.detail.startswith(begin + WHOLE):
             if p.scalar == "bool":
@@ -208,10 +209,16 @@ def with_article(kind: type) -> str:
     return f"a{'n' * (kind.__name__[0] in 'AEIOU')} {kind.__name__}"
 
 
+def _expanded(layout: str) -> str:
+    """Writes out repetitions: "fff" for "3f"."""
+    return re.sub(r"(\d+)(.)", lambda repeated: int(repeated[1]) * repeated[2], layout)
+
+
+@lru_cache(maxsize=512)
 def _singles(layout: str) -> tuple[tuple[int, int], ...]:
     """Returns index and offset of each four-byte float."""
     singles, offset = [], 0
-    for index, letter in enumerate(layout):
+    for index, letter in enumerate(_expanded(layout) if "f" in layout else ""):
         if letter == "f":
             singles.append((index, offset))
         offset += struct.calcsize(">" + letter)
@@ -236,11 +243,6 @@ def single_to_bits(value: float) -> int:
     return int.from_bytes(struct.pack(">f", value), "big")
 
 
-def truth(value: int) -> bool:
-    """Converts a byte to a bool. Bytes other than 0 and 1 remain numbers."""
-    return bool(value) if value < 2 else value  # type: ignore[return-value]
-
-
 def take(data: bytes, at: int, size: int) -> bytes:
     if size > len(data) - at:
         raise Truncated(size, len(data) - at)
@@ -263,22 +265,22 @@ def remaining(data: bytes, at: int, size: int) -> int:
 
 
 @lru_cache(maxsize=256)
-def _array(name: str, letter: str, count: int) -> Block:
-    return Block(letter * count, f"{name}[]")
+def _array(letter: str, count: int) -> Block:
+    return Block(letter * count)
 
 
 def read_numbers(letter: str, data: bytes, at: int, count: int) -> tuple[Any, ...]:
-    return _array("", letter, count).read(data, at)
+    return _array(letter, count).read(data, at)
 
 
 def write_numbers(name: str, letter: str, values: Sequence[Any]) -> bytes:
-    return _array(name, letter, len(values)).write(*values)
+    return _array(letter, len(values)).write(f"{name}*{len(values)}", *values)
 
 
 def read_vectors(
     kind: type[Any], letter: str, width: int, data: bytes, at: int, count: int
 ) -> tuple[Any, ...]:
-    values = _array("", letter, width * count).read(data, at)
+    values = _array(letter, width * count).read(data, at)
     return tuple([kind._make(values[i : i + width]) for i in range(0, width * count, width)])
 
 
@@ -287,14 +289,14 @@ def write_vectors(name: str, letter: str, width: int, values: Sequence[Any]) -> 
 
 
 def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:
-    read, structures = kind._read, []
+    structures = []
     for _ in range(count):
-        value, at = read(data, at)
+        value, at = kind._decoded(data, at)
         structures.append(value)
     return tuple(structures), at
 
 
-def structure(name: str, value: _Structure | None, kind: type[_Structure]) -> bytes:
+def structure(name: str, value: Any, kind: type[_Structure]) -> bytes:
     """Encodes a structure; raises EncodeError if it is not of the right kind."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
@@ -455,19 +457,50 @@ def padded(name: str, value: Any, count: int) -> bytes:
     return text(name, exactly(name, value.ljust(count) if isinstance(value, str) else value, count))
 
 
-def mismatch(name: str, tag: object) -> EncodeError:
+def check_selected(name: str, value: Any, tag: object, kind: type[Any] | None) -> None:
+    """Raises EncodeError if the value of a union is not the structure or the number that its tag
+    selects."""
+    fits = isinstance(value, kind) if kind else value is not None and not hasattr(value, "_write")
+    if not fits:
+        raise _mismatch(name, tag)
+
+
+def check_unselected(name: str, value: Any, tag: object) -> None:
+    """Raises EncodeError if a union has a value although its tag selects none."""
+    if value is not None:
+        raise _mismatch(name, tag)
+
+
+def _mismatch(name: str, tag: object) -> EncodeError:
     return EncodeError("tag", f"{name} is not the member that {tag!r} selects")
 
 
-def present(value: object, required: int, groups: Groups) -> int:
+def check_more(data: bytes, at: int, optional: bool) -> None:
+    """Raises Truncated at the end of the data if the next parameters may be absent."""
+    if optional and at == len(data):
+        raise Truncated(1, 0)
+
+
+def find_present(data: bytes, at: int, required: int, ends: Sequence[int]) -> tuple[int, int]:
+    """Returns the number of parameters that are present, given where each ends, and where the last
+    one ends. Raises Truncated if required ones are absent."""
+    left = len(data) - at
+    count = next((n for n, end in enumerate(ends) if end > left), len(ends)) - 1
+    if count < required:
+        raise Truncated(ends[count + 1] - ends[count], left - ends[count])
+    return count, at + ends[count]
+
+
+def count_present(value: object, required: int, *groups: tuple[int, str]) -> int:
     """Returns the number of parameters that are present, up to the first group with a None.
 
-    A group is the number of its last parameter, its names, and whether it is a union. A required
-    union may be None, which means that it is empty.
+    A group is the number of its last parameter and its names; "?" marks a union. A required union
+    may be None, which means that it is empty.
     """
     last, ended = 0, ""
-    for number, names, union in groups:
-        empty = union and number <= required
+    for number, text in groups:
+        names = text.rstrip("?").split()
+        empty = text.endswith("?") and number <= required
         absent = [] if empty else [name for name in names if getattr(value, name) is None]
         if absent and (number <= required or len(absent) < len(names)):
             raise EncodeError("missing", f"{absent[0]} is None")

@@ -30,13 +30,16 @@ from .conversation import (
     Conversation,
     Dialog,
     News,
+    Stamp,
     T,
     Ticket,
     responses,
 )
-from .errors import NoAnswer, PortClosed, Refused
+from .errors import Cause, NoAnswer, Refused
+from .exceptions import PortClosed
 from .field import Command, Field, R, Response
 from .port import USUAL, Reader, as_port, open_url, warn_unclosed, weakly
+from .rejected import Known, ask_and_find_cause, received, with_cause
 from .streaming import steps
 
 F = TypeVar("F", bound=Field)
@@ -95,6 +98,8 @@ class Device(AtPort):
         self._reader = Reader(port, weakly(self._receive), weakly(self._lose))
         self._reader.start()
         self._closed = False  # by `close`
+        # needs: session
+        self._known = Known()
 
     def __del__(self) -> None:
         # When Python exits, the thread no longer runs and cannot be waited for.
@@ -173,7 +178,7 @@ class Device(AtPort):
         be decoded; PortClosed; and EncodeError, before anything is sent, if the command cannot be
         encoded.
         """
-        (result,) = responses(self._exchange((command,), timeout))
+        (result,) = self._answers((command,), timeout)
         return cast(R, result)
 
     @overload
@@ -205,7 +210,24 @@ class Device(AtPort):
         If a command fails, raises the error of the first that did, once each has been answered or
         has timed out. `outcomes` of Refused and NoAnswer contains the outcomes of all.
         """
-        return responses(self._exchange(commands, timeout))
+        return self._answers(commands, timeout)
+
+    def _answers(
+        self, commands: Sequence[Command], timeout: float | None
+    ) -> tuple[Response | None, ...]:
+        tickets = self._exchange(commands, timeout)
+        # needs: session
+        self._follow(with_cause(received(tickets), self._known))
+        return responses(tickets)
+
+    # needs: session
+    def cause(self, command: Command) -> Cause | None:
+        """Returns the field for which the device has rejected a command that lists fields; None if
+        nothing shows it. On first use, asks the device what it is and what it sends.
+
+        The errors of `request` and `stream` contain it.
+        """
+        return self._follow(ask_and_find_cause(command, self._known))
 
     def exchange(self, *commands: Command, timeout: float | None = None) -> list[Outcome | None]:
         """Sends commands of one set in one packet and returns the outcome of each.
@@ -247,6 +269,7 @@ class Device(AtPort):
         if threading.current_thread() is self._reader:
             raise RuntimeError("called from on_bytes or on_skipped, which must not use the device")
         with self._writing:  # replies must arrive in the order of the commands
+            self._reader.settle()  # the copy of an earlier reply must not be matched to this command
             with self._lock:
                 self._must_be_open()
                 packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
@@ -275,18 +298,25 @@ class Device(AtPort):
 
     # needs: session
     def stream(
-        self, rates: Mapping[type[Field], float], *, set: int | None = None
+        self,
+        rates: Mapping[type[Field], float],
+        *,
+        set: int | None = None,
+        timestamp: str | None = "auto",
     ) -> dict[type[Field], float]:
         """Starts streaming: `stream({sensor.ScaledAccel: 100, sensor.ScaledGyro: 100})`. Rates are
         in Hz; 0 is the highest that the device supports. Replaces the message format of the set,
         enables its stream and resumes.
 
-        `set`: the descriptor set, if the fields occur in several. Returns the rates. Raises
+        `set`: the descriptor set, if the fields occur in several. `timestamp`: the clock of the
+        timestamp that is added, unless `rates` has one; "auto" for the first that the device
+        accepts, None for none. Returns the rates, also that of the timestamp. Raises
         NoSuchRate, before anything is changed, if a rate is not the base rate divided by a whole
         number; ValueError and EncodeError if the fields have no set in common; and whatever
         `request` raises.
         """
-        return self._follow(steps(session(), rates, set))
+        dialog = steps(session(), rates, set, timestamp)
+        return self._follow(with_cause(dialog, self._known))
 
     # needs: baud rates
     def change_baud(self, command: Command, attempts: int = 3) -> int:
@@ -315,7 +345,7 @@ class Device(AtPort):
                 if step.command is None:
                     time.sleep(step.seconds or 0)
                 else:
-                    answer = self.request(step.command, step.seconds)
+                    (answer,) = responses(self._exchange((step.command,), step.seconds))
             except (NoAnswer, Refused) as error:
                 failed = error
 
@@ -353,30 +383,31 @@ class Device(AtPort):
             return arrivals.popleft()
 
     @overload
-    def fields(self, a: type[F1], /) -> Iterator[tuple[float, F1]]: ...
+    def fields(self, a: type[F1], /) -> Iterator[tuple[Stamp, F1]]: ...
     @overload
-    def fields(self, a: type[F1], b: type[F2], /) -> Iterator[tuple[float, F1 | F2]]: ...
+    def fields(self, a: type[F1], b: type[F2], /) -> Iterator[tuple[Stamp, F1 | F2]]: ...
     @overload
     def fields(
         self, a: type[F1], b: type[F2], c: type[F3], /
-    ) -> Iterator[tuple[float, F1 | F2 | F3]]: ...
+    ) -> Iterator[tuple[Stamp, F1 | F2 | F3]]: ...
     @overload
     def fields(
         self, a: type[F1], b: type[F2], c: type[F3], d: type[F4], /
-    ) -> Iterator[tuple[float, F1 | F2 | F3 | F4]]: ...
+    ) -> Iterator[tuple[Stamp, F1 | F2 | F3 | F4]]: ...
     @overload
-    def fields(self, *kinds: type[F]) -> Iterator[tuple[float, F]]: ...
-    def fields(self, *kinds: type[Any]) -> Iterator[tuple[float, Any]]:
-        """Yields the fields of these types as they arrive, each with its time of arrival
-        (`Arrival.time`).
+    def fields(self, *kinds: type[F]) -> Iterator[tuple[Stamp, F]]: ...
+    def fields(self, *kinds: type[Any]) -> Iterator[tuple[Stamp, Any]]:
+        """Yields the fields of these types as they arrive, each with its time: `stamp.device` is
+        that in its packet, by the device's `stamp.clock`, and `stamp.arrived` that of arrival.
 
         The fields of one packet are in the order of `kinds`, and several of one type in the order
         of the packet. Raises DecodeError at a field that cannot be decoded.
         """
         for arrival in self:
+            stamp = arrival.stamp()
             for kind in kinds:
                 for field in arrival.find_all(kind):
-                    yield arrival.time, field
+                    yield stamp, field
 
     def clear(self) -> None:
         """Discards the data that has not been read yet, without counting it as dropped."""

@@ -8,15 +8,23 @@ Measurements of the DEMOD-DC, a digital demodulator for displacement sensors.
 from __future__ import annotations
 
 from enum import IntFlag
+from typing import Any
 
 from . import codec
 from .field import Data, Field
 
+# Numbers that are read and written together, by their letters for `struct`.
+_BQ = codec.Block("BQ")
+
+_I = codec.Block("I")
+
+_f = codec.Block("f")
+
 
 @codec.open_flag(8)
 class TimestampFlags(IntFlag):
-    """Validity of the displacement timestamp. Uncertain: That it is a bitfield. MSCL considers the
-    time valid if the number is 1.
+    """Validity of the displacement timestamp. Uncertain: The number is possibly no bitfield,
+    because MSCL considers the time valid if it is 1.
     """
 
     TIME = 1 << 0
@@ -38,17 +46,22 @@ class DisplacementRaw(Data):
     __match_args__ = ("counts",)
 
     SET = 0x90
-    SETS = (0x90,)
     DESCRIPTOR = 0x01
     NAME = "displacement_data.displacement_raw"
-    ROLE = "data"
-    _LAYOUT = (("counts", "I", None),)
+    _SIZE = 4
 
     counts: int
     """Output of the analog-to-digital converter. Unit: 1."""
 
     def __init__(self, counts: int) -> None:
         self.counts = counts
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.counts = _I.unpack(raw, at)[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _I.write("counts", self.counts)
 
 
 class Displacement(Data):
@@ -66,11 +79,9 @@ class Displacement(Data):
     __match_args__ = ("displacement",)
 
     SET = 0x90
-    SETS = (0x90,)
     DESCRIPTOR = 0x02
     NAME = "displacement_data.displacement"
-    ROLE = "data"
-    _LAYOUT = (("displacement", "f", None),)
+    _SIZE = 4
 
     displacement: float
     """Position of the sensor along its axis. Unit: mm."""
@@ -78,27 +89,35 @@ class Displacement(Data):
     def __init__(self, displacement: float) -> None:
         self.displacement = displacement
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _f.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _f.keep_nan_bits(v, raw, at)
+        self.displacement = v[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _f.write("displacement", self.displacement)
+
 
 class Timestamp(Data):
-    """Displacement Device Timestamp (0x90,0x04).
+    """Displacement device timestamp (0x90,0x04).
 
     Time of the measurement by the clock of the device.
 
     No device is known for certain to support it. Also called `displacement_timestamp`. Known only
     from the MicroStrain Communication Library.
 
-    - mscl: Displacement Device Timestamp (0x90,0x04)
+    - mscl: Displacement device timestamp (0x90,0x04)
     """
 
     __slots__ = ("flags", "time")
     __match_args__ = ("flags", "time")
 
     SET = 0x90
-    SETS = (0x90,)
     DESCRIPTOR = 0x04
     NAME = "displacement_data.timestamp"
-    ROLE = "data"
-    _LAYOUT = (("flags", "B", TimestampFlags), ("time", "Q", None))
+    _SIZE = 9
 
     flags: TimestampFlags
     """Validity of the displacement timestamp."""
@@ -110,6 +129,15 @@ class Timestamp(Data):
     def __init__(self, flags: TimestampFlags, time: int) -> None:
         self.flags = flags
         self.time = time
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _BQ.unpack(raw, at)
+        self.flags = codec.KNOWN[TimestampFlags][v[0]]
+        self.time = v[1]
+        return at + 9
+
+    def _write(self) -> bytes:
+        return _BQ.write("flags time", self.flags, self.time)
 
 
 #: Descriptor -> its types; several if constants or the size of the data distinguish layouts.

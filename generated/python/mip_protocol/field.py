@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from functools import cache
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache, wraps
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar, overload
 
+from ._sets import SETS
 from .codec import typed, vector
-from .described import Described, help_of
-from .errors import EncodeError
+from .described import Described, Description, help_of
+from .exceptions import EncodeError, Truncated
 from .packet import Packet, PacketBuilder, RawField, as_bytes
 
 if TYPE_CHECKING:
@@ -16,6 +17,15 @@ if TYPE_CHECKING:
 
     # Type checkers know type variables with defaults for every Python version.
     from typing_extensions import TypeVar as TypeVarWithDefault
+
+    from .info import FieldInfo, StructureInfo
+
+    class _Info(Description):
+        @overload
+        def __get__(self, holder: object, kind: type[Field]) -> FieldInfo: ...
+        @overload
+        def __get__(self, holder: object, kind: type[Structure]) -> StructureInfo: ...
+        def __get__(self, holder: object, kind: Any) -> Any: ...
 
 
 F = TypeVar("F", bound="Field")
@@ -40,12 +50,14 @@ def _as_dataclass(kind: Any) -> type:
     import inspect
 
     def described(p: inspect.Parameter) -> Any:
-        given = {} if p.default is p.empty else {"default": p.default}
-        return dataclasses.field(kw_only=p.kind is p.KEYWORD_ONLY, **given)
+        default = {} if p.default is p.empty else {"default": p.default}
+        return dataclasses.field(kw_only=p.kind is p.KEYWORD_ONLY, **default)
 
     parameters = inspect.signature(kind).parameters if kind._MEMBERS else {}
-    held = [(name, parameters[name]) for name in kind._MEMBERS]
-    members = [(name, str(p.annotation), described(p)) for name, p in held]
+    members = [
+        (name, str(p.annotation), described(p))
+        for name, p in ((name, parameters[name]) for name in kind._MEMBERS)
+    ]
     return dataclasses.make_dataclass(kind.__name__, members)
 
 
@@ -82,6 +94,20 @@ class VectorMember:
         return help_of(self._slot.__objclass__, self._slot.__name__)
 
 
+def _checked(init: Callable[..., None]) -> Callable[..., None]:
+    """Makes a constructor that raises EncodeError for values that cannot be sent."""
+
+    @wraps(init)
+    def checked(self: Any, *arguments: Any, **named: Any) -> None:
+        init(self, *arguments, **named)
+        try:
+            self._write()
+        except EncodeError as error:
+            raise typed(self, error) from None
+
+    return checked
+
+
 class Structure(Described):
     """A group of named values: a field or part of a field.
 
@@ -96,13 +122,11 @@ class Structure(Described):
     #: Members that are vectors, and their kinds.
     _VECTORS: ClassVar[dict[str, tuple[type[Any], ...]]] = {}
 
-    #: Its parameters as they are on the wire; see `wire`.
-    _LAYOUT: ClassVar[tuple[tuple[str, str, Any], ...]] = ()
-
-    #: The number of parameters that are always present; None if all are.
-    _ALWAYS: ClassVar[int | None] = None
+    #: Its size in bytes if it consists of plain numbers at fixed offsets, else 0.
+    _SIZE: ClassVar[int] = 0
 
     if TYPE_CHECKING:
+        INFO: _Info
         __dataclass_fields__: ClassVar[dict[str, dataclasses.Field[Any]]]
     else:
         __dataclass_fields__ = _OfDataclass()
@@ -116,6 +140,8 @@ class Structure(Described):
             slot = cls.__dict__[name]
             setattr(cls, f"_{name}", slot)  # for decoders
             setattr(cls, name, VectorMember(slot, kinds))
+        if "__init__" in cls.__dict__:
+            cls.__init__ = _checked(cls.__init__)  # type: ignore[method-assign]
 
     def _values(self) -> tuple[Any, ...]:
         return tuple([getattr(self, name) for name in self._MEMBERS])
@@ -132,25 +158,22 @@ class Structure(Described):
     def __replace__(self: S, **changes: Any) -> S:
         return type(self)(**(dict(zip(self._MEMBERS, self._values())) | changes))
 
-    # A class's own functions to read and write are made on first use, and replace these.
-    @classmethod
-    def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
-        """Reads the values at an offset. Returns them, and the offset at which they end."""
-        if "_read" not in cls.__dict__:
-            from .wire import make_reader
-
-            cls._read = classmethod(make_reader(cls))  # type: ignore[assignment, method-assign]
-        made: tuple[S, int] = cls.__dict__["_read"].__get__(None, cls)(raw, at)
-        return made
+    def _read(self, raw: bytes, at: int) -> int:
+        """Reads the values at an offset, and returns the offset at which they end. There are at
+        least `_SIZE` bytes; if there are too few, it raises Truncated."""
+        return at
 
     def _write(self) -> bytes:
-        cls = type(self)
-        if "_write" not in cls.__dict__:
-            from .wire import make_writer
+        """Encodes the values. Raises EncodeError."""
+        return b""
 
-            cls._write = make_writer(cls)  # type: ignore[method-assign]
-        made: bytes = cls.__dict__["_write"](self)
-        return made
+    @classmethod
+    def _decoded(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
+        """Reads an object at an offset. Returns it, and the offset at which it ends."""
+        if cls._SIZE > len(raw) - at:
+            raise Truncated(cls._SIZE, len(raw) - at)
+        value = cls.__new__(cls)
+        return value, value._read(raw, at)
 
 
 class Field(Structure):
@@ -164,6 +187,11 @@ class Field(Structure):
     NAME: ClassVar[str]  # in the specification: "base.ping"
     ROLE: ClassVar[str]  # "command", "response" or "data"
 
+    def __init_subclass__(cls, **arguments: Any) -> None:
+        super().__init_subclass__(**arguments)
+        if "SET" in cls.__dict__ and "SETS" not in cls.__dict__:
+            cls.SETS = (cls.SET,)
+
     @property
     def packet_set(self) -> int | None:
         """The descriptor set of the packet that contained it; None if that is unknown."""
@@ -173,11 +201,9 @@ class Field(Structure):
     def name_in(cls, set: int) -> str:
         """Returns its full name in a descriptor set: "gnss_2.dop". A field that occurs in every set
         has only one name."""
-        from ._index import SETS
-
         listed = set in cls.SETS and not isinstance(cls.SETS, range)
-        known = SETS.get(set) if listed else None
-        return f"{known[0]}.{cls.NAME.partition('.')[2]}" if known else cls.NAME
+        names = SETS.get(set) if listed else None
+        return f"{names[0]}.{cls.NAME.partition('.')[2]}" if names else cls.NAME
 
     def encode(self) -> bytes:
         """Encodes the field's data, without length and descriptor. Raises EncodeError."""
@@ -189,13 +215,13 @@ class Field(Structure):
     @classmethod
     def decode(cls: type[F], data: bytes | bytearray | memoryview) -> F:
         """Decodes a field's data. Raises DecodeError; bytes left over are not an error."""
-        return cls._read(data if type(data) is bytes else as_bytes(data), 0)[0]
+        return cls._decoded(data if type(data) is bytes else as_bytes(data), 0)[0]
 
     @classmethod
     def decode_with_trailing(cls: type[F], data: bytes | bytearray | memoryview) -> tuple[F, int]:
         """Like `decode`, but also returns how many bytes are left, which newer devices may send."""
         raw = data if type(data) is bytes else as_bytes(data)
-        value, end = cls._read(raw, 0)
+        value, end = cls._decoded(raw, 0)
         return value, len(raw) - end
 
     @classmethod
@@ -240,7 +266,7 @@ class Field(Structure):
     @classmethod
     def _received(cls: type[F], raw: RawField) -> F:
         """Decodes a field of a packet."""
-        return cls._read(raw.data, 0)[0]
+        return cls._decoded(raw.data, 0)[0]
 
 
 class Shared(Field):
@@ -257,7 +283,7 @@ class Shared(Field):
 
     @classmethod
     def _received(cls: type[H], raw: RawField) -> H:
-        field = cls._read(raw.data, 0)[0]
+        field = cls._decoded(raw.data, 0)[0]
         field._packet_set = raw.set
         return field
 
@@ -272,6 +298,8 @@ class Response(Field):
     """A field with which the device answers a command, after the acknowledge."""
 
     __slots__ = ()
+
+    ROLE = "response"
 
     COMMANDS: ClassVar[tuple[type[Command], ...]] = ()
 
@@ -296,6 +324,8 @@ class Command(Field, Generic[R]):
 
     __slots__ = ()
 
+    ROLE = "command"
+
     RESPONSES: ClassVar[tuple[type[Response], ...]] = ()
     TIMEOUT: ClassVar[float | None] = None  # seconds, if the device may take longer than usual
     #: Device settings that suppress the acknowledge of this command: set and descriptor of the
@@ -319,6 +349,8 @@ class Data(Field):
     """A field that a device sends as data."""
 
     __slots__ = ()
+
+    ROLE = "data"
 
 
 def chosen(types: tuple[type[Field], ...], raw: RawField) -> type[Field] | None:

@@ -15,6 +15,51 @@ from . import codec, types
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
+# Numbers that are read and written together, by their letters for `struct`.
+_2B3d = codec.Block("2B3d")
+
+_2fB = codec.Block("2fB")
+
+_3B = codec.Block("3B")
+
+_3B9fB = codec.Block("3B9fB")
+
+_3d = codec.Block("3d")
+
+_3f = codec.Block("3f")
+
+_4f = codec.Block("4f")
+
+_6f = codec.Block("6f")
+
+_9f = codec.Block("9f")
+
+_B = codec.Block("B")
+
+_B3d = codec.Block("B3d")
+
+_B3f = codec.Block("B3f")
+
+_B4f = codec.Block("B4f")
+
+_B6f = codec.Block("B6f")
+
+_BH = codec.Block("BH")
+
+_Bf = codec.Block("Bf")
+
+_H = codec.Block("H")
+
+_HB = codec.Block("HB")
+
+_d = codec.Block("d")
+
+_dH2fB = codec.Block("dH2fB")
+
+_dH3d9f = codec.Block("dH3d9f")
+
+_f = codec.Block("f")
+
 
 class DynamicsMode(codec.OpenEnum):
     """Motion that the filter expects, depending on the kind of vehicle. Uncertain: The SDK lists
@@ -53,22 +98,22 @@ class EstimatedStates(IntFlag):
     ANTENNA_OFFSET = 1 << 4
     """Estimate the offset of the GNSS antenna. Bit 4."""
     AUTO_HARD_IRON = 1 << 5
-    """Estimate the hard iron offset of the magnetometer. Bit 5."""
+    """Estimate the hard iron offset of the magnetometer. Bit 5. Requires a magnetometer."""
     AUTO_SOFT_IRON = 1 << 6
-    """Estimate the soft iron matrix of the magnetometer. Bit 6."""
+    """Estimate the soft iron matrix of the magnetometer. Bit 6. Requires a magnetometer."""
 
 
 class GnssAidingSource(codec.OpenEnum):
     """Source of the GNSS data that aids the filter."""
 
     ALL_INTERNAL = 1
-    """All internal receivers."""
+    """All internal receivers. Requires a receiver."""
     EXTERNAL = 2
     """GNSS measurements that your program sends."""
     INTERNAL_1 = 3
-    """Internal receiver 1 only."""
+    """Internal receiver 1 only. Requires a receiver."""
     INTERNAL_2 = 4
-    """Internal receiver 2 only."""
+    """Internal receiver 2 only. Requires 2 receivers."""
 
 
 class HeadingType(codec.OpenEnum):
@@ -91,19 +136,19 @@ class HeadingUpdateSource(codec.OpenEnum):
     NONE = 0
     """No heading updates."""
     MAG = 1
-    """The device's own magnetometer."""
+    """The device's own magnetometer. Requires a magnetometer."""
     GNSS_VELOCITY = 2
-    """The velocity that the GNSS receiver measures."""
+    """The velocity that the GNSS receiver measures. Requires a receiver."""
     EXTERNAL = 3
     """The heading messages that your program sends."""
     GNSS_VELOCITY_AND_MAG = 4
-    """The course over ground and the magnetometer."""
+    """The course over ground and the magnetometer. Requires a receiver and a magnetometer."""
     GNSS_VELOCITY_AND_EXTERNAL = 5
-    """GNSS velocity and your program's heading messages."""
+    """GNSS velocity and your program's heading messages. Requires a receiver."""
     MAG_AND_EXTERNAL = 6
-    """Magnetometer and your program's heading messages."""
+    """Magnetometer and your program's heading messages. Requires a magnetometer."""
     ALL = 7
-    """All three."""
+    """All three. Requires a receiver and a magnetometer."""
 
 
 @codec.open_flag(8)
@@ -125,14 +170,14 @@ class MeasurementFlags(IntFlag):
     ACCEL = 1 << 0
     """Accelerometer measurements. Bit 0."""
     MAG = 1 << 1
-    """Magnetometer measurements, on models that have a magnetometer. Bit 1."""
+    """Magnetometer measurements. Bit 1. Requires a magnetometer."""
 
 
 class MagParameterSource(codec.OpenEnum):
     """Source of the declination, the inclination or the magnitude of the magnetic field."""
 
     NONE = 1
-    """No source. Uncertain: What the device does without a source."""
+    """No source. Uncertain: No source states what the device does without a declination."""
     WMM = 2
     """The World Magnetic Model, at the estimated position."""
     MANUAL = 3
@@ -159,7 +204,7 @@ class AltitudeAidingSource(codec.OpenEnum):
     NONE = 0
     """No aiding."""
     PRESSURE = 1
-    """The pressure sensor."""
+    """The pressure sensor. Requires a pressure sensor."""
 
 
 class PitchRollAidingSource(codec.OpenEnum):
@@ -177,13 +222,13 @@ class AidingSource(codec.OpenEnum):
     GNSS_POSITION_VELOCITY = 0
     """Position and velocity of the GNSS receivers."""
     GNSS_HEADING = 1
-    """GNSS heading from two antennas."""
+    """GNSS heading from two antennas. Requires 2 antennas."""
     ALTIMETER = 2
-    """Built-in pressure altimeter."""
+    """Built-in pressure altimeter. Requires a pressure sensor."""
     SPEED = 3
     """Speed sensor or odometer."""
     MAG = 4
-    """Built-in magnetometer."""
+    """Built-in magnetometer. Requires a magnetometer."""
     EXTERNAL_HEADING = 5
     """Heading that your program sends."""
     EXTERNAL_ALTIMETER = 6
@@ -252,11 +297,11 @@ class HeadingAlignment(IntFlag):
     """Methods that the device may use to determine its initial heading."""
 
     DUAL_ANTENNA = 1 << 0
-    """From the baseline between two GNSS antennas. Bit 0."""
+    """From the baseline between two GNSS antennas. Bit 0. Requires 2 antennas."""
     KINEMATIC = 1 << 1
     """From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1."""
     MAG = 1 << 2
-    """From the built-in magnetometer. Bit 2."""
+    """From the built-in magnetometer. Bit 2. Requires a magnetometer."""
     EXTERNAL = 1 << 3
     """From the heading that your program sends. Bit 3."""
 
@@ -302,8 +347,8 @@ class ReferencePoint(codec.OpenEnum):
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Response to `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    Response to `VehicleDynamicsMode`. Confirmed on 3DM-GX5-45; likely or assumed on 6 more. Known
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
     """
@@ -312,11 +357,9 @@ class VehicleDynamicsModeResponse(Response):
     __match_args__ = ("mode",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x80
     NAME = "filter.vehicle_dynamics_mode_response"
-    ROLE = "response"
-    _LAYOUT = (("mode", "B", DynamicsMode),)
+    _SIZE = 1
 
     mode: DynamicsMode
     """Kind of vehicle."""
@@ -324,11 +367,19 @@ class VehicleDynamicsModeResponse(Response):
     def __init__(self, mode: DynamicsMode) -> None:
         self.mode = mode
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.mode = codec.KNOWN[DynamicsMode][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("mode", self.mode)
+
 
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Response to `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `SensorToVehicleRotationEuler`. Confirmed on 3DM-GX5-15 and -45; likely or assumed
+    on 12 more.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -337,30 +388,44 @@ class SensorToVehicleRotationEulerResponse(Response):
     __match_args__ = ("roll", "pitch", "yaw")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x81
     NAME = "filter.sensor_to_vehicle_rotation_euler_response"
-    ROLE = "response"
-    _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("yaw", "f", None))
+    _SIZE = 12
 
     roll: float
-    """Roll angle. Unit: rad."""
+    """Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right
+    side down.
+    """
     pitch: float
-    """Pitch angle. Unit: rad."""
+    """Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose
+    up.
+    """
     yaw: float
-    """Yaw angle. Unit: rad."""
+    """Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive:
+    clockwise seen from above.
+    """
 
     def __init__(self, roll: float, pitch: float, yaw: float) -> None:
         self.roll = roll
         self.pitch = pitch
         self.yaw = yaw
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self.roll, self.pitch, self.yaw = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("roll pitch yaw", self.roll, self.pitch, self.yaw)
+
 
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Response to `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain
-    MIP SDK.
+    Response to `SensorToVehicleOffset`. Confirmed on 3DM-GX5-45; likely or assumed on 6 more. Known
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
     """
@@ -369,12 +434,9 @@ class SensorToVehicleOffsetResponse(Response):
     __match_args__ = ("offset",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x82
     NAME = "filter.sensor_to_vehicle_offset_response"
-    ROLE = "response"
-    _LAYOUT = (("offset", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
@@ -385,11 +447,22 @@ class SensorToVehicleOffsetResponse(Response):
     def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._offset = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("offset*3", *codec.elements("offset", self.offset, 3))
+
 
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Response to `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+    Response to `AntennaOffset`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GX5-45; likely or
+    assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -398,29 +471,37 @@ class AntennaOffsetResponse(Response):
     __match_args__ = ("offset",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x83
     NAME = "filter.antenna_offset_response"
-    ROLE = "response"
-    _LAYOUT = (("offset", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
     """Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
     Frame: vehicle. Range: magnitude at most 10.
 
+    - On the 3DM-CX5-45: frame sensor (inferred: the manual of the 3DM-GX5-45 states it).
     - On the 3DM-GX5-45: frame sensor.
     """
 
     def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._offset = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("offset*3", *codec.elements("offset", self.offset, 3))
+
 
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Response to `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `EstimationControl`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 13 more.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -429,11 +510,9 @@ class EstimationControlResponse(Response):
     __match_args__ = ("flags",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x84
     NAME = "filter.estimation_control_response"
-    ROLE = "response"
-    _LAYOUT = (("flags", "H", EstimatedStates),)
+    _SIZE = 2
 
     flags: EstimatedStates
     """States to estimate."""
@@ -441,11 +520,19 @@ class EstimationControlResponse(Response):
     def __init__(self, flags: EstimatedStates) -> None:
         self.flags = flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.flags = codec.KNOWN[EstimatedStates][_H.unpack(raw, at)[0]]
+        return at + 2
+
+    def _write(self) -> bytes:
+        return _H.write("flags", self.flags)
+
 
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Response to `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    Response to `GnssSource`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely
+    or assumed on 9 more.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -454,11 +541,9 @@ class GnssSourceResponse(Response):
     __match_args__ = ("source",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x86
     NAME = "filter.gnss_source_response"
-    ROLE = "response"
-    _LAYOUT = (("source", "B", GnssAidingSource),)
+    _SIZE = 1
 
     source: GnssAidingSource
     """Source of the GNSS data."""
@@ -466,11 +551,18 @@ class GnssSourceResponse(Response):
     def __init__(self, source: GnssAidingSource) -> None:
         self.source = source
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.source = codec.KNOWN[GnssAidingSource][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("source", self.source)
+
 
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Response to `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `HeadingSource`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -479,11 +571,9 @@ class HeadingSourceResponse(Response):
     __match_args__ = ("source",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x87
     NAME = "filter.heading_source_response"
-    ROLE = "response"
-    _LAYOUT = (("source", "B", HeadingUpdateSource),)
+    _SIZE = 1
 
     source: HeadingUpdateSource
     """Source of the heading."""
@@ -491,12 +581,19 @@ class HeadingSourceResponse(Response):
     def __init__(self, source: HeadingUpdateSource) -> None:
         self.source = source
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.source = codec.KNOWN[HeadingUpdateSource][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("source", self.source)
+
 
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
-    Also called `auto_init_control_response`. Response to `AutoInitializationControl`. Supported by
-    3DM-GX5-15 and 3DM-GX5-45.
+    Also called `auto_init_control_response`. Response to `AutoInitializationControl`. Confirmed on
+    3DM-GX5-15 and -45; likely or assumed on 13 more.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -505,11 +602,9 @@ class AutoInitializationControlResponse(Response):
     __match_args__ = ("enable",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x88
     NAME = "filter.auto_initialization_control_response"
-    ROLE = "response"
-    _LAYOUT = (("enable", "B", None),)
+    _SIZE = 1
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -517,11 +612,19 @@ class AutoInitializationControlResponse(Response):
     def __init__(self, enable: int) -> None:
         self.enable = enable
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.enable = _B.unpack(raw, at)[0]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("enable", self.enable)
+
 
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Response to `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `AccelNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed
+    on 23 more.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -531,12 +634,9 @@ class AccelNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x89
     NAME = "filter.accel_noise_response"
-    ROLE = "response"
-    _LAYOUT = (("noise", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -545,11 +645,22 @@ class AccelNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._noise = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("noise*3", *codec.elements("noise", self.noise, 3))
+
 
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Response to `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `GyroNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on
+    23 more.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -559,12 +670,9 @@ class GyroNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x8A
     NAME = "filter.gyro_noise_response"
-    ROLE = "response"
-    _LAYOUT = (("noise", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -573,11 +681,22 @@ class GyroNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._noise = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("noise*3", *codec.elements("noise", self.noise, 3))
+
 
 class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Response to `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+    Response to `AccelBiasModel`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-45; likely or assumed on
+    9 more.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -586,12 +705,9 @@ class AccelBiasModelResponse(Response):
     __match_args__ = ("beta", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x8B
     NAME = "filter.accel_bias_model_response"
-    ROLE = "response"
-    _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
-
+    _SIZE = 24
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
@@ -607,11 +723,27 @@ class AccelBiasModelResponse(Response):
         self.beta = codec.vector(beta, types.Vector3f)
         self.noise = codec.vector(noise, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _6f.unpack(raw, at)
+        if (total := sum(v)) != total:
+            v = _6f.keep_nan_bits(v, raw, at)
+        self._beta = v[:3]
+        self._noise = v[3:6]
+        return at + 24
+
+    def _write(self) -> bytes:
+        return _6f.write(
+            "beta*3 noise*3",
+            *codec.elements("beta", self.beta, 3),
+            *codec.elements("noise", self.noise, 3),
+        )
+
 
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Response to `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `GyroBiasModel`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or
+    assumed on 23 more.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -621,12 +753,9 @@ class GyroBiasModelResponse(Response):
     __match_args__ = ("beta", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x8C
     NAME = "filter.gyro_bias_model_response"
-    ROLE = "response"
-    _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
-
+    _SIZE = 24
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
@@ -642,12 +771,27 @@ class GyroBiasModelResponse(Response):
         self.beta = codec.vector(beta, types.Vector3f)
         self.noise = codec.vector(noise, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _6f.unpack(raw, at)
+        if (total := sum(v)) != total:
+            v = _6f.keep_nan_bits(v, raw, at)
+        self._beta = v[:3]
+        self._noise = v[3:6]
+        return at + 24
+
+    def _write(self) -> bytes:
+        return _6f.write(
+            "beta*3 noise*3",
+            *codec.elements("beta", self.beta, 3),
+            *codec.elements("noise", self.noise, 3),
+        )
+
 
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Response to `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
-    MicroStrain MIP SDK.
+    Response to `AutoZupt`. Confirmed on 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 6
+    more. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -656,11 +800,9 @@ class AutoZuptResponse(Response):
     __match_args__ = ("enable", "threshold")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x8D
     NAME = "filter.auto_zupt_response"
-    ROLE = "response"
-    _LAYOUT = (("enable", "B", None), ("threshold", "f", None))
+    _SIZE = 5
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -671,12 +813,22 @@ class AutoZuptResponse(Response):
         self.enable = enable
         self.threshold = threshold
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _Bf.unpack(raw, at)
+        if v[1] != v[1]:
+            v = _Bf.keep_nan_bits(v, raw, at)
+        self.enable, self.threshold = v
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _Bf.write("enable threshold", self.enable, self.threshold)
+
 
 class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Response to `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-15 and 3DM-GX5-45.
+    Response to `AutoAngularZupt`. Confirmed on 3DM-CV7-GNSS/INS, -INS, 3DM-CX5-25,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 19 more.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -686,11 +838,9 @@ class AutoAngularZuptResponse(Response):
     __match_args__ = ("enable", "threshold")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x8E
     NAME = "filter.auto_angular_zupt_response"
-    ROLE = "response"
-    _LAYOUT = (("enable", "B", None), ("threshold", "f", None))
+    _SIZE = 5
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -701,11 +851,21 @@ class AutoAngularZuptResponse(Response):
         self.enable = enable
         self.threshold = threshold
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _Bf.unpack(raw, at)
+        if v[1] != v[1]:
+            v = _Bf.keep_nan_bits(v, raw, at)
+        self.enable, self.threshold = v
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _Bf.write("enable threshold", self.enable, self.threshold)
+
 
 class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Response to `ReferencePosition`. Supported by 3DM-GX5-15.
+    Response to `ReferencePosition`. Confirmed on 3DM-GX5-15; likely or assumed on 8 more.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -714,16 +874,9 @@ class ReferencePositionResponse(Response):
     __match_args__ = ("enable", "latitude", "longitude", "altitude")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x90
     NAME = "filter.reference_position_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("enable", "B", None),
-        ("latitude", "d", None),
-        ("longitude", "d", None),
-        ("altitude", "d", None),
-    )
+    _SIZE = 25
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -732,8 +885,8 @@ class ReferencePositionResponse(Response):
     longitude: float
     """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
     altitude: float
-    """Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid
-    or from sea level. The manual does not state it; its glossary counts altitudes from sea level.
+    """Altitude of the reference position. Unit: m. Uncertain: The reference, ellipsoid or sea
+    level, is inferred. The manual does not state it; its glossary counts altitudes from sea level.
     """
 
     def __init__(self, enable: int, latitude: float, longitude: float, altitude: float) -> None:
@@ -742,11 +895,25 @@ class ReferencePositionResponse(Response):
         self.longitude = longitude
         self.altitude = altitude
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.enable, self.latitude, self.longitude, self.altitude = _B3d.unpack(raw, at)
+        return at + 25
+
+    def _write(self) -> bytes:
+        return _B3d.write(
+            "enable latitude longitude altitude",
+            self.enable,
+            self.latitude,
+            self.longitude,
+            self.altitude,
+        )
+
 
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Response to `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `GravityNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed
+    on 16 more.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -756,12 +923,9 @@ class GravityNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x93
     NAME = "filter.gravity_noise_response"
-    ROLE = "response"
-    _LAYOUT = (("noise", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -770,12 +934,22 @@ class GravityNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._noise = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("noise*3", *codec.elements("noise", self.noise, 3))
+
 
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Response to `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain
-    MIP SDK.
+    Response to `PressureAltitudeNoise`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
     """
@@ -784,11 +958,9 @@ class PressureAltitudeNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x94
     NAME = "filter.pressure_altitude_noise_response"
-    ROLE = "response"
-    _LAYOUT = (("noise", "f", None),)
+    _SIZE = 4
 
     noise: float
     """Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0."""
@@ -796,12 +968,22 @@ class PressureAltitudeNoiseResponse(Response):
     def __init__(self, noise: float) -> None:
         self.noise = noise
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _f.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _f.keep_nan_bits(v, raw, at)
+        self.noise = v[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _f.write("noise", self.noise)
+
 
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Response to `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    Response to `HardIronOffsetNoise`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
     """
@@ -810,12 +992,9 @@ class HardIronOffsetNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x96
     NAME = "filter.hard_iron_offset_noise_response"
-    ROLE = "response"
-    _LAYOUT = (("noise", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -824,12 +1003,22 @@ class HardIronOffsetNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._noise = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("noise*3", *codec.elements("noise", self.noise, 3))
+
 
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Response to `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    Response to `SoftIronMatrixNoise`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
     """
@@ -838,12 +1027,9 @@ class SoftIronMatrixNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x97
     NAME = "filter.soft_iron_matrix_noise_response"
-    ROLE = "response"
-    _LAYOUT = (("noise", "fffffffff", types.Matrix3f),)
-
+    _SIZE = 36
     _VECTORS = {"noise": (types.Matrix3f,)}
 
     noise: types.Matrix3f
@@ -854,13 +1040,23 @@ class SoftIronMatrixNoiseResponse(Response):
     def __init__(self, noise: types.Matrix3f | codec.Rows) -> None:
         self.noise = codec.vector(noise, types.Matrix3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _9f.unpack(raw, at)
+        if (total := sum(v)) != total:
+            v = _9f.keep_nan_bits(v, raw, at)
+        self._noise = v
+        return at + 36
+
+    def _write(self) -> bytes:
+        return _9f.write("noise*9", *codec.elements("noise", self.noise, 9))
+
 
 class TareOrientationResponse(Response):
     """Tare orientation response (0x0D,0xA1).
 
-    No device is known for certain to support it. Response to `TareOrientation`. Uncertain: Which
-    devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45
-    have neither the read function nor the response.
+    Response to `TareOrientation`. Confirmed on 3DM-CX5-25; likely or assumed on 11 more. Uncertain:
+    The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the
+    read function nor the response.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -870,11 +1066,9 @@ class TareOrientationResponse(Response):
     __match_args__ = ("axes",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xA1
     NAME = "filter.tare_orientation_response"
-    ROLE = "response"
-    _LAYOUT = (("axes", "B", TareAxes),)
+    _SIZE = 1
 
     axes: TareAxes
     """Axes that are tared."""
@@ -882,11 +1076,18 @@ class TareOrientationResponse(Response):
     def __init__(self, axes: TareAxes) -> None:
         self.axes = axes
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.axes = codec.KNOWN[TareAxes][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("axes", self.axes)
+
 
 class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Response to `EnableMeasurements`. Supported by 3DM-GX5-15.
+    Response to `EnableMeasurements`. Confirmed on 3DM-GX5-15; likely or assumed on 6 more.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -895,11 +1096,9 @@ class EnableMeasurementsResponse(Response):
     __match_args__ = ("control",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xB0
     NAME = "filter.enable_measurements_response"
-    ROLE = "response"
-    _LAYOUT = (("control", "H", MeasurementFlags),)
+    _SIZE = 2
 
     control: MeasurementFlags
     """Measurements to use."""
@@ -907,11 +1106,19 @@ class EnableMeasurementsResponse(Response):
     def __init__(self, control: MeasurementFlags) -> None:
         self.control = control
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.control = codec.KNOWN[MeasurementFlags][_H.unpack(raw, at)[0]]
+        return at + 2
+
+    def _write(self) -> bytes:
+        return _H.write("control", self.control)
+
 
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Response to `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Response to `MagNoise`. Confirmed on 3DM-GX5-45; likely or assumed on 9 more. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -920,12 +1127,9 @@ class MagNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xB1
     NAME = "filter.mag_noise_response"
-    ROLE = "response"
-    _LAYOUT = (("noise", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -934,12 +1138,22 @@ class MagNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._noise = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("noise*3", *codec.elements("noise", self.noise, 3))
+
 
 class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Response to `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    Response to `MagneticDeclinationSource`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ7-GNSS/INS
+    and 3DM-GX5-45; likely or assumed on 14 more.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -949,30 +1163,40 @@ class MagneticDeclinationSourceResponse(Response):
     __match_args__ = ("source", "declination")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xB2
     NAME = "filter.magnetic_declination_source_response"
-    ROLE = "response"
-    _LAYOUT = (("source", "B", MagParameterSource), ("declination", "f", None))
+    _SIZE = 5
 
     source: MagParameterSource
     """Source of the declination."""
     declination: float
-    """Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
-    3.141592653589793. Uncertain: Whether it may be omitted if `source` is not manual. The manuals,
-    that of the 3DM-GQ7 included, require it only if it is, but state one length, with the value.
-    Sending it always fits both.
+    """Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame:
+    ned. Range: -pi to pi. Positive: magnetic north is east of true north. Uncertain: The sign is
+    the usual one; no source states it. Uncertain: The manuals, that of the 3DM-GQ7 included,
+    require it only if `source` is manual, but state one length, with the value. Always send it.
     """
 
     def __init__(self, source: MagParameterSource, declination: float) -> None:
         self.source = source
         self.declination = declination
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _Bf.unpack(raw, at)
+        if v[1] != v[1]:
+            v = _Bf.keep_nan_bits(v, raw, at)
+        self.source = codec.KNOWN[MagParameterSource][v[0]]
+        self.declination = v[1]
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _Bf.write("source declination", self.source, self.declination)
+
 
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-15 and -45; likely or
+    assumed on 13 more.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -997,19 +1221,9 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     )
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xB3
     NAME = "filter.accel_magnitude_error_adaptive_measurement_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
-        ("frequency", "f", None),
-        ("low_limit", "f", None),
-        ("high_limit", "f", None),
-        ("low_limit_uncertainty", "f", None),
-        ("high_limit_uncertainty", "f", None),
-        ("minimum_uncertainty", "f", None),
-    )
+    _SIZE = 25
 
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
@@ -1044,12 +1258,37 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B6f.unpack(raw, at)
+        if (total := sum(v[1:7])) != total:
+            v = _B6f.keep_nan_bits(v, raw, at)
+        self.adaptive_measurement = codec.KNOWN[AdaptiveMeasurementSelector][v[0]]
+        self.frequency = v[1]
+        self.low_limit = v[2]
+        self.high_limit = v[3]
+        self.low_limit_uncertainty = v[4]
+        self.high_limit_uncertainty = v[5]
+        self.minimum_uncertainty = v[6]
+        return at + 25
+
+    def _write(self) -> bytes:
+        return _B6f.write(
+            "adaptive_measurement frequency low_limit high_limit low_limit_uncertainty high_limit_uncertainty minimum_uncertainty",
+            self.adaptive_measurement,
+            self.frequency,
+            self.low_limit,
+            self.high_limit,
+            self.low_limit_uncertainty,
+            self.high_limit_uncertainty,
+            self.minimum_uncertainty,
+        )
+
 
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Response to `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
-    MicroStrain MIP SDK.
+    Response to `MagMagnitudeErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-45; likely or assumed
+    on 10 more. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -1074,45 +1313,38 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     )
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xB4
     NAME = "filter.mag_magnitude_error_adaptive_measurement_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
-        ("frequency", "f", None),
-        ("low_limit", "f", None),
-        ("high_limit", "f", None),
-        ("low_limit_uncertainty", "f", None),
-        ("high_limit_uncertainty", "f", None),
-        ("minimum_uncertainty", "f", None),
-    )
+    _SIZE = 25
 
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     low_limit: float
-    """Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK
-    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+    """Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is
+    inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in
+    the response.
     """
     high_limit: float
-    """Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK
-    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+    """Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is
+    inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in
+    the response.
     """
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-    The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-    response.
+    """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit
+    gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and
+    gauss in the response.
     """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-    The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-    response.
+    """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit
+    gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and
+    gauss in the response.
     """
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
-    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+    """Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is
+    inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in
+    the response.
     """
 
     def __init__(
@@ -1133,12 +1365,37 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B6f.unpack(raw, at)
+        if (total := sum(v[1:7])) != total:
+            v = _B6f.keep_nan_bits(v, raw, at)
+        self.adaptive_measurement = codec.KNOWN[AdaptiveMeasurementSelector][v[0]]
+        self.frequency = v[1]
+        self.low_limit = v[2]
+        self.high_limit = v[3]
+        self.low_limit_uncertainty = v[4]
+        self.high_limit_uncertainty = v[5]
+        self.minimum_uncertainty = v[6]
+        return at + 25
+
+    def _write(self) -> bytes:
+        return _B6f.write(
+            "adaptive_measurement frequency low_limit high_limit low_limit_uncertainty high_limit_uncertainty minimum_uncertainty",
+            self.adaptive_measurement,
+            self.frequency,
+            self.low_limit,
+            self.high_limit,
+            self.low_limit_uncertainty,
+            self.high_limit_uncertainty,
+            self.minimum_uncertainty,
+        )
+
 
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Response to `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
-    MicroStrain MIP SDK.
+    Response to `MagDipAngleErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-45; likely or assumed on
+    9 more. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1159,33 +1416,25 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     )
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xB5
     NAME = "filter.mag_dip_angle_error_adaptive_measurement_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("enable", "B", codec.truth),
-        ("frequency", "f", None),
-        ("high_limit", "f", None),
-        ("high_limit_uncertainty", "f", None),
-        ("minimum_uncertainty", "f", None),
-    )
+    _SIZE = 17
 
     enable: bool
     """True if the adaptation is on."""
     frequency: float
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     high_limit: float
-    """Upper limit of the dip angle error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad
-    is inferred from the quantity.
+    """Upper limit of the dip angle error. Unit: rad. Range: at least 0. Uncertain: The unit rad is
+    inferred from the quantity; the SDK states m/s^2.
     """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The
-    SDK states m/s^2; rad is inferred from the quantity.
+    """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit rad
+    is inferred from the quantity; the SDK states m/s^2.
     """
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK
-    states m/s^2; rad is inferred from the quantity.
+    """Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit rad is
+    inferred from the quantity; the SDK states m/s^2.
     """
 
     def __init__(
@@ -1202,11 +1451,33 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B4f.unpack(raw, at)
+        if (total := v[1] + v[2] + v[3] + v[4]) != total:
+            v = _B4f.keep_nan_bits(v, raw, at)
+        self.enable = codec.TRUTH[v[0]]
+        self.frequency = v[1]
+        self.high_limit = v[2]
+        self.high_limit_uncertainty = v[3]
+        self.minimum_uncertainty = v[4]
+        return at + 17
+
+    def _write(self) -> bytes:
+        return _B4f.write(
+            "enable frequency high_limit high_limit_uncertainty minimum_uncertainty",
+            self.enable,
+            self.frequency,
+            self.high_limit,
+            self.high_limit_uncertainty,
+            self.minimum_uncertainty,
+        )
+
 
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Response to `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Response to `AltitudeAiding`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Altitude aiding (0x0D,0x47)
     """
@@ -1215,11 +1486,9 @@ class AltitudeAidingResponse(Response):
     __match_args__ = ("selector",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xB7
     NAME = "filter.altitude_aiding_response"
-    ROLE = "response"
-    _LAYOUT = (("selector", "B", AltitudeAidingSource),)
+    _SIZE = 1
 
     selector: AltitudeAidingSource
     """Source of the aiding."""
@@ -1227,11 +1496,18 @@ class AltitudeAidingResponse(Response):
     def __init__(self, selector: AltitudeAidingSource) -> None:
         self.selector = selector
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.selector = codec.KNOWN[AltitudeAidingSource][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("selector", self.selector)
+
 
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Response to `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `PitchRollAiding`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 6 more.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1240,17 +1516,22 @@ class PitchRollAidingResponse(Response):
     __match_args__ = ("aiding",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xBB
     NAME = "filter.pitch_roll_aiding_response"
-    ROLE = "response"
-    _LAYOUT = (("aiding", "B", PitchRollAidingSource),)
+    _SIZE = 1
 
     aiding: PitchRollAidingSource
     """Source of the aiding."""
 
     def __init__(self, aiding: PitchRollAidingSource) -> None:
         self.aiding = aiding
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.aiding = codec.KNOWN[PitchRollAidingSource][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("aiding", self.aiding)
 
 
 class MagneticInclinationSourceResponse(Response):
@@ -1266,23 +1547,33 @@ class MagneticInclinationSourceResponse(Response):
     __match_args__ = ("source", "inclination")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xBC
     NAME = "filter.magnetic_inclination_source_response"
-    ROLE = "response"
-    _LAYOUT = (("source", "B", MagParameterSource), ("inclination", "f", None))
+    _SIZE = 5
 
     source: MagParameterSource
     """Source of the inclination."""
     inclination: float
-    """Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to
-    1.5707963267948966. Uncertain: Whether it may be left out if `source` is not manual, as the
-    manuals state for `MagneticDeclinationSource`. The SDK always sends it.
+    """Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad.
+    Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down.
+    Uncertain: The sign is the usual one; no source states it. Uncertain: It can possibly be omitted
+    if `source` is not manual, as with `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(self, source: MagParameterSource, inclination: float) -> None:
         self.source = source
         self.inclination = inclination
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _Bf.unpack(raw, at)
+        if v[1] != v[1]:
+            v = _Bf.keep_nan_bits(v, raw, at)
+        self.source = codec.KNOWN[MagParameterSource][v[0]]
+        self.inclination = v[1]
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _Bf.write("source inclination", self.source, self.inclination)
 
 
 class MagneticMagnitudeSourceResponse(Response):
@@ -1298,23 +1589,32 @@ class MagneticMagnitudeSourceResponse(Response):
     __match_args__ = ("source", "magnitude")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xBD
     NAME = "filter.magnetic_magnitude_source_response"
-    ROLE = "response"
-    _LAYOUT = (("source", "B", MagParameterSource), ("magnitude", "f", None))
+    _SIZE = 5
 
     source: MagParameterSource
     """Source of the magnitude."""
     magnitude: float
-    """Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain:
-    Whether it may be left out if `source` is not manual, as the manuals state for
-    `MagneticDeclinationSource`. The SDK always sends it.
+    """Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain: It can
+    possibly be omitted if `source` is not manual, as with `MagneticDeclinationSource`. The SDK
+    always sends it.
     """
 
     def __init__(self, source: MagParameterSource, magnitude: float) -> None:
         self.source = source
         self.magnitude = magnitude
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _Bf.unpack(raw, at)
+        if v[1] != v[1]:
+            v = _Bf.keep_nan_bits(v, raw, at)
+        self.source = codec.KNOWN[MagParameterSource][v[0]]
+        self.magnitude = v[1]
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _Bf.write("source magnitude", self.source, self.magnitude)
 
 
 class SensorToVehicleRotationDcmResponse(Response):
@@ -1329,12 +1629,9 @@ class SensorToVehicleRotationDcmResponse(Response):
     __match_args__ = ("dcm",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xBE
     NAME = "filter.sensor_to_vehicle_rotation_dcm_response"
-    ROLE = "response"
-    _LAYOUT = (("dcm", "fffffffff", types.Matrix3f),)
-
+    _SIZE = 36
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
@@ -1344,6 +1641,16 @@ class SensorToVehicleRotationDcmResponse(Response):
 
     def __init__(self, dcm: types.Matrix3f | codec.Rows) -> None:
         self.dcm = codec.vector(dcm, types.Matrix3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _9f.unpack(raw, at)
+        if (total := sum(v)) != total:
+            v = _9f.keep_nan_bits(v, raw, at)
+        self._dcm = v
+        return at + 36
+
+    def _write(self) -> bytes:
+        return _9f.write("dcm*9", *codec.elements("dcm", self.dcm, 9))
 
 
 class SensorToVehicleRotationQuaternionResponse(Response):
@@ -1358,12 +1665,9 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     __match_args__ = ("q",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xBF
     NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
-    ROLE = "response"
-    _LAYOUT = (("q", "ffff", types.Quatf),)
-
+    _SIZE = 16
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -1374,12 +1678,22 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
         self.q = codec.vector(q, types.Quatf)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _4f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2] + v[3]) != total:
+            v = _4f.keep_nan_bits(v, raw, at)
+        self._q = v
+        return at + 16
+
+    def _write(self) -> bytes:
+        return _4f.write("q*4", *codec.elements("q", self.q, 4))
+
 
 class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Response to `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
-    3DM-CV7-GNSS/INS.
+    Response to `AidingMeasurementEnable`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or
+    assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -1388,11 +1702,9 @@ class AidingMeasurementEnableResponse(Response):
     __match_args__ = ("aiding_source", "enable")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xD0
     NAME = "filter.aiding_measurement_enable_response"
-    ROLE = "response"
-    _LAYOUT = (("aiding_source", "H", AidingSource), ("enable", "B", codec.truth))
+    _SIZE = 3
 
     aiding_source: AidingSource
     """Aiding source that the setting is for."""
@@ -1402,6 +1714,15 @@ class AidingMeasurementEnableResponse(Response):
     def __init__(self, aiding_source: AidingSource, enable: bool) -> None:
         self.aiding_source = aiding_source
         self.enable = enable
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _HB.unpack(raw, at)
+        self.aiding_source = codec.KNOWN[AidingSource][v[0]]
+        self.enable = codec.TRUTH[v[1]]
+        return at + 3
+
+    def _write(self) -> bytes:
+        return _HB.write("aiding_source enable", self.aiding_source, self.enable)
 
 
 class KinematicConstraintResponse(Response):
@@ -1416,15 +1737,9 @@ class KinematicConstraintResponse(Response):
     __match_args__ = ("accel_constraint", "velocity_constraint", "angular_constraint")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xD1
     NAME = "filter.kinematic_constraint_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("accel_constraint", "B", AccelConstraint),
-        ("velocity_constraint", "B", VelocityConstraint),
-        ("angular_constraint", "B", AngularConstraint),
-    )
+    _SIZE = 3
 
     accel_constraint: AccelConstraint
     """Assumption about the acceleration. Default: `AccelConstraint.NONE`."""
@@ -1443,12 +1758,27 @@ class KinematicConstraintResponse(Response):
         self.velocity_constraint = velocity_constraint
         self.angular_constraint = angular_constraint
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3B.unpack(raw, at)
+        self.accel_constraint = codec.KNOWN[AccelConstraint][v[0]]
+        self.velocity_constraint = codec.KNOWN[VelocityConstraint][v[1]]
+        self.angular_constraint = codec.KNOWN[AngularConstraint][v[2]]
+        return at + 3
+
+    def _write(self) -> bytes:
+        return _3B.write(
+            "accel_constraint velocity_constraint angular_constraint",
+            self.accel_constraint,
+            self.velocity_constraint,
+            self.angular_constraint,
+        )
+
 
 class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
     Also called `initialization_configuration_response`. Response to `InitializationConfig`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+    Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or assumed on 2 more.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -1477,22 +1807,9 @@ class InitializationConfigResponse(Response):
     )
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xD2
     NAME = "filter.initialization_config_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("wait_for_run_command", "B", None),
-        ("initial_condition_source", "B", InitialConditionSource),
-        ("auto_heading_alignment_selector", "B", HeadingAlignment),
-        ("initial_heading", "f", None),
-        ("initial_pitch", "f", None),
-        ("initial_roll", "f", None),
-        ("initial_position", "fff", types.Vector3f),
-        ("initial_velocity", "fff", types.Vector3f),
-        ("reference_frame_selector", "B", ReferenceFrame),
-    )
-
+    _SIZE = 40
     _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     wait_for_run_command: int
@@ -1502,11 +1819,13 @@ class InitializationConfigResponse(Response):
     auto_heading_alignment_selector: HeadingAlignment
     """Methods that may be used to determine the initial heading."""
     initial_heading: float
-    """Initial heading that your program provides. Unit: deg."""
+    """Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from
+    above.
+    """
     initial_pitch: float
-    """Initial pitch that your program provides. Unit: deg."""
+    """Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up."""
     initial_roll: float
-    """Initial roll that your program provides. Unit: deg."""
+    """Initial roll angle. Unit: deg. Frame: ned. Positive: right side down."""
     initial_position: types.Vector3f
     """Initial position that your program provides. Elements: x, y, z.
 
@@ -1545,11 +1864,41 @@ class InitializationConfigResponse(Response):
         self.initial_velocity = codec.vector(initial_velocity, types.Vector3f)
         self.reference_frame_selector = reference_frame_selector
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3B9fB.unpack(raw, at)
+        if (total := sum(v[3:12])) != total:
+            v = _3B9fB.keep_nan_bits(v, raw, at)
+        self.wait_for_run_command = v[0]
+        self.initial_condition_source = codec.KNOWN[InitialConditionSource][v[1]]
+        self.auto_heading_alignment_selector = codec.KNOWN[HeadingAlignment][v[2]]
+        self.initial_heading = v[3]
+        self.initial_pitch = v[4]
+        self.initial_roll = v[5]
+        self._initial_position = v[6:9]
+        self._initial_velocity = v[9:12]
+        self.reference_frame_selector = codec.KNOWN[ReferenceFrame][v[12]]
+        return at + 40
+
+    def _write(self) -> bytes:
+        return _3B9fB.write(
+            "wait_for_run_command initial_condition_source auto_heading_alignment_selector initial_heading initial_pitch initial_roll initial_position*3 initial_velocity*3 reference_frame_selector",
+            self.wait_for_run_command,
+            self.initial_condition_source,
+            self.auto_heading_alignment_selector,
+            self.initial_heading,
+            self.initial_pitch,
+            self.initial_roll,
+            *codec.elements("initial_position", self.initial_position, 3),
+            *codec.elements("initial_velocity", self.initial_velocity, 3),
+            self.reference_frame_selector,
+        )
+
 
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Response to `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `AdaptiveFilterOptions`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 12
+    more.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1558,11 +1907,9 @@ class AdaptiveFilterOptionsResponse(Response):
     __match_args__ = ("level", "time_limit")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xD3
     NAME = "filter.adaptive_filter_options_response"
-    ROLE = "response"
-    _LAYOUT = (("level", "B", AdaptiveLevel), ("time_limit", "H", None))
+    _SIZE = 3
 
     level: AdaptiveLevel
     """Strength of the adaptation. Default: 2."""
@@ -1573,11 +1920,20 @@ class AdaptiveFilterOptionsResponse(Response):
         self.level = level
         self.time_limit = time_limit
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _BH.unpack(raw, at)
+        self.level = codec.KNOWN[AdaptiveLevel][v[0]]
+        self.time_limit = v[1]
+        return at + 3
+
+    def _write(self) -> bytes:
+        return _BH.write("level time_limit", self.level, self.time_limit)
+
 
 class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Response to `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `MultiAntennaOffset`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -1586,18 +1942,15 @@ class MultiAntennaOffsetResponse(Response):
     __match_args__ = ("receiver_id", "antenna_offset")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xD4
     NAME = "filter.multi_antenna_offset_response"
-    ROLE = "response"
-    _LAYOUT = (("receiver_id", "B", None), ("antenna_offset", "fff", types.Vector3f))
-
+    _SIZE = 13
     _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     receiver_id: int
     """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f
-    """Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+    """Lever arm from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
     magnitude at most 10.
     """
 
@@ -1605,12 +1958,27 @@ class MultiAntennaOffsetResponse(Response):
         self.receiver_id = receiver_id
         self.antenna_offset = codec.vector(antenna_offset, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B3f.unpack(raw, at)
+        if (total := v[1] + v[2] + v[3]) != total:
+            v = _B3f.keep_nan_bits(v, raw, at)
+        self.receiver_id = v[0]
+        self._antenna_offset = v[1:4]
+        return at + 13
+
+    def _write(self) -> bytes:
+        return _B3f.write(
+            "receiver_id antenna_offset*3",
+            self.receiver_id,
+            *codec.elements("antenna_offset", self.antenna_offset, 3),
+        )
+
 
 class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
-    Also called `rel_pos_configuration_response`. Response to `RelativePositionConfig`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `rel_pos_configuration_response`. Response to `RelativePositionConfig`. Confirmed on
+    3DM-CV7-GNSS/INS; likely or assumed on 4 more.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -1619,16 +1987,9 @@ class RelativePositionConfigResponse(Response):
     __match_args__ = ("source", "reference_frame_selector", "reference_coordinates")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xD5
     NAME = "filter.relative_position_config_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("source", "B", RelativePositionSource),
-        ("reference_frame_selector", "B", ReferenceFrame),
-        ("reference_coordinates", "ddd", types.Vector3d),
-    )
-
+    _SIZE = 26
     _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     source: RelativePositionSource
@@ -1653,12 +2014,27 @@ class RelativePositionConfigResponse(Response):
         self.reference_frame_selector = reference_frame_selector
         self.reference_coordinates = codec.vector(reference_coordinates, types.Vector3d)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2B3d.unpack(raw, at)
+        self.source = codec.KNOWN[RelativePositionSource][v[0]]
+        self.reference_frame_selector = codec.KNOWN[ReferenceFrame][v[1]]
+        self._reference_coordinates = v[2:5]
+        return at + 26
+
+    def _write(self) -> bytes:
+        return _2B3d.write(
+            "source reference_frame_selector reference_coordinates*3",
+            self.source,
+            self.reference_frame_selector,
+            *codec.elements("reference_coordinates", self.reference_coordinates, 3),
+        )
+
 
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
-    Also called `ref_point_lever_arm_response`. Response to `ReferencePointLeverArm`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `ref_point_lever_arm_response`. Response to `ReferencePointLeverArm`. Confirmed on
+    3DM-CV7-GNSS/INS; likely or assumed on 4 more.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -1667,21 +2043,15 @@ class ReferencePointLeverArmResponse(Response):
     __match_args__ = ("reference_point", "lever_arm_offset")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xD6
     NAME = "filter.reference_point_lever_arm_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("reference_point", "B", ReferencePoint),
-        ("lever_arm_offset", "fff", types.Vector3f),
-    )
-
+    _SIZE = 13
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     reference_point: ReferencePoint
-    """Point whose lever arm follows."""
+    """Point to which the lever arm leads."""
     lever_arm_offset: types.Vector3f
-    """Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+    """Lever arm from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
     magnitude at most 10.
     """
 
@@ -1691,11 +2061,26 @@ class ReferencePointLeverArmResponse(Response):
         self.reference_point = reference_point
         self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B3f.unpack(raw, at)
+        if (total := v[1] + v[2] + v[3]) != total:
+            v = _B3f.keep_nan_bits(v, raw, at)
+        self.reference_point = codec.KNOWN[ReferencePoint][v[0]]
+        self._lever_arm_offset = v[1:4]
+        return at + 13
+
+    def _write(self) -> bytes:
+        return _B3f.write(
+            "reference_point lever_arm_offset*3",
+            self.reference_point,
+            *codec.elements("lever_arm_offset", self.lever_arm_offset, 3),
+        )
+
 
 class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Response to `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `SpeedLeverArm`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -1704,18 +2089,15 @@ class SpeedLeverArmResponse(Response):
     __match_args__ = ("lever_arm_offset",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xE1
     NAME = "filter.speed_lever_arm_response"
-    ROLE = "response"
-    _LAYOUT = (("source", "B", None), ("lever_arm_offset", "fff", types.Vector3f))
-
+    _SIZE = 13
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     source: int
     """Reserved."""
     lever_arm_offset: types.Vector3f
-    """Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
+    """Lever arm from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
     vehicle.
     """
 
@@ -1724,6 +2106,21 @@ class SpeedLeverArmResponse(Response):
     ) -> None:
         self.source = source
         self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B3f.unpack(raw, at)
+        if (total := v[1] + v[2] + v[3]) != total:
+            v = _B3f.keep_nan_bits(v, raw, at)
+        self.source = v[0]
+        self._lever_arm_offset = v[1:4]
+        return at + 13
+
+    def _write(self) -> bytes:
+        return _B3f.write(
+            "source lever_arm_offset*3",
+            self.source,
+            *codec.elements("lever_arm_offset", self.lever_arm_offset, 3),
+        )
 
 
 class VerticalGyroConstraintControlResponse(Response):
@@ -1738,11 +2135,9 @@ class VerticalGyroConstraintControlResponse(Response):
     __match_args__ = ("enable",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xE2
     NAME = "filter.vertical_gyro_constraint_control_response"
-    ROLE = "response"
-    _LAYOUT = (("enable", "B", None),)
+    _SIZE = 1
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -1750,11 +2145,19 @@ class VerticalGyroConstraintControlResponse(Response):
     def __init__(self, enable: int) -> None:
         self.enable = enable
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.enable = _B.unpack(raw, at)[0]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("enable", self.enable)
+
 
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Response to `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `WheeledVehicleConstraintControl`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed
+    on 1 more.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -1763,17 +2166,22 @@ class WheeledVehicleConstraintControlResponse(Response):
     __match_args__ = ("enable",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xE3
     NAME = "filter.wheeled_vehicle_constraint_control_response"
-    ROLE = "response"
-    _LAYOUT = (("enable", "B", None),)
+    _SIZE = 1
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
 
     def __init__(self, enable: int) -> None:
         self.enable = enable
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.enable = _B.unpack(raw, at)[0]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("enable", self.enable)
 
 
 class GnssAntennaCalibrationControlResponse(Response):
@@ -1790,11 +2198,9 @@ class GnssAntennaCalibrationControlResponse(Response):
     __match_args__ = ("enable", "max_offset")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0xE4
     NAME = "filter.gnss_antenna_calibration_control_response"
-    ROLE = "response"
-    _LAYOUT = (("enable", "B", None), ("max_offset", "f", None))
+    _SIZE = 5
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -1805,14 +2211,24 @@ class GnssAntennaCalibrationControlResponse(Response):
         self.enable = enable
         self.max_offset = max_offset
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _Bf.unpack(raw, at)
+        if v[1] != v[1]:
+            v = _Bf.keep_nan_bits(v, raw, at)
+        self.enable, self.max_offset = v
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _Bf.write("enable max_offset", self.enable, self.max_offset)
+
 
 class Reset(Command[None]):
     """Reset navigation filter (0x0D,0x01).
 
     Returns the filter to its initialization state.
 
-    Changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT
+    and -45-ST; likely or assumed on 20 more.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -1825,10 +2241,8 @@ class Reset(Command[None]):
     __slots__ = ()
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x01
     NAME = "filter.reset"
-    ROLE = "command"
 
 
 class SetInitialAttitude(Command[None]):
@@ -1836,8 +2250,9 @@ class SetInitialAttitude(Command[None]):
 
     Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.
 
-    Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Confirmed on 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed
+    on 12 more.
 
     Accepted only in the initialization state.
 
@@ -1848,23 +2263,19 @@ class SetInitialAttitude(Command[None]):
     __match_args__ = ("roll", "pitch", "heading")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x02
     NAME = "filter.set_initial_attitude"
-    ROLE = "command"
-    _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("heading", "f", None))
+    _SIZE = 12
 
     roll: float
-    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-    right side down.
-    """
+    """Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down."""
     pitch: float
     """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
     Positive: nose up.
     """
     heading: float
-    """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
-    Positive: clockwise seen from above.
+    """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from
+    above.
     """
 
     def __init__(self, roll: float, pitch: float, heading: float) -> None:
@@ -1872,15 +2283,25 @@ class SetInitialAttitude(Command[None]):
         self.pitch = pitch
         self.heading = heading
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self.roll, self.pitch, self.heading = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("roll pitch heading", self.roll, self.pitch, self.heading)
+
 
 class SetInitialHeading(Command[None]):
     """Set initial heading (0x0D,0x03).
 
     Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
 
-    Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15, -45,
+    3DM-RQ1-45-LT and -45-ST; likely or assumed on 19 more.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the value of this command is ignored.
@@ -1893,19 +2314,27 @@ class SetInitialHeading(Command[None]):
     __match_args__ = ("heading",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x03
     NAME = "filter.set_initial_heading"
-    ROLE = "command"
-    _LAYOUT = (("heading", "f", None),)
+    _SIZE = 4
 
     heading: float
-    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
-    Positive: clockwise seen from above.
+    """Initial heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from
+    above.
     """
 
     def __init__(self, heading: float) -> None:
         self.heading = heading
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _f.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _f.keep_nan_bits(v, raw, at)
+        self.heading = v[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _f.write("heading", self.heading)
 
 
 class SetInitialAttitudeFromImu(Command[None]):
@@ -1914,11 +2343,11 @@ class SetInitialAttitudeFromImu(Command[None]):
     Initializes the filter's attitude from the complementary filter.
 
     No device is known for certain to support it. Also called `set_initial_heading_from_mag`.
-    Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    Affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Known only from the MIP SDK of 2014, MicroStrain Communication
-    Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set initial heading from
-    mag, and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45.
-    Uncertain: Which devices support it.
+    Library and MicroStrain MIP SDK. Uncertain: The SDK calls it set initial heading from mag,
+    without a layout; the SDK of 2014 has this layout in its example for the 3DM-GX3-45. Uncertain:
+    No source lists the devices that support it.
 
     - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
     - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -1929,19 +2358,27 @@ class SetInitialAttitudeFromImu(Command[None]):
     __match_args__ = ("declination",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x04
     NAME = "filter.set_initial_attitude_from_imu"
-    ROLE = "command"
-    _LAYOUT = (("declination", "f", None),)
+    _SIZE = 4
 
     declination: float
-    """Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
-    3.141592653589793.
+    """Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive:
+    magnetic north is east of true north. Uncertain: The sign is the usual one; no source states it.
     """
 
     def __init__(self, declination: float) -> None:
         self.declination = declination
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _f.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _f.keep_nan_bits(v, raw, at)
+        self.declination = v[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _f.write("declination", self.declination)
 
 
 class Run(Command[None]):
@@ -1949,7 +2386,8 @@ class Run(Command[None]):
 
     Starts a filter that is configured to wait for this command.
 
-    Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Affects `filter_data.Status`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or
+    assumed on 3 more.
 
     The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig`
     is set.
@@ -1960,10 +2398,8 @@ class Run(Command[None]):
     __slots__ = ()
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x05
     NAME = "filter.run"
-    ROLE = "command"
 
 
 class VehicleDynamicsMode(Command[R]):
@@ -1972,8 +2408,8 @@ class VehicleDynamicsMode(Command[R]):
     Adapts the filter to the expected motion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `VehicleDynamicsModeResponse`. Probably changes filter_data (0x82). Supported by 3DM-GX5-45.
-    Known only from the MicroStrain MIP SDK.
+    `VehicleDynamicsModeResponse`. Probably affects filter_data (0x82). Confirmed on 3DM-GX5-45;
+    likely or assumed on 6 more. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
     """
@@ -1982,14 +2418,10 @@ class VehicleDynamicsMode(Command[R]):
     __match_args__ = ("function", "mode")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x10
     NAME = "filter.vehicle_dynamics_mode"
-    ROLE = "command"
     RESPONSES = (VehicleDynamicsModeResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("mode", "B", DynamicsMode))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -2003,6 +2435,19 @@ class VehicleDynamicsMode(Command[R]):
     def __init__(self, function: FunctionSelector, mode: DynamicsMode | None = None) -> None:
         self.function = function
         self.mode = mode
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.mode = codec.KNOWN[DynamicsMode][_B.read(raw, at)[0]] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "mode"))
+        out += _B.write("mode", self.mode) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -2046,12 +2491,12 @@ class SensorToVehicleRotationEuler(Command[R]):
     Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `SensorToVehicleRotationEulerResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `SensorToVehicleRotationEulerResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate`, `filter_data.GravityVector` and
-    `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The formula. The
-    text of the manual lacks it; it is the inverse of that of
+    `filter_data.CompAccel`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
+    Uncertain: The text of the manual lacks the formula; it is the inverse of that of
     `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
 
     The 3DM-CV7 uses the inverse instead: `mip_3dm.SensorToVehicleTransformEuler`. `v_sensor =
@@ -2064,28 +2509,25 @@ class SensorToVehicleRotationEuler(Command[R]):
     __match_args__ = ("function", "roll", "pitch", "yaw")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x11
     NAME = "filter.sensor_to_vehicle_rotation_euler"
-    ROLE = "command"
     RESPONSES = (SensorToVehicleRotationEulerResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("roll", "f", None),
-        ("pitch", "f", None),
-        ("yaw", "f", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     roll: float | None
-    """Roll angle. Unit: rad. Required for `write`."""
+    """Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right
+    side down. Required for `write`.
+    """
     pitch: float | None
-    """Pitch angle. Unit: rad. Required for `write`."""
+    """Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose
+    up. Required for `write`.
+    """
     yaw: float | None
-    """Yaw angle. Unit: rad. Required for `write`."""
+    """Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive:
+    clockwise seen from above. Required for `write`.
+    """
 
     def __init__(
         self,
@@ -2098,6 +2540,25 @@ class SensorToVehicleRotationEuler(Command[R]):
         self.roll = roll
         self.pitch = pitch
         self.yaw = yaw
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 4, 8, 12))
+        self.roll = _f.read(raw, at)[0] if there >= 1 else None
+        self.pitch = _f.read(raw, at + 4)[0] if there >= 2 else None
+        self.yaw = _f.read(raw, at + 8)[0] if there >= 3 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "roll"), (2, "pitch"), (3, "yaw")
+        )
+        out += _f.write("roll", self.roll) if there >= 1 else b""
+        out += _f.write("pitch", self.pitch) if there >= 2 else b""
+        out += _f.write("yaw", self.yaw) if there >= 3 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -2143,9 +2604,9 @@ class SensorToVehicleOffset(Command[R]):
     Sets the origin of the vehicle frame relative to the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `SensorToVehicleOffsetResponse`. Changes `filter_data.LlhPosition`. Supported by 3DM-GX5-45.
-    Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin
-    of the vehicle frame, is inferred from the name.
+    `SensorToVehicleOffsetResponse`. Affects `filter_data.LlhPosition`. Confirmed on 3DM-GX5-45;
+    likely or assumed on 6 more. Known only from the MicroStrain MIP SDK. Uncertain: The direction,
+    from the sensor to the origin of the vehicle frame, is inferred from the name.
 
     The shift is constant. It does not follow the attitude, as a lever arm would.
 
@@ -2156,15 +2617,10 @@ class SensorToVehicleOffset(Command[R]):
     __match_args__ = ("function", "offset")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x12
     NAME = "filter.sensor_to_vehicle_offset"
-    ROLE = "command"
     RESPONSES = (SensorToVehicleOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("offset", "fff", types.Vector3f))
-    _ALWAYS = 1
-
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -2179,6 +2635,20 @@ class SensorToVehicleOffset(Command[R]):
     ) -> None:
         self.function = function
         self.offset = codec.vector(offset, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 12))
+        self._offset = _3f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "offset"))
+        if there >= 1:
+            out += _3f.write("offset*3", *codec.elements("offset", self.offset, 3))
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -2222,12 +2692,12 @@ class AntennaOffset(Command[R]):
     Sets the position of the GNSS antenna relative to the origin of the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `AntennaOffsetResponse`.
-    Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
+    Probably affects `filter_data.LlhPosition`, `filter_data.EcefPosition`,
     `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.AntennaOffsetCorrection`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+    Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GX5-45; likely or assumed on 8 more.
 
-    7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
-    applies to GNSS data received as NMEA; data from the aiding commands uses `aiding.FrameConfig`.
+    5-series devices expect the sensor frame. On the 3DM-CV7 it applies to GNSS data received as
+    NMEA; data from the aiding commands uses `aiding.FrameConfig`.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -2236,15 +2706,10 @@ class AntennaOffset(Command[R]):
     __match_args__ = ("function", "offset")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x13
     NAME = "filter.antenna_offset"
-    ROLE = "command"
     RESPONSES = (AntennaOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("offset", "fff", types.Vector3f))
-    _ALWAYS = 1
-
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -2253,6 +2718,7 @@ class AntennaOffset(Command[R]):
     """Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
     Frame: vehicle. Range: magnitude at most 10. Required for `write`.
 
+    - On the 3DM-CX5-45: frame sensor (inferred: the manual of the 3DM-GX5-45 states it).
     - On the 3DM-GX5-45: frame sensor.
     """
 
@@ -2261,6 +2727,20 @@ class AntennaOffset(Command[R]):
     ) -> None:
         self.function = function
         self.offset = codec.vector(offset, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 12))
+        self._offset = _3f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "offset"))
+        if there >= 1:
+            out += _3f.write("offset*3", *codec.elements("offset", self.offset, 3))
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -2302,13 +2782,13 @@ class EstimationControl(Command[R]):
     Selects the states that the filter estimates.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `EstimationControlResponse`.
-    Changes `filter_data.GyroBias`, `filter_data.AccelBias`, `filter_data.GyroScaleFactor`,
+    Affects `filter_data.GyroBias`, `filter_data.AccelBias`, `filter_data.GyroScaleFactor`,
     `filter_data.AccelScaleFactor`, `filter_data.AntennaOffsetCorrection`, `filter_data.MagOffset`
-    and `filter_data.MagMatrix`. Probably changes `filter_data.GyroBiasUncertainty`,
+    and `filter_data.MagMatrix`. Probably affects `filter_data.GyroBiasUncertainty`,
     `filter_data.AccelBiasUncertainty`, `filter_data.GyroScaleFactorUncertainty`,
     `filter_data.AccelScaleFactorUncertainty`, `filter_data.AntennaOffsetCorrectionUncertainty`,
-    `filter_data.MagOffsetUncertainty` and `filter_data.MagMatrixUncertainty`. Supported by
-    3DM-GX5-15 and 3DM-GX5-45.
+    `filter_data.MagOffsetUncertainty` and `filter_data.MagMatrixUncertainty`. Confirmed on
+    3DM-GX5-15 and -45; likely or assumed on 13 more.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -2317,33 +2797,41 @@ class EstimationControl(Command[R]):
     __match_args__ = ("function", "flags")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x14
     NAME = "filter.estimation_control"
-    ROLE = "command"
     RESPONSES = (EstimationControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("flags", "H", EstimatedStates))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     flags: EstimatedStates | None
     """States to estimate. Required for `write`.
 
-    - On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
+    - On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, -25 and 3DM-GX5-15: only
       `EstimatedStates.GYRO_BIAS`.
     - On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only `EstimatedStates.GYRO_BIAS`,
       `EstimatedStates.AUTO_HARD_IRON` and `EstimatedStates.AUTO_SOFT_IRON`.
-    - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
-      `EstimatedStates.GYRO_BIAS`, `EstimatedStates.ACCEL_BIAS`,
-      `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR` and
-      `EstimatedStates.ANTENNA_OFFSET`.
+    - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only `EstimatedStates.GYRO_BIAS`,
+      `EstimatedStates.ACCEL_BIAS`, `EstimatedStates.GYRO_SCALE_FACTOR`,
+      `EstimatedStates.ACCEL_SCALE_FACTOR` and `EstimatedStates.ANTENNA_OFFSET`.
     """
 
     def __init__(self, function: FunctionSelector, flags: EstimatedStates | None = None) -> None:
         self.function = function
         self.flags = flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 2))
+        self.flags = codec.KNOWN[EstimatedStates][_H.read(raw, at)[0]] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "flags"))
+        out += _H.write("flags", self.flags) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -2385,10 +2873,10 @@ class GnssSource(Command[R]):
     Selects the GNSS receiver that aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssSourceResponse`.
-    Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
+    Probably affects `filter_data.LlhPosition`, `filter_data.EcefPosition`,
     `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
-    `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
-    3DM-GX5-45.
+    `filter_data.GnssPositionAidingStatus`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
+    3DM-GX5-45; likely or assumed on 9 more.
 
     A change while the filter is running may return it to initialization until the new source
     provides data.
@@ -2400,26 +2888,39 @@ class GnssSource(Command[R]):
     __match_args__ = ("function", "source")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x15
     NAME = "filter.gnss_source"
-    ROLE = "command"
     RESPONSES = (GnssSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("source", "B", GnssAidingSource))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     source: GnssAidingSource | None
     """Source of the GNSS data. Required for `write`.
 
+    - On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `GnssAidingSource.EXTERNAL`.
+    - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
+      `GnssAidingSource.ALL_INTERNAL`, `GnssAidingSource.EXTERNAL` and
+      `GnssAidingSource.INTERNAL_1`.
     - On the 3DM-GX5-45: only `GnssAidingSource.ALL_INTERNAL` and `GnssAidingSource.EXTERNAL`.
     """
 
     def __init__(self, function: FunctionSelector, source: GnssAidingSource | None = None) -> None:
         self.function = function
         self.source = source
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.source = codec.KNOWN[GnssAidingSource][_B.read(raw, at)[0]] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "source"))
+        out += _B.write("source", self.source) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(cls: ClassOf[GnssSource[Any]], source: GnssAidingSource) -> GnssSource[None]:
@@ -2458,7 +2959,7 @@ class ExternalGnssUpdate(Command[None]):
 
     Sends one position and velocity measurement from your own GNSS receiver to the filter.
 
-    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Confirmed on 3DM-GX5-45; likely or assumed on 5 more. Known only from the MicroStrain MIP SDK.
 
     Rejected unless `GnssSource` selects the external source. The maximum rate depends on the
     device.
@@ -2488,21 +2989,9 @@ class ExternalGnssUpdate(Command[None]):
     )
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x16
     NAME = "filter.external_gnss_update"
-    ROLE = "command"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("latitude", "d", None),
-        ("longitude", "d", None),
-        ("height", "d", None),
-        ("velocity", "fff", types.Ned3f),
-        ("position_uncertainty", "fff", types.Ned3f),
-        ("velocity_uncertainty", "fff", types.Ned3f),
-    )
-
+    _SIZE = 70
     _VECTORS = {
         "velocity": (types.Ned3f,),
         "position_uncertainty": (types.Ned3f,),
@@ -2550,13 +3039,40 @@ class ExternalGnssUpdate(Command[None]):
         self.position_uncertainty = codec.vector(position_uncertainty, types.Ned3f)
         self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Ned3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _dH3d9f.unpack(raw, at)
+        if (total := sum(v[5:14])) != total:
+            v = _dH3d9f.keep_nan_bits(v, raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.latitude = v[2]
+        self.longitude = v[3]
+        self.height = v[4]
+        self._velocity = v[5:8]
+        self._position_uncertainty = v[8:11]
+        self._velocity_uncertainty = v[11:14]
+        return at + 70
+
+    def _write(self) -> bytes:
+        return _dH3d9f.write(
+            "tow week_number latitude longitude height velocity*3 position_uncertainty*3 velocity_uncertainty*3",
+            self.tow,
+            self.week_number,
+            self.latitude,
+            self.longitude,
+            self.height,
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("position_uncertainty", self.position_uncertainty, 3),
+            *codec.elements("velocity_uncertainty", self.velocity_uncertainty, 3),
+        )
+
 
 class ExternalHeadingUpdate(Command[None]):
     """External heading update (0x0D,0x17).
 
     Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 15 more.
 
     Rejected unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
     `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second.
@@ -2571,19 +3087,13 @@ class ExternalHeadingUpdate(Command[None]):
     __match_args__ = ("heading", "heading_uncertainty", "type")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x17
     NAME = "filter.external_heading_update"
-    ROLE = "command"
-    _LAYOUT = (
-        ("heading", "f", None),
-        ("heading_uncertainty", "f", None),
-        ("type", "B", HeadingType),
-    )
+    _SIZE = 9
 
     heading: float
-    """Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
-    -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+    """Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi.
+    Positive: clockwise seen from above.
     """
     heading_uncertainty: float
     """Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0.
@@ -2596,6 +3106,20 @@ class ExternalHeadingUpdate(Command[None]):
         self.heading_uncertainty = heading_uncertainty
         self.type = type
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2fB.unpack(raw, at)
+        if (total := v[0] + v[1]) != total:
+            v = _2fB.keep_nan_bits(v, raw, at)
+        self.heading = v[0]
+        self.heading_uncertainty = v[1]
+        self.type = codec.KNOWN[HeadingType][v[2]]
+        return at + 9
+
+    def _write(self) -> bytes:
+        return _2fB.write(
+            "heading heading_uncertainty type", self.heading, self.heading_uncertainty, self.type
+        )
+
 
 class HeadingSource(Command[R]):
     """Heading update control (0x0D,0x18).
@@ -2603,8 +3127,9 @@ class HeadingSource(Command[R]):
     Selects the source of the heading that aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `HeadingSourceResponse`.
-    Changes `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`,
-    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Affects `filter_data.HeadingUpdateState`. Probably affects `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-GX5-15 and -45; likely
+    or assumed on 12 more.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -2613,14 +3138,10 @@ class HeadingSource(Command[R]):
     __match_args__ = ("function", "source")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x18
     NAME = "filter.heading_source"
-    ROLE = "command"
     RESPONSES = (HeadingSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("source", "B", HeadingUpdateSource))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -2634,7 +3155,7 @@ class HeadingSource(Command[R]):
     - On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only `HeadingUpdateSource.NONE`,
       `HeadingUpdateSource.MAG`, `HeadingUpdateSource.GNSS_VELOCITY` and
       `HeadingUpdateSource.EXTERNAL`.
-    - On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `HeadingUpdateSource.NONE`,
+    - On the 3DM-RQ1-45-LT and -45-ST: only `HeadingUpdateSource.NONE`,
       `HeadingUpdateSource.GNSS_VELOCITY` and `HeadingUpdateSource.EXTERNAL`.
     """
 
@@ -2643,6 +3164,19 @@ class HeadingSource(Command[R]):
     ) -> None:
         self.function = function
         self.source = source
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.source = codec.KNOWN[HeadingUpdateSource][_B.read(raw, at)[0]] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "source"))
+        out += _B.write("source", self.source) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(cls: ClassOf[HeadingSource[Any]], source: HeadingUpdateSource) -> HeadingSource[None]:
@@ -2682,7 +3216,8 @@ class AutoInitializationControl(Command[R]):
     Sets whether the filter initializes automatically at power-up.
 
     Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Response: `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response: `AutoInitializationControlResponse`. Confirmed on 3DM-GX5-15 and -45; likely or
+    assumed on 13 more.
 
     Automatic initialization needs a valid heading source.
 
@@ -2693,14 +3228,10 @@ class AutoInitializationControl(Command[R]):
     __match_args__ = ("function", "enable")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x19
     NAME = "filter.auto_initialization_control"
-    ROLE = "command"
     RESPONSES = (AutoInitializationControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -2710,6 +3241,19 @@ class AutoInitializationControl(Command[R]):
     def __init__(self, function: FunctionSelector, enable: int | None = None) -> None:
         self.function = function
         self.enable = enable
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.enable = _B.read(raw, at)[0] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "enable"))
+        out += _B.write("enable", self.enable) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -2753,9 +3297,10 @@ class AccelNoise(Command[R]):
     Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelNoiseResponse`.
-    Probably changes `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`,
+    Probably affects `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`,
     `filter_data.NedVelocityUncertainty`, `filter_data.EcefVelocityUncertainty` and
-    `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    `filter_data.AccelBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or
+    assumed on 23 more.
 
     The factory values suit most laboratory conditions.
 
@@ -2767,15 +3312,10 @@ class AccelNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x1A
     NAME = "filter.accel_noise"
-    ROLE = "command"
     RESPONSES = (AccelNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
-    _ALWAYS = 1
-
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -2790,6 +3330,19 @@ class AccelNoise(Command[R]):
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 12))
+        self._noise = _3f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "noise"))
+        out += _3f.write("noise*3", *codec.elements("noise", self.noise, 3)) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -2831,9 +3384,9 @@ class GyroNoise(Command[R]):
     Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroNoiseResponse`.
-    Probably changes `filter_data.EulerAnglesUncertainty`,
-    `filter_data.QuaternionAttitudeUncertainty` and `filter_data.GyroBiasUncertainty`. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably affects `filter_data.EulerAnglesUncertainty`,
+    `filter_data.QuaternionAttitudeUncertainty` and `filter_data.GyroBiasUncertainty`. Confirmed on
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
 
     The factory values suit most laboratory conditions.
 
@@ -2845,15 +3398,10 @@ class GyroNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x1B
     NAME = "filter.gyro_noise"
-    ROLE = "command"
     RESPONSES = (GyroNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
-    _ALWAYS = 1
-
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -2868,6 +3416,19 @@ class GyroNoise(Command[R]):
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 12))
+        self._noise = _3f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "noise"))
+        out += _3f.write("noise*3", *codec.elements("noise", self.noise, 3)) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -2909,8 +3470,8 @@ class AccelBiasModel(Command[R]):
     Sets the parameters of the accelerometer bias drift model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelBiasModelResponse`.
-    Probably changes `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-45.
+    Probably affects `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Confirmed on
+    3DM-CV7-GNSS/INS and 3DM-GX5-45; likely or assumed on 9 more.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -2919,19 +3480,10 @@ class AccelBiasModel(Command[R]):
     __match_args__ = ("function", "beta", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x1C
     NAME = "filter.accel_bias_model"
-    ROLE = "command"
     RESPONSES = (AccelBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("beta", "fff", types.Vector3f),
-        ("noise", "fff", types.Vector3f),
-    )
-    _ALWAYS = 1
-
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -2954,6 +3506,23 @@ class AccelBiasModel(Command[R]):
         self.function = function
         self.beta = codec.vector(beta, types.Vector3f)
         self.noise = codec.vector(noise, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 12, 24))
+        self._beta = _3f.read(raw, at) if there >= 1 else None
+        self._noise = _3f.read(raw, at + 12) if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "beta"), (2, "noise")
+        )
+        out += _3f.write("beta*3", *codec.elements("beta", self.beta, 3)) if there >= 1 else b""
+        out += _3f.write("noise*3", *codec.elements("noise", self.noise, 3)) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -2997,8 +3566,8 @@ class GyroBiasModel(Command[R]):
     Sets the parameters of the gyroscope bias drift model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroBiasModelResponse`.
-    Probably changes `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably affects `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Confirmed on
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -3008,19 +3577,10 @@ class GyroBiasModel(Command[R]):
     __match_args__ = ("function", "beta", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x1D
     NAME = "filter.gyro_bias_model"
-    ROLE = "command"
     RESPONSES = (GyroBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("beta", "fff", types.Vector3f),
-        ("noise", "fff", types.Vector3f),
-    )
-    _ALWAYS = 1
-
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -3043,6 +3603,23 @@ class GyroBiasModel(Command[R]):
         self.function = function
         self.beta = codec.vector(beta, types.Vector3f)
         self.noise = codec.vector(noise, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 12, 24))
+        self._beta = _3f.read(raw, at) if there >= 1 else None
+        self._noise = _3f.read(raw, at + 12) if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "beta"), (2, "noise")
+        )
+        out += _3f.write("beta*3", *codec.elements("beta", self.beta, 3)) if there >= 1 else b""
+        out += _3f.write("noise*3", *codec.elements("noise", self.noise, 3)) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -3086,9 +3663,10 @@ class AutoZupt(Command[R]):
     Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoZuptResponse`. Probably
-    changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
-    `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    affects `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
+    `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Confirmed on
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 6 more. Known only from the MicroStrain
+    MIP SDK.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
 
@@ -3099,14 +3677,10 @@ class AutoZupt(Command[R]):
     __match_args__ = ("function", "enable", "threshold")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x1E
     NAME = "filter.auto_zupt"
-    ROLE = "command"
     RESPONSES = (AutoZuptResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None), ("threshold", "f", None))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3121,6 +3695,23 @@ class AutoZupt(Command[R]):
         self.function = function
         self.enable = enable
         self.threshold = threshold
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5))
+        self.enable = _B.read(raw, at)[0] if there >= 1 else None
+        self.threshold = _f.read(raw, at + 1)[0] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "enable"), (2, "threshold")
+        )
+        out += _B.write("enable", self.enable) if there >= 1 else b""
+        out += _f.write("threshold", self.threshold) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(cls: ClassOf[AutoZupt[Any]], enable: int, threshold: float) -> AutoZupt[None]:
@@ -3159,7 +3750,7 @@ class ExternalHeadingUpdateWithTime(Command[None]):
 
     Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 15 more.
 
     Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate.
     Rejected unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
@@ -3175,25 +3766,17 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     __match_args__ = ("tow", "week_number", "heading", "heading_uncertainty", "type")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x1F
     NAME = "filter.external_heading_update_with_time"
-    ROLE = "command"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("heading", "f", None),
-        ("heading_uncertainty", "f", None),
-        ("type", "B", HeadingType),
-    )
+    _SIZE = 19
 
     tow: float
     """GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     heading: float
-    """Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
-    -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+    """Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi.
+    Positive: clockwise seen from above.
     """
     heading_uncertainty: float
     """Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0.
@@ -3215,6 +3798,27 @@ class ExternalHeadingUpdateWithTime(Command[None]):
         self.heading_uncertainty = heading_uncertainty
         self.type = type
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _dH2fB.unpack(raw, at)
+        if (total := v[2] + v[3]) != total:
+            v = _dH2fB.keep_nan_bits(v, raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.heading = v[2]
+        self.heading_uncertainty = v[3]
+        self.type = codec.KNOWN[HeadingType][v[4]]
+        return at + 19
+
+    def _write(self) -> bytes:
+        return _dH2fB.write(
+            "tow week_number heading heading_uncertainty type",
+            self.tow,
+            self.week_number,
+            self.heading,
+            self.heading_uncertainty,
+            self.type,
+        )
+
 
 class AutoAngularZupt(Command[R]):
     """Zero angular rate update (0x0D,0x20).
@@ -3222,9 +3826,10 @@ class AutoAngularZupt(Command[R]):
     Sets whether the filter assumes that the device is not rotating while its angular rate is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoAngularZuptResponse`.
-    Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Confirmed on 3DM-CV7-GNSS/INS, -INS, 3DM-CX5-25, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or
+    assumed on 19 more.
 
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
 
@@ -3236,14 +3841,10 @@ class AutoAngularZupt(Command[R]):
     __match_args__ = ("function", "enable", "threshold")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x20
     NAME = "filter.auto_angular_zupt"
-    ROLE = "command"
     RESPONSES = (AutoAngularZuptResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None), ("threshold", "f", None))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3260,6 +3861,23 @@ class AutoAngularZupt(Command[R]):
         self.function = function
         self.enable = enable
         self.threshold = threshold
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5))
+        self.enable = _B.read(raw, at)[0] if there >= 1 else None
+        self.threshold = _f.read(raw, at + 1)[0] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "enable"), (2, "threshold")
+        )
+        out += _B.write("enable", self.enable) if there >= 1 else b""
+        out += _f.write("threshold", self.threshold) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -3301,12 +3919,12 @@ class TareOrientation(Command[R]):
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `TareOrientationResponse`.
-    Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`,
+    Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`,
     `sensor.DeltaVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate`,
-    `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On the 3DM-GX5-45: `write`,
-    `save`, `load` and `default` only.
+    `filter_data.GravityVector` and `filter_data.CompAccel`. Confirmed on 3DM-CX5-25, 3DM-GX5-15 and
+    -45; likely or assumed on 11 more. On the 3DM-GX5-15: `write`, `save`, `load` and `default`
+    only. On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
 
     Rejected while the filter has no valid attitude.
 
@@ -3318,14 +3936,10 @@ class TareOrientation(Command[R]):
     __match_args__ = ("function", "axes")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x21
     NAME = "filter.tare_orientation"
-    ROLE = "command"
     RESPONSES = (TareOrientationResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("axes", "B", TareAxes))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3335,6 +3949,19 @@ class TareOrientation(Command[R]):
     def __init__(self, function: FunctionSelector, axes: TareAxes | None = None) -> None:
         self.function = function
         self.axes = axes
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.axes = codec.KNOWN[TareAxes][_B.read(raw, at)[0]] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "axes"))
+        out += _B.write("axes", self.axes) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(cls: ClassOf[TareOrientation[Any]], axes: TareAxes) -> TareOrientation[None]:
@@ -3373,9 +4000,9 @@ class CommandedZupt(Command[None]):
 
     Informs the filter once that the device is at rest.
 
-    Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
-    `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
-    3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Probably affects `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
+    `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Confirmed on
+    3DM-GX5-45; likely or assumed on 5 more. Known only from the MicroStrain MIP SDK.
 
     The maximum rate depends on the device.
 
@@ -3385,10 +4012,8 @@ class CommandedZupt(Command[None]):
     __slots__ = ()
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x22
     NAME = "filter.commanded_zupt"
-    ROLE = "command"
 
 
 class CommandedAngularZupt(Command[None]):
@@ -3396,9 +4021,9 @@ class CommandedAngularZupt(Command[None]):
 
     Informs the filter once that the device is not rotating.
 
-    Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
 
     At most 10 per second.
 
@@ -3408,10 +4033,8 @@ class CommandedAngularZupt(Command[None]):
     __slots__ = ()
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x23
     NAME = "filter.commanded_angular_zupt"
-    ROLE = "command"
 
 
 class ReferencePosition(Command[R]):
@@ -3421,8 +4044,8 @@ class ReferencePosition(Command[R]):
     (WMM2015).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `ReferencePositionResponse`.
-    Changes `filter_data.Wgs84GravityMagnitude` and `filter_data.MagneticModel`. Supported by
-    3DM-GX5-15.
+    Affects `filter_data.Wgs84GravityMagnitude` and `filter_data.MagneticModel`. Confirmed on
+    3DM-GX5-15; likely or assumed on 8 more.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -3431,20 +4054,10 @@ class ReferencePosition(Command[R]):
     __match_args__ = ("function", "enable", "latitude", "longitude", "altitude")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x26
     NAME = "filter.reference_position"
-    ROLE = "command"
     RESPONSES = (ReferencePositionResponse,)
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("enable", "B", None),
-        ("latitude", "d", None),
-        ("longitude", "d", None),
-        ("altitude", "d", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3459,9 +4072,9 @@ class ReferencePosition(Command[R]):
     `write`.
     """
     altitude: float | None
-    """Altitude of the reference position. Unit: m. Required for `write`. Uncertain: Whether it
-    counts from the ellipsoid or from sea level. The manual does not state it; its glossary counts
-    altitudes from sea level.
+    """Altitude of the reference position. Unit: m. Required for `write`. Uncertain: The reference,
+    ellipsoid or sea level, is inferred. The manual does not state it; its glossary counts altitudes
+    from sea level.
     """
 
     def __init__(
@@ -3477,6 +4090,34 @@ class ReferencePosition(Command[R]):
         self.latitude = latitude
         self.longitude = longitude
         self.altitude = altitude
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(
+            raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 9, 17, 25)
+        )
+        self.enable = _B.read(raw, at)[0] if there >= 1 else None
+        self.latitude = _d.read(raw, at + 1)[0] if there >= 2 else None
+        self.longitude = _d.read(raw, at + 9)[0] if there >= 3 else None
+        self.altitude = _d.read(raw, at + 17)[0] if there >= 4 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self,
+            self.REQUIRED.get(self.function, 0),
+            (1, "enable"),
+            (2, "latitude"),
+            (3, "longitude"),
+            (4, "altitude"),
+        )
+        out += _B.write("enable", self.enable) if there >= 1 else b""
+        out += _d.write("latitude", self.latitude) if there >= 2 else b""
+        out += _d.write("longitude", self.longitude) if there >= 3 else b""
+        out += _d.write("altitude", self.altitude) if there >= 4 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -3527,9 +4168,9 @@ class MagCaptureAutoCalibration(Command[None]):
 
     Moves the result of the automatic magnetometer calibration into the fixed calibration.
 
-    Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Changes `sensor.ScaledMag`,
-    `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Known only from
-    the MicroStrain MIP SDK.
+    Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Affects `sensor.ScaledMag`,
+    `filter_data.MagOffset` and `filter_data.MagMatrix`. Confirmed on 3DM-GX5-45; likely or assumed
+    on 4 more. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
     `mip_3dm.MagSoftIronMatrix`, then resets the automatic calibration. A save has the same effect
@@ -3542,18 +4183,23 @@ class MagCaptureAutoCalibration(Command[None]):
     __match_args__ = ("function",)
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x27
     NAME = "filter.mag_capture_auto_calibration"
-    ROLE = "command"
     REQUIRED = {1: 0, 3: 0}
-    _LAYOUT = (("function", "B", FunctionSelector),)
+    _SIZE = 1
 
     function: FunctionSelector
     """Operation on the setting."""
 
     def __init__(self, function: FunctionSelector) -> None:
         self.function = function
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("function", self.function)
 
     @classmethod
     def write(cls) -> MagCaptureAutoCalibration:
@@ -3572,9 +4218,9 @@ class GravityNoise(Command[R]):
     Sets the standard deviation of the gravity noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GravityNoiseResponse`.
-    Probably changes `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-45.
+    Probably affects `filter_data.EulerAnglesUncertainty` and
+    `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45;
+    likely or assumed on 16 more.
 
     The factory values suit most laboratory conditions.
 
@@ -3586,15 +4232,10 @@ class GravityNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x28
     NAME = "filter.gravity_noise"
-    ROLE = "command"
     RESPONSES = (GravityNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
-    _ALWAYS = 1
-
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -3609,6 +4250,19 @@ class GravityNoise(Command[R]):
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 12))
+        self._noise = _3f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "noise"))
+        out += _3f.write("noise*3", *codec.elements("noise", self.noise, 3)) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -3650,9 +4304,9 @@ class PressureAltitudeNoise(Command[R]):
     Sets the standard deviation of the pressure altitude noise that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `PressureAltitudeNoiseResponse`. Probably changes `filter_data.LlhPosition` and
-    `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain
-    MIP SDK.
+    `PressureAltitudeNoiseResponse`. Probably affects `filter_data.LlhPosition` and
+    `filter_data.LlhPositionUncertainty`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more.
+    Known only from the MicroStrain MIP SDK. Requires a pressure sensor.
 
     With a small value, the altitude follows the pressure faster, but weather and draughts appear as
     changes of height.
@@ -3664,14 +4318,10 @@ class PressureAltitudeNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x29
     NAME = "filter.pressure_altitude_noise"
-    ROLE = "command"
     RESPONSES = (PressureAltitudeNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "f", None))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3683,6 +4333,19 @@ class PressureAltitudeNoise(Command[R]):
     def __init__(self, function: FunctionSelector, noise: float | None = None) -> None:
         self.function = function
         self.noise = noise
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 4))
+        self.noise = _f.read(raw, at)[0] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "noise"))
+        out += _f.write("noise", self.noise) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -3726,9 +4389,9 @@ class HardIronOffsetNoise(Command[R]):
     Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `HardIronOffsetNoiseResponse`. Probably changes `filter_data.MagOffset` and
-    `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    `HardIronOffsetNoiseResponse`. Probably affects `filter_data.MagOffset` and
+    `filter_data.MagOffsetUncertainty`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known
+    only from the MicroStrain MIP SDK. Requires a magnetometer.
 
     - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
     """
@@ -3737,15 +4400,10 @@ class HardIronOffsetNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x2B
     NAME = "filter.hard_iron_offset_noise"
-    ROLE = "command"
     RESPONSES = (HardIronOffsetNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
-    _ALWAYS = 1
-
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -3760,6 +4418,19 @@ class HardIronOffsetNoise(Command[R]):
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 12))
+        self._noise = _3f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "noise"))
+        out += _3f.write("noise*3", *codec.elements("noise", self.noise, 3)) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -3803,9 +4474,9 @@ class SoftIronMatrixNoise(Command[R]):
     Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `SoftIronMatrixNoiseResponse`. Probably changes `filter_data.MagMatrix` and
-    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    `SoftIronMatrixNoiseResponse`. Probably affects `filter_data.MagMatrix` and
+    `filter_data.MagMatrixUncertainty`. Confirmed on 3DM-GX5-45; likely or assumed on 4 more. Known
+    only from the MicroStrain MIP SDK. Requires a magnetometer.
 
     - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
     """
@@ -3814,15 +4485,10 @@ class SoftIronMatrixNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x2C
     NAME = "filter.soft_iron_matrix_noise"
-    ROLE = "command"
     RESPONSES = (SoftIronMatrixNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fffffffff", types.Matrix3f))
-    _ALWAYS = 1
-
     _VECTORS = {"noise": (types.Matrix3f,)}
 
     function: FunctionSelector
@@ -3837,6 +4503,19 @@ class SoftIronMatrixNoise(Command[R]):
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Matrix3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 36))
+        self._noise = _9f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "noise"))
+        out += _9f.write("noise*9", *codec.elements("noise", self.noise, 9)) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -3880,9 +4559,10 @@ class EnableMeasurements(Command[R]):
     Selects the inertial measurements that the filter uses.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `EnableMeasurementsResponse`. Probably changes `filter_data.AttitudeQuaternion`,
+    `EnableMeasurementsResponse`. Probably affects `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15.
+    `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-15; likely or assumed on 6
+    more.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -3891,26 +4571,35 @@ class EnableMeasurements(Command[R]):
     __match_args__ = ("function", "control")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x41
     NAME = "filter.enable_measurements"
-    ROLE = "command"
     RESPONSES = (EnableMeasurementsResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("control", "H", MeasurementFlags))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     control: MeasurementFlags | None
     """Measurements to use. Required for `write`.
 
-    - On the 3DM-GX5-15: only `MeasurementFlags.ACCEL`.
+    - On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `MeasurementFlags.ACCEL`.
     """
 
     def __init__(self, function: FunctionSelector, control: MeasurementFlags | None = None) -> None:
         self.function = function
         self.control = control
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 2))
+        self.control = codec.KNOWN[MeasurementFlags][_H.read(raw, at)[0]] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "control"))
+        out += _H.write("control", self.control) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -3954,9 +4643,10 @@ class MagNoise(Command[R]):
     Sets the standard deviation of the magnetometer noise that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagNoiseResponse`. Probably
-    changes `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`.
-    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
-    process noise, although the noise is that of a measurement.
+    affects `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`.
+    Confirmed on 3DM-GX5-45; likely or assumed on 9 more. Known only from the MicroStrain MIP SDK.
+    Requires a magnetometer. Uncertain: The SDK calls it process noise, although the noise is that
+    of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -3965,15 +4655,10 @@ class MagNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x42
     NAME = "filter.mag_noise"
-    ROLE = "command"
     RESPONSES = (MagNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
-    _ALWAYS = 1
-
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -3988,6 +4673,19 @@ class MagNoise(Command[R]):
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 12))
+        self._noise = _3f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "noise"))
+        out += _3f.write("noise*3", *codec.elements("noise", self.noise, 3)) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(cls: ClassOf[MagNoise[Any]], noise: types.Vector3f | codec.Numbers) -> MagNoise[None]:
@@ -4027,9 +4725,9 @@ class MagneticDeclinationSource(Command[R]):
     Selects the source of the local declination of the magnetic field.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `MagneticDeclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`,
-    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    `MagneticDeclinationSourceResponse`. Probably affects `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS,
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 14 more. Requires a magnetometer.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -4041,33 +4739,26 @@ class MagneticDeclinationSource(Command[R]):
     __match_args__ = ("function", "source", "declination")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x43
     NAME = "filter.magnetic_declination_source"
-    ROLE = "command"
     RESPONSES = (MagneticDeclinationSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("source", "B", MagParameterSource),
-        ("declination", "f", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     source: MagParameterSource | None
     """Source of the declination. Required for `write`.
 
-    - On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only `MagParameterSource.NONE`
-      and `MagParameterSource.MANUAL`.
+    - On the 3DM-CX7-AHRS and 3DM-GV7-AHRS: only `MagParameterSource.NONE` and
+      `MagParameterSource.MANUAL`.
     - On the 3DM-GQ7-GNSS/INS: only `MagParameterSource.WMM` and `MagParameterSource.MANUAL`.
     """
     declination: float | None
-    """Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
-    3.141592653589793. Required for `write`. Uncertain: Whether it may be omitted if `source` is not
-    manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state one
-    length, with the value. Sending it always fits both.
+    """Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame:
+    ned. Range: -pi to pi. Positive: magnetic north is east of true north. Required for `write`.
+    Uncertain: The sign is the usual one; no source states it. Uncertain: The manuals, that of the
+    3DM-GQ7 included, require it only if `source` is manual, but state one length, with the value.
+    Always send it.
     """
 
     def __init__(
@@ -4079,6 +4770,23 @@ class MagneticDeclinationSource(Command[R]):
         self.function = function
         self.source = source
         self.declination = declination
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5))
+        self.source = codec.KNOWN[MagParameterSource][_B.read(raw, at)[0]] if there >= 1 else None
+        self.declination = _f.read(raw, at + 1)[0] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "source"), (2, "declination")
+        )
+        out += _B.write("source", self.source) if there >= 1 else b""
+        out += _f.write("declination", self.declination) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -4122,10 +4830,10 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
+    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably affects
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
-    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
-    by 3DM-GX5-15 and 3DM-GX5-45.
+    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed
+    on 3DM-GX5-15 and -45; likely or assumed on 13 more.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are omitted. The low-pass filter and the limits take effect
@@ -4158,32 +4866,18 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     )
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x44
     NAME = "filter.accel_magnitude_error_adaptive_measurement"
-    ROLE = "command"
     RESPONSES = (AccelMagnitudeErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
-        ("frequency", "f", None),
-        ("low_limit", "f", None),
-        ("high_limit", "f", None),
-        ("low_limit_uncertainty", "f", None),
-        ("high_limit_uncertainty", "f", None),
-        ("minimum_uncertainty", "f", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
-    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
-      3DM-RQ1-45-ST: only `AdaptiveMeasurementSelector.DISABLED` and
-      `AdaptiveMeasurementSelector.FIXED`.
+    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, -25, -45, 3DM-RQ1-45-LT and -45-ST: only
+      `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
     """
     frequency: float | None
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional."""
@@ -4217,6 +4911,46 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
         self.low_limit_uncertainty = low_limit_uncertainty
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(
+            raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5, 9, 13, 17, 21, 25)
+        )
+        self.adaptive_measurement = (
+            codec.KNOWN[AdaptiveMeasurementSelector][_B.read(raw, at)[0]] if there >= 1 else None
+        )
+        self.frequency = _f.read(raw, at + 1)[0] if there >= 2 else None
+        self.low_limit = _f.read(raw, at + 5)[0] if there >= 3 else None
+        self.high_limit = _f.read(raw, at + 9)[0] if there >= 4 else None
+        self.low_limit_uncertainty = _f.read(raw, at + 13)[0] if there >= 5 else None
+        self.high_limit_uncertainty = _f.read(raw, at + 17)[0] if there >= 6 else None
+        self.minimum_uncertainty = _f.read(raw, at + 21)[0] if there >= 7 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self,
+            self.REQUIRED.get(self.function, 0),
+            (1, "adaptive_measurement"),
+            (2, "frequency"),
+            (3, "low_limit"),
+            (4, "high_limit"),
+            (5, "low_limit_uncertainty"),
+            (6, "high_limit_uncertainty"),
+            (7, "minimum_uncertainty"),
+        )
+        out += _B.write("adaptive_measurement", self.adaptive_measurement) if there >= 1 else b""
+        out += _f.write("frequency", self.frequency) if there >= 2 else b""
+        out += _f.write("low_limit", self.low_limit) if there >= 3 else b""
+        out += _f.write("high_limit", self.high_limit) if there >= 4 else b""
+        out += _f.write("low_limit_uncertainty", self.low_limit_uncertainty) if there >= 5 else b""
+        if there >= 6:
+            out += _f.write("high_limit_uncertainty", self.high_limit_uncertainty)
+        out += _f.write("minimum_uncertainty", self.minimum_uncertainty) if there >= 7 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -4282,11 +5016,12 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Probably affects
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
-    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
-    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after
-    the selector may be omitted on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
+    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed
+    on 3DM-GX5-45; likely or assumed on 10 more. Known only from the MicroStrain MIP SDK. Requires a
+    magnetometer. Uncertain: The parameters after the selector can possibly be omitted on write,
+    like those of `AccelMagnitudeErrorAdaptiveMeasurement`.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     determines the limits. High limits suit high dynamics but do not reject disturbances of the
@@ -4317,60 +5052,46 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     )
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x45
     NAME = "filter.mag_magnitude_error_adaptive_measurement"
-    ROLE = "command"
     RESPONSES = (MagMagnitudeErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 7, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
-        ("frequency", "f", None),
-        ("low_limit", "f", None),
-        ("high_limit", "f", None),
-        ("low_limit_uncertainty", "f", None),
-        ("high_limit_uncertainty", "f", None),
-        ("minimum_uncertainty", "f", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
-    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
-      3DM-RQ1-45-ST: only `AdaptiveMeasurementSelector.DISABLED` and
-      `AdaptiveMeasurementSelector.FIXED`.
+    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, -45, 3DM-RQ1-45-LT and -45-ST: only
+      `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
     """
     frequency: float | None
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
     """
     low_limit: float | None
     """Lower limit of the magnetic field magnitude error. Unit: gauss. Required for `write`.
-    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
-    command and gauss in the response.
+    Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2
+    in the command and gauss in the response.
     """
     high_limit: float | None
     """Upper limit of the magnetic field magnitude error. Unit: gauss. Required for `write`.
-    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
-    command and gauss in the response.
+    Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2
+    in the command and gauss in the response.
     """
     low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`.
-    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
-    command and gauss in the response.
+    Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2
+    in the command and gauss in the response.
     """
     high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for `write`.
-    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
-    command and gauss in the response.
+    Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2
+    in the command and gauss in the response.
     """
     minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: gauss. Range: at least 0. Required for `write`. Uncertain:
-    The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss
-    in the response.
+    The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the
+    command and gauss in the response.
     """
 
     def __init__(
@@ -4392,6 +5113,46 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
         self.low_limit_uncertainty = low_limit_uncertainty
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(
+            raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5, 9, 13, 17, 21, 25)
+        )
+        self.adaptive_measurement = (
+            codec.KNOWN[AdaptiveMeasurementSelector][_B.read(raw, at)[0]] if there >= 1 else None
+        )
+        self.frequency = _f.read(raw, at + 1)[0] if there >= 2 else None
+        self.low_limit = _f.read(raw, at + 5)[0] if there >= 3 else None
+        self.high_limit = _f.read(raw, at + 9)[0] if there >= 4 else None
+        self.low_limit_uncertainty = _f.read(raw, at + 13)[0] if there >= 5 else None
+        self.high_limit_uncertainty = _f.read(raw, at + 17)[0] if there >= 6 else None
+        self.minimum_uncertainty = _f.read(raw, at + 21)[0] if there >= 7 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self,
+            self.REQUIRED.get(self.function, 0),
+            (1, "adaptive_measurement"),
+            (2, "frequency"),
+            (3, "low_limit"),
+            (4, "high_limit"),
+            (5, "low_limit_uncertainty"),
+            (6, "high_limit_uncertainty"),
+            (7, "minimum_uncertainty"),
+        )
+        out += _B.write("adaptive_measurement", self.adaptive_measurement) if there >= 1 else b""
+        out += _f.write("frequency", self.frequency) if there >= 2 else b""
+        out += _f.write("low_limit", self.low_limit) if there >= 3 else b""
+        out += _f.write("high_limit", self.high_limit) if there >= 4 else b""
+        out += _f.write("low_limit_uncertainty", self.low_limit_uncertainty) if there >= 5 else b""
+        if there >= 6:
+            out += _f.write("high_limit_uncertainty", self.high_limit_uncertainty)
+        out += _f.write("minimum_uncertainty", self.minimum_uncertainty) if there >= 7 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -4457,10 +5218,11 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `MagDipAngleErrorAdaptiveMeasurementResponse`. Probably changes
+    `MagDipAngleErrorAdaptiveMeasurementResponse`. Probably affects
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
-    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
-    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed
+    on 3DM-GX5-45; likely or assumed on 9 more. Known only from the MicroStrain MIP SDK. Requires a
+    magnetometer.
 
     It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
     `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but do
@@ -4487,21 +5249,10 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     )
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x46
     NAME = "filter.mag_dip_angle_error_adaptive_measurement"
-    ROLE = "command"
     RESPONSES = (MagDipAngleErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("enable", "B", codec.truth),
-        ("frequency", "f", None),
-        ("high_limit", "f", None),
-        ("high_limit_uncertainty", "f", None),
-        ("minimum_uncertainty", "f", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4511,16 +5262,16 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
     """
     high_limit: float | None
-    """Upper limit of the dip angle error. Unit: rad. Required for `write`. Uncertain: The unit. The
-    SDK states m/s^2; rad is inferred from the quantity.
+    """Upper limit of the dip angle error. Unit: rad. Range: at least 0. Required for `write`.
+    Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2.
     """
     high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for `write`.
-    Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
+    Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2.
     """
     minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: rad. Range: at least 0. Required for `write`. Uncertain:
-    The unit. The SDK states m/s^2; rad is inferred from the quantity.
+    The unit rad is inferred from the quantity; the SDK states m/s^2.
     """
 
     def __init__(
@@ -4538,6 +5289,38 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
         self.high_limit = high_limit
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(
+            raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5, 9, 13, 17)
+        )
+        self.enable = codec.TRUTH[_B.read(raw, at)[0]] if there >= 1 else None
+        self.frequency = _f.read(raw, at + 1)[0] if there >= 2 else None
+        self.high_limit = _f.read(raw, at + 5)[0] if there >= 3 else None
+        self.high_limit_uncertainty = _f.read(raw, at + 9)[0] if there >= 4 else None
+        self.minimum_uncertainty = _f.read(raw, at + 13)[0] if there >= 5 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self,
+            self.REQUIRED.get(self.function, 0),
+            (1, "enable"),
+            (2, "frequency"),
+            (3, "high_limit"),
+            (4, "high_limit_uncertainty"),
+            (5, "minimum_uncertainty"),
+        )
+        out += _B.write("enable", self.enable) if there >= 1 else b""
+        out += _f.write("frequency", self.frequency) if there >= 2 else b""
+        out += _f.write("high_limit", self.high_limit) if there >= 3 else b""
+        if there >= 4:
+            out += _f.write("high_limit_uncertainty", self.high_limit_uncertainty)
+        out += _f.write("minimum_uncertainty", self.minimum_uncertainty) if there >= 5 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -4599,8 +5382,9 @@ class AltitudeAiding(Command[R]):
     Selects the source that aids the altitude in addition to GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `AltitudeAidingResponse`.
-    Probably changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported
-    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Probably affects `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Confirmed
+    on 3DM-GX5-45; likely or assumed on 4 more. Known only from the MicroStrain MIP SDK. Requires a
+    pressure sensor.
 
     GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and
     location shift the pressure altitude, sometimes by more than 40 m.
@@ -4612,14 +5396,10 @@ class AltitudeAiding(Command[R]):
     __match_args__ = ("function", "selector")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x47
     NAME = "filter.altitude_aiding"
-    ROLE = "command"
     RESPONSES = (AltitudeAidingResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("selector", "B", AltitudeAidingSource))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4631,6 +5411,21 @@ class AltitudeAiding(Command[R]):
     ) -> None:
         self.function = function
         self.selector = selector
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.selector = (
+            codec.KNOWN[AltitudeAidingSource][_B.read(raw, at)[0]] if there >= 1 else None
+        )
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "selector"))
+        out += _B.write("selector", self.selector) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -4672,9 +5467,10 @@ class PitchRollAiding(Command[R]):
     Selects the source that aids pitch and roll while the motion is gentle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `PitchRollAidingResponse`.
-    Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-15 and -45; likely or assumed
+    on 6 more.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -4683,14 +5479,10 @@ class PitchRollAiding(Command[R]):
     __match_args__ = ("function", "aiding")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x4B
     NAME = "filter.pitch_roll_aiding"
-    ROLE = "command"
     RESPONSES = (PitchRollAidingResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("aiding", "B", PitchRollAidingSource))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4702,6 +5494,21 @@ class PitchRollAiding(Command[R]):
     ) -> None:
         self.function = function
         self.aiding = aiding
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.aiding = (
+            codec.KNOWN[PitchRollAidingSource][_B.read(raw, at)[0]] if there >= 1 else None
+        )
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "aiding"))
+        out += _B.write("aiding", self.aiding) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -4743,9 +5550,9 @@ class MagneticInclinationSource(Command[R]):
     Selects the source of the local inclination (dip angle) of the magnetic field.
 
     Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Response: `MagneticInclinationSourceResponse`. Probably changes
+    Response: `MagneticInclinationSourceResponse`. Probably affects
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
-    listed in any device profile. Known only from the MicroStrain MIP SDK.
+    listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
 
     Without a good inclination source, keep automatic magnetometer calibration off.
 
@@ -4756,27 +5563,21 @@ class MagneticInclinationSource(Command[R]):
     __match_args__ = ("function", "source", "inclination")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x4C
     NAME = "filter.magnetic_inclination_source"
-    ROLE = "command"
     RESPONSES = (MagneticInclinationSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("source", "B", MagParameterSource),
-        ("inclination", "f", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     source: MagParameterSource | None
     """Source of the inclination. Required for `write`."""
     inclination: float | None
-    """Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to
-    1.5707963267948966. Required for `write`. Uncertain: Whether it may be left out if `source` is
-    not manual, as the manuals state for `MagneticDeclinationSource`. The SDK always sends it.
+    """Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad.
+    Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down.
+    Required for `write`. Uncertain: The sign is the usual one; no source states it. Uncertain: It
+    can possibly be omitted if `source` is not manual, as with `MagneticDeclinationSource`. The SDK
+    always sends it.
     """
 
     def __init__(
@@ -4788,6 +5589,23 @@ class MagneticInclinationSource(Command[R]):
         self.function = function
         self.source = source
         self.inclination = inclination
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5))
+        self.source = codec.KNOWN[MagParameterSource][_B.read(raw, at)[0]] if there >= 1 else None
+        self.inclination = _f.read(raw, at + 1)[0] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "source"), (2, "inclination")
+        )
+        out += _B.write("source", self.source) if there >= 1 else b""
+        out += _f.write("inclination", self.inclination) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -4831,9 +5649,9 @@ class MagneticMagnitudeSource(Command[R]):
     Selects the source of the local magnitude of the magnetic field.
 
     Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Response: `MagneticMagnitudeSourceResponse`. Probably changes
+    `default`. Response: `MagneticMagnitudeSourceResponse`. Probably affects
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
-    listed in any device profile. Known only from the MicroStrain MIP SDK.
+    listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
 
     Without a good magnitude source, keep automatic magnetometer calibration off.
     `MagMagnitudeErrorAdaptiveMeasurement` relies on it too.
@@ -4845,18 +5663,10 @@ class MagneticMagnitudeSource(Command[R]):
     __match_args__ = ("function", "source", "magnitude")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x4D
     NAME = "filter.magnetic_magnitude_source"
-    ROLE = "command"
     RESPONSES = (MagneticMagnitudeSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("source", "B", MagParameterSource),
-        ("magnitude", "f", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4864,8 +5674,8 @@ class MagneticMagnitudeSource(Command[R]):
     """Source of the magnitude. Required for `write`."""
     magnitude: float | None
     """Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required for
-    `write`. Uncertain: Whether it may be left out if `source` is not manual, as the manuals state
-    for `MagneticDeclinationSource`. The SDK always sends it.
+    `write`. Uncertain: It can possibly be omitted if `source` is not manual, as with
+    `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(
@@ -4877,6 +5687,23 @@ class MagneticMagnitudeSource(Command[R]):
         self.function = function
         self.source = source
         self.magnitude = magnitude
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5))
+        self.source = codec.KNOWN[MagParameterSource][_B.read(raw, at)[0]] if there >= 1 else None
+        self.magnitude = _f.read(raw, at + 1)[0] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "source"), (2, "magnitude")
+        )
+        out += _B.write("source", self.source) if there >= 1 else b""
+        out += _f.write("magnitude", self.magnitude) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -4920,11 +5747,11 @@ class SensorToVehicleRotationDcm(Command[R]):
     Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `SensorToVehicleRotationDcmResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `SensorToVehicleRotationDcmResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
-    Probably changes `filter_data.CompAccel`. Not listed in any device profile. Known only from the
+    Probably affects `filter_data.CompAccel`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.
 
     It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` accepts. The device
@@ -4938,15 +5765,10 @@ class SensorToVehicleRotationDcm(Command[R]):
     __match_args__ = ("function", "dcm")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x4E
     NAME = "filter.sensor_to_vehicle_rotation_dcm"
-    ROLE = "command"
     RESPONSES = (SensorToVehicleRotationDcmResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("dcm", "fffffffff", types.Matrix3f))
-    _ALWAYS = 1
-
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     function: FunctionSelector
@@ -4961,6 +5783,19 @@ class SensorToVehicleRotationDcm(Command[R]):
     ) -> None:
         self.function = function
         self.dcm = codec.vector(dcm, types.Matrix3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 36))
+        self._dcm = _9f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "dcm"))
+        out += _9f.write("dcm*9", *codec.elements("dcm", self.dcm, 9)) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5004,11 +5839,11 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `SensorToVehicleRotationQuaternionResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `SensorToVehicleRotationQuaternionResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
-    Probably changes `filter_data.CompAccel`. Not listed in any device profile. Known only from the
+    Probably affects `filter_data.CompAccel`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.
 
     It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` accepts.
@@ -5021,15 +5856,10 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     __match_args__ = ("function", "q")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x4F
     NAME = "filter.sensor_to_vehicle_rotation_quaternion"
-    ROLE = "command"
     RESPONSES = (SensorToVehicleRotationQuaternionResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("q", "ffff", types.Quatf))
-    _ALWAYS = 1
-
     _VECTORS = {"q": (types.Quatf,)}
 
     function: FunctionSelector
@@ -5044,6 +5874,19 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     ) -> None:
         self.function = function
         self.q = codec.vector(q, types.Quatf)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 16))
+        self._q = _4f.read(raw, at) if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "q"))
+        out += _4f.write("q*4", *codec.elements("q", self.q, 4)) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5093,8 +5936,9 @@ class AidingMeasurementEnable(Command[R]):
     Enables or disables one source of aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `AidingMeasurementEnableResponse`. Changes `filter_data.AidingMeasurementSummary`. Probably
-    changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    `AidingMeasurementEnableResponse`. Affects `filter_data.AidingMeasurementSummary`. Probably
+    affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8
+    more.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -5103,18 +5947,10 @@ class AidingMeasurementEnable(Command[R]):
     __match_args__ = ("function", "aiding_source", "enable")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x50
     NAME = "filter.aiding_measurement_enable"
-    ROLE = "command"
     RESPONSES = (AidingMeasurementEnableResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("aiding_source", "H", AidingSource),
-        ("enable", "B", codec.truth),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5145,6 +5981,23 @@ class AidingMeasurementEnable(Command[R]):
         self.function = function
         self.aiding_source = aiding_source
         self.enable = enable
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 2, 3))
+        self.aiding_source = codec.KNOWN[AidingSource][_H.read(raw, at)[0]] if there >= 1 else None
+        self.enable = codec.TRUTH[_B.read(raw, at + 2)[0]] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "aiding_source"), (2, "enable")
+        )
+        out += _H.write("aiding_source", self.aiding_source) if there >= 1 else b""
+        out += _B.write("enable", self.enable) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5194,11 +6047,11 @@ class KinematicConstraint(Command[R]):
     Sets the assumptions about the motion that the filter uses in place of measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `KinematicConstraintResponse`. Probably changes `filter_data.NedVelocity`,
+    `KinematicConstraintResponse`. Probably affects `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP
-    SDK. Uncertain: Whether there are further values. The SDK uses plain numbers and lists the
-    values in comments.
+    SDK. Uncertain: There may be further values, because the SDK uses plain numbers and lists values
+    in comments only.
 
     - mip-sdk-4: Kinematic constraint (0x0D,0x51)
     """
@@ -5207,19 +6060,10 @@ class KinematicConstraint(Command[R]):
     __match_args__ = ("function", "accel_constraint", "velocity_constraint", "angular_constraint")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x51
     NAME = "filter.kinematic_constraint"
-    ROLE = "command"
     RESPONSES = (KinematicConstraintResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("accel_constraint", "B", AccelConstraint),
-        ("velocity_constraint", "B", VelocityConstraint),
-        ("angular_constraint", "B", AngularConstraint),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5242,6 +6086,35 @@ class KinematicConstraint(Command[R]):
         self.accel_constraint = accel_constraint
         self.velocity_constraint = velocity_constraint
         self.angular_constraint = angular_constraint
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 2, 3))
+        self.accel_constraint = (
+            codec.KNOWN[AccelConstraint][_B.read(raw, at)[0]] if there >= 1 else None
+        )
+        self.velocity_constraint = (
+            codec.KNOWN[VelocityConstraint][_B.read(raw, at + 1)[0]] if there >= 2 else None
+        )
+        self.angular_constraint = (
+            codec.KNOWN[AngularConstraint][_B.read(raw, at + 2)[0]] if there >= 3 else None
+        )
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self,
+            self.REQUIRED.get(self.function, 0),
+            (1, "accel_constraint"),
+            (2, "velocity_constraint"),
+            (3, "angular_constraint"),
+        )
+        out += _B.write("accel_constraint", self.accel_constraint) if there >= 1 else b""
+        out += _B.write("velocity_constraint", self.velocity_constraint) if there >= 2 else b""
+        out += _B.write("angular_constraint", self.angular_constraint) if there >= 3 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5293,11 +6166,13 @@ class InitializationConfig(Command[R]):
     Sets the sources and values of the initial attitude, position and velocity of the filter.
 
     Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Response: `InitializationConfigResponse`. Probably changes `filter_data.Status`,
+    `default`. Response: `InitializationConfigResponse`. Probably affects `filter_data.Status`,
     `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+    `filter_data.EulerAngles`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or
+    assumed on 2 more.
 
+    The initial angles are in degrees, unlike those of `SetInitialAttitude`, which are in radians.
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
     needs a heading at least every 5 seconds.
@@ -5331,26 +6206,10 @@ class InitializationConfig(Command[R]):
     )
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x52
     NAME = "filter.initialization_config"
-    ROLE = "command"
     RESPONSES = (InitializationConfigResponse,)
     REQUIRED = {1: 9, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("wait_for_run_command", "B", None),
-        ("initial_condition_source", "B", InitialConditionSource),
-        ("auto_heading_alignment_selector", "B", HeadingAlignment),
-        ("initial_heading", "f", None),
-        ("initial_pitch", "f", None),
-        ("initial_roll", "f", None),
-        ("initial_position", "fff", types.Vector3f),
-        ("initial_velocity", "fff", types.Vector3f),
-        ("reference_frame_selector", "B", ReferenceFrame),
-    )
-    _ALWAYS = 1
-
     _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5370,11 +6229,14 @@ class InitializationConfig(Command[R]):
       and `HeadingAlignment.MAG`.
     """
     initial_heading: float | None
-    """Initial heading that your program provides. Unit: deg. Required for `write`."""
+    """Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from
+    above. Required for `write`.
+    """
     initial_pitch: float | None
-    """Initial pitch that your program provides. Unit: deg. Required for `write`."""
+    """Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up. Required for `write`."""
     initial_roll: float | None
-    """Initial roll that your program provides. Unit: deg. Required for `write`."""
+    """Initial roll angle. Unit: deg. Frame: ned. Positive: right side down. Required for `write`.
+    """
     initial_position: types.Vector3f | None
     """Initial position that your program provides. Elements: x, y, z. Required for `write`.
 
@@ -5415,6 +6277,64 @@ class InitializationConfig(Command[R]):
         self.initial_position = codec.vector(initial_position, types.Vector3f)
         self.initial_velocity = codec.vector(initial_velocity, types.Vector3f)
         self.reference_frame_selector = reference_frame_selector
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(
+            raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 2, 3, 7, 11, 15, 27, 39, 40)
+        )
+        self.wait_for_run_command = _B.read(raw, at)[0] if there >= 1 else None
+        self.initial_condition_source = (
+            codec.KNOWN[InitialConditionSource][_B.read(raw, at + 1)[0]] if there >= 2 else None
+        )
+        self.auto_heading_alignment_selector = (
+            codec.KNOWN[HeadingAlignment][_B.read(raw, at + 2)[0]] if there >= 3 else None
+        )
+        self.initial_heading = _f.read(raw, at + 3)[0] if there >= 4 else None
+        self.initial_pitch = _f.read(raw, at + 7)[0] if there >= 5 else None
+        self.initial_roll = _f.read(raw, at + 11)[0] if there >= 6 else None
+        self._initial_position = _3f.read(raw, at + 15) if there >= 7 else None
+        self._initial_velocity = _3f.read(raw, at + 27) if there >= 8 else None
+        self.reference_frame_selector = (
+            codec.KNOWN[ReferenceFrame][_B.read(raw, at + 39)[0]] if there >= 9 else None
+        )
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self,
+            self.REQUIRED.get(self.function, 0),
+            (1, "wait_for_run_command"),
+            (2, "initial_condition_source"),
+            (3, "auto_heading_alignment_selector"),
+            (4, "initial_heading"),
+            (5, "initial_pitch"),
+            (6, "initial_roll"),
+            (7, "initial_position"),
+            (8, "initial_velocity"),
+            (9, "reference_frame_selector"),
+        )
+        out += _B.write("wait_for_run_command", self.wait_for_run_command) if there >= 1 else b""
+        if there >= 2:
+            out += _B.write("initial_condition_source", self.initial_condition_source)
+        if there >= 3:
+            out += _B.write("auto_heading_alignment_selector", self.auto_heading_alignment_selector)
+        out += _f.write("initial_heading", self.initial_heading) if there >= 4 else b""
+        out += _f.write("initial_pitch", self.initial_pitch) if there >= 5 else b""
+        out += _f.write("initial_roll", self.initial_roll) if there >= 6 else b""
+        if there >= 7:
+            out += _3f.write(
+                "initial_position*3", *codec.elements("initial_position", self.initial_position, 3)
+            )
+        if there >= 8:
+            out += _3f.write(
+                "initial_velocity*3", *codec.elements("initial_velocity", self.initial_velocity, 3)
+            )
+        if there >= 9:
+            out += _B.write("reference_frame_selector", self.reference_frame_selector)
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5478,8 +6398,8 @@ class AdaptiveFilterOptions(Command[R]):
     Sets how the filter adapts to measurements that do not fit its model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `AdaptiveFilterOptionsResponse`. Probably changes filter_data (0x82). Supported by
-    3DM-CV7-GNSS/INS.
+    `AdaptiveFilterOptionsResponse`. Probably affects filter_data (0x82). Confirmed on
+    3DM-CV7-GNSS/INS; likely or assumed on 12 more.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -5488,18 +6408,10 @@ class AdaptiveFilterOptions(Command[R]):
     __match_args__ = ("function", "level", "time_limit")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x53
     NAME = "filter.adaptive_filter_options"
-    ROLE = "command"
     RESPONSES = (AdaptiveFilterOptionsResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("level", "B", AdaptiveLevel),
-        ("time_limit", "H", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5522,6 +6434,23 @@ class AdaptiveFilterOptions(Command[R]):
         self.function = function
         self.level = level
         self.time_limit = time_limit
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 3))
+        self.level = codec.KNOWN[AdaptiveLevel][_B.read(raw, at)[0]] if there >= 1 else None
+        self.time_limit = _H.read(raw, at + 1)[0] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "level"), (2, "time_limit")
+        )
+        out += _B.write("level", self.level) if there >= 1 else b""
+        out += _H.write("time_limit", self.time_limit) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5565,11 +6494,11 @@ class MultiAntennaOffset(Command[R]):
     Sets the position of the antenna of one receiver on devices with several antennas.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `MultiAntennaOffsetResponse`. Probably changes `filter_data.LlhPosition`,
+    `MultiAntennaOffsetResponse`. Probably affects `filter_data.LlhPosition`,
     `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
-    `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Supported by
-    3DM-CV7-GNSS/INS.
+    `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Confirmed on
+    3DM-CV7-GNSS/INS; likely or assumed on 1 more. Requires a receiver.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -5578,19 +6507,10 @@ class MultiAntennaOffset(Command[R]):
     __match_args__ = ("function", "receiver_id", "antenna_offset")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x54
     NAME = "filter.multi_antenna_offset"
-    ROLE = "command"
     RESPONSES = (MultiAntennaOffsetResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("receiver_id", "B", None),
-        ("antenna_offset", "fff", types.Vector3f),
-    )
-    _ALWAYS = 1
-
     _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5598,7 +6518,7 @@ class MultiAntennaOffset(Command[R]):
     receiver_id: int | None
     """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None
-    """Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+    """Lever arm from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
     magnitude at most 10. Required for `write`.
     """
 
@@ -5611,6 +6531,26 @@ class MultiAntennaOffset(Command[R]):
         self.function = function
         self.receiver_id = receiver_id
         self.antenna_offset = codec.vector(antenna_offset, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 13))
+        self.receiver_id = _B.read(raw, at)[0] if there >= 1 else None
+        self._antenna_offset = _3f.read(raw, at + 1) if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "receiver_id"), (2, "antenna_offset")
+        )
+        out += _B.write("receiver_id", self.receiver_id) if there >= 1 else b""
+        if there >= 2:
+            out += _3f.write(
+                "antenna_offset*3", *codec.elements("antenna_offset", self.antenna_offset, 3)
+            )
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5658,8 +6598,8 @@ class RelativePositionConfig(Command[R]):
     Sets the reference point of the relative position that the filter reports.
 
     Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Response: `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`. Supported
-    by 3DM-CV7-GNSS/INS.
+    Response: `RelativePositionConfigResponse`. Affects `filter_data.NedRelativePosition`. Confirmed
+    on 3DM-CV7-GNSS/INS; likely or assumed on 4 more.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -5668,20 +6608,10 @@ class RelativePositionConfig(Command[R]):
     __match_args__ = ("function", "source", "reference_frame_selector", "reference_coordinates")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x55
     NAME = "filter.relative_position_config"
-    ROLE = "command"
     RESPONSES = (RelativePositionConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("source", "B", RelativePositionSource),
-        ("reference_frame_selector", "B", ReferenceFrame),
-        ("reference_coordinates", "ddd", types.Vector3d),
-    )
-    _ALWAYS = 1
-
     _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     function: FunctionSelector
@@ -5709,6 +6639,38 @@ class RelativePositionConfig(Command[R]):
         self.source = source
         self.reference_frame_selector = reference_frame_selector
         self.reference_coordinates = codec.vector(reference_coordinates, types.Vector3d)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 2, 26))
+        self.source = (
+            codec.KNOWN[RelativePositionSource][_B.read(raw, at)[0]] if there >= 1 else None
+        )
+        self.reference_frame_selector = (
+            codec.KNOWN[ReferenceFrame][_B.read(raw, at + 1)[0]] if there >= 2 else None
+        )
+        self._reference_coordinates = _3d.read(raw, at + 2) if there >= 3 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self,
+            self.REQUIRED.get(self.function, 0),
+            (1, "source"),
+            (2, "reference_frame_selector"),
+            (3, "reference_coordinates"),
+        )
+        out += _B.write("source", self.source) if there >= 1 else b""
+        if there >= 2:
+            out += _B.write("reference_frame_selector", self.reference_frame_selector)
+        if there >= 3:
+            out += _3d.write(
+                "reference_coordinates*3",
+                *codec.elements("reference_coordinates", self.reference_coordinates, 3),
+            )
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5760,9 +6722,9 @@ class ReferencePointLeverArm(Command[R]):
     Moves the point to which the position and the velocity of the filter refer.
 
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Response: `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`,
+    Response: `ReferencePointLeverArmResponse`. Affects `filter_data.LlhPosition`,
     `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
-    `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS.
+    `filter_data.NedRelativePosition`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 4 more.
 
     The shift in position depends on the attitude; the shift in velocity also depends on the angular
     rate.
@@ -5774,19 +6736,10 @@ class ReferencePointLeverArm(Command[R]):
     __match_args__ = ("function", "reference_point", "lever_arm_offset")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x56
     NAME = "filter.reference_point_lever_arm"
-    ROLE = "command"
     RESPONSES = (ReferencePointLeverArmResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("reference_point", "B", ReferencePoint),
-        ("lever_arm_offset", "fff", types.Vector3f),
-    )
-    _ALWAYS = 1
-
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5794,7 +6747,7 @@ class ReferencePointLeverArm(Command[R]):
     reference_point: ReferencePoint | None
     """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None
-    """Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+    """Lever arm from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
     magnitude at most 10. Required for `write`.
     """
 
@@ -5807,6 +6760,31 @@ class ReferencePointLeverArm(Command[R]):
         self.function = function
         self.reference_point = reference_point
         self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 13))
+        self.reference_point = (
+            codec.KNOWN[ReferencePoint][_B.read(raw, at)[0]] if there >= 1 else None
+        )
+        self._lever_arm_offset = _3f.read(raw, at + 1) if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self,
+            self.REQUIRED.get(self.function, 0),
+            (1, "reference_point"),
+            (2, "lever_arm_offset"),
+        )
+        out += _B.write("reference_point", self.reference_point) if there >= 1 else b""
+        if there >= 2:
+            out += _3f.write(
+                "lever_arm_offset*3", *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
+            )
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5868,25 +6846,18 @@ class SpeedMeasurement(Command[None]):
     __match_args__ = ("tow", "speed", "speed_uncertainty")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x60
     NAME = "filter.speed_measurement"
-    ROLE = "command"
-    _LAYOUT = (
-        ("source", "B", None),
-        ("tow", "f", None),
-        ("speed", "f", None),
-        ("speed_uncertainty", "f", None),
-    )
+    _SIZE = 13
 
     source: int
     """Send 1. Reserved: send 1."""
     tow: float
-    """GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
-    SDK states none.
+    """GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit is
+    inferred; the SDK states none.
     """
     speed: float
-    """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
+    """Speed along the x axis of the vehicle. Unit: m/s. Frame: vehicle. Positive: forward."""
     speed_uncertainty: float
     """Standard deviation of the speed. Unit: m/s. Range: at least 0."""
 
@@ -5898,6 +6869,22 @@ class SpeedMeasurement(Command[None]):
         self.speed = speed
         self.speed_uncertainty = speed_uncertainty
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B3f.unpack(raw, at)
+        if (total := v[1] + v[2] + v[3]) != total:
+            v = _B3f.keep_nan_bits(v, raw, at)
+        self.source, self.tow, self.speed, self.speed_uncertainty = v
+        return at + 13
+
+    def _write(self) -> bytes:
+        return _B3f.write(
+            "source tow speed speed_uncertainty",
+            self.source,
+            self.tow,
+            self.speed,
+            self.speed_uncertainty,
+        )
+
 
 class SpeedLeverArm(Command[R]):
     """Speed measurement lever arm (0x0D,0x61).
@@ -5906,8 +6893,9 @@ class SpeedLeverArm(Command[R]):
     odometer.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `SpeedLeverArmResponse`.
-    Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
-    `filter_data.OdometerScaleFactorError`. Supported by 3DM-CV7-GNSS/INS.
+    Probably affects `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
+    `filter_data.OdometerScaleFactorError`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1
+    more.
 
     It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
 
@@ -5918,19 +6906,10 @@ class SpeedLeverArm(Command[R]):
     __match_args__ = ("function", "source", "lever_arm_offset")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x61
     NAME = "filter.speed_lever_arm"
-    ROLE = "command"
     RESPONSES = (SpeedLeverArmResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("source", "B", None),
-        ("lever_arm_offset", "fff", types.Vector3f),
-    )
-    _ALWAYS = 1
-
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5938,7 +6917,7 @@ class SpeedLeverArm(Command[R]):
     source: int | None
     """Reserved: send 1."""
     lever_arm_offset: types.Vector3f | None
-    """Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
+    """Lever arm from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
     vehicle. Required for `write`.
     """
 
@@ -5951,6 +6930,26 @@ class SpeedLeverArm(Command[R]):
         self.function = function
         self.source = source
         self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 13))
+        self.source = _B.read(raw, at)[0] if there >= 1 else None
+        self._lever_arm_offset = _3f.read(raw, at + 1) if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "source"), (2, "lever_arm_offset")
+        )
+        out += _B.write("source", self.source) if there >= 1 else b""
+        if there >= 2:
+            out += _3f.write(
+                "lever_arm_offset*3", *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
+            )
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -5992,7 +6991,7 @@ class VerticalGyroConstraintControl(Command[R]):
     Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `VerticalGyroConstraintControlResponse`. Probably changes `filter_data.AttitudeQuaternion`,
+    `VerticalGyroConstraintControlResponse`. Probably affects `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not listed in any device profile. Known
     only from the MicroStrain MIP SDK.
 
@@ -6005,14 +7004,10 @@ class VerticalGyroConstraintControl(Command[R]):
     __match_args__ = ("function", "enable")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x62
     NAME = "filter.vertical_gyro_constraint_control"
-    ROLE = "command"
     RESPONSES = (VerticalGyroConstraintControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6022,6 +7017,19 @@ class VerticalGyroConstraintControl(Command[R]):
     def __init__(self, function: FunctionSelector, enable: int | None = None) -> None:
         self.function = function
         self.enable = enable
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.enable = _B.read(raw, at)[0] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "enable"))
+        out += _B.write("enable", self.enable) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -6071,9 +7079,9 @@ class WheeledVehicleConstraintControl(Command[R]):
     Sets whether the filter assumes that the vehicle moves only along its x axis.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `WheeledVehicleConstraintControlResponse`. Probably changes `filter_data.NedVelocity`,
+    `WheeledVehicleConstraintControlResponse`. Probably affects `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS.
+    `filter_data.EulerAngles`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
 
     It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
     use it for vehicles that move sideways, such as aircraft.
@@ -6085,14 +7093,10 @@ class WheeledVehicleConstraintControl(Command[R]):
     __match_args__ = ("function", "enable")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x63
     NAME = "filter.wheeled_vehicle_constraint_control"
-    ROLE = "command"
     RESPONSES = (WheeledVehicleConstraintControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6102,6 +7106,19 @@ class WheeledVehicleConstraintControl(Command[R]):
     def __init__(self, function: FunctionSelector, enable: int | None = None) -> None:
         self.function = function
         self.enable = enable
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.enable = _B.read(raw, at)[0] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "enable"))
+        out += _B.write("enable", self.enable) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -6151,10 +7168,10 @@ class GnssAntennaCalibrationControl(Command[R]):
     Enables antenna offset calibration.
 
     Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Response: `GnssAntennaCalibrationControlResponse`. Changes
-    `filter_data.MultiAntennaOffsetCorrection`. Probably changes
+    `default`. Response: `GnssAntennaCalibrationControlResponse`. Affects
+    `filter_data.MultiAntennaOffsetCorrection`. Probably affects
     `filter_data.MultiAntennaOffsetCorrectionUncertainty`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS.
+    3DM-GQ7-GNSS/INS. Requires a receiver.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -6164,18 +7181,10 @@ class GnssAntennaCalibrationControl(Command[R]):
     __match_args__ = ("function", "enable", "max_offset")
 
     SET = 0x0D
-    SETS = (0x0D,)
     DESCRIPTOR = 0x64
     NAME = "filter.gnss_antenna_calibration_control"
-    ROLE = "command"
     RESPONSES = (GnssAntennaCalibrationControlResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("enable", "B", None),
-        ("max_offset", "f", None),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6194,6 +7203,23 @@ class GnssAntennaCalibrationControl(Command[R]):
         self.function = function
         self.enable = enable
         self.max_offset = max_offset
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5))
+        self.enable = _B.read(raw, at)[0] if there >= 1 else None
+        self.max_offset = _f.read(raw, at + 1)[0] if there >= 2 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self, self.REQUIRED.get(self.function, 0), (1, "enable"), (2, "max_offset")
+        )
+        out += _B.write("enable", self.enable) if there >= 1 else b""
+        out += _f.write("max_offset", self.max_offset) if there >= 2 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(

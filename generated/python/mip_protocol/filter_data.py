@@ -10,9 +10,47 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .field import Data, Field
+
+# Numbers that are read and written together, by their letters for `struct`.
+_2f2H = codec.Block("2f2H")
+
+_3H = codec.Block("3H")
+
+_3dH = codec.Block("3dH")
+
+_3fB2H = codec.Block("3fB2H")
+
+_3fH = codec.Block("3fH")
+
+_4fH = codec.Block("4fH")
+
+_5fH = codec.Block("5fH")
+
+_9fH = codec.Block("9fH")
+
+_B2fH = codec.Block("B2fH")
+
+_B3fH = codec.Block("B3fH")
+
+_B6f = codec.Block("B6f")
+
+_B7f = codec.Block("B7f")
+
+_BfH8B = codec.Block("BfH8B")
+
+_d2H = codec.Block("d2H")
+
+_f3B = codec.Block("f3B")
+
+_fB2f = codec.Block("fB2f")
+
+_fH = codec.Block("fH")
+
+_fH8B = codec.Block("fH8B")
 
 
 @codec.open_flag(16)
@@ -32,9 +70,9 @@ class HeadingSourceFlags(IntFlag):
     """
 
     MAG = 1 << 0
-    """The magnetometer. Bit 0."""
+    """The magnetometer. Bit 0. Requires a magnetometer."""
     GNSS_VELOCITY = 1 << 1
-    """The velocity that the GNSS receiver measures. Bit 1."""
+    """The velocity that the GNSS receiver measures. Bit 1. Requires a receiver."""
     EXTERNAL = 1 << 2
     """Heading messages that your program sends. Bit 2."""
 
@@ -208,6 +246,10 @@ class Gx5DynamicsMode(codec.OpenEnum):
     """Ground vehicle."""
     AIRBORNE = 3
     """Aircraft."""
+    AIRBORNE_HIGH_G = 4
+    """Aircraft with high acceleration. Uncertain: The manual of the 3DM-GX5-15 lists 1 to 3;
+    `filter.VehicleDynamicsMode` sets 4, too.
+    """
 
 
 class Cv7DynamicsMode(codec.OpenEnum):
@@ -219,58 +261,90 @@ class Cv7DynamicsMode(codec.OpenEnum):
 
 @codec.open_flag(16)
 class Gx5StatusFlags(IntFlag):
-    """Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`,
-    the others while the filter runs.
+    """Problems of the filter of a 5-series device; their meaning depends on the state of the
+    filter.
 
     - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
     - 3dm-cv7-gnss-ins: Status (0x82,0x10)
     """
 
     RUN_IMU_UNAVAILABLE = 1 << 0
-    """No inertial data. Bit 0. Concerns `sensor.ScaledAccel` and `sensor.ScaledGyro`."""
+    """No inertial data. Bit 0. Only while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID` or
+    `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `sensor.ScaledAccel` and `sensor.ScaledGyro`.
+    """
     RUN_GPS_UNAVAILABLE = 1 << 1
-    """No GNSS data; only on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`."""
+    """No GNSS data; only on models with GNSS. Bit 1. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects
+    `LlhPosition` and `NedVelocity`.
+    """
     RUN_MATRIX_SINGULARITY = 1 << 3
-    """A matrix in the computation is singular. Bit 3. Concerns `filter.Reset`."""
+    """A matrix in the computation is singular. Bit 3. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects
+    `filter.Reset`.
+    """
     RUN_POSITION_COVARIANCE_WARNING = 1 << 4
-    """A position covariance is above its normal limit. Bit 4. Concerns `LlhPosition` and
-    `LlhPositionUncertainty`.
+    """A position covariance is above its normal limit. Bit 4. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects
+    `LlhPosition` and `LlhPositionUncertainty`.
     """
     RUN_VELOCITY_COVARIANCE_WARNING = 1 << 5
-    """A velocity covariance is above its normal limit. Bit 5. Concerns `NedVelocity` and
-    `NedVelocityUncertainty`.
+    """A velocity covariance is above its normal limit. Bit 5. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects
+    `NedVelocity` and `NedVelocityUncertainty`.
     """
     RUN_ATTITUDE_COVARIANCE_WARNING = 1 << 6
-    """An attitude covariance is above its normal limit. Bit 6. Concerns `EulerAngles` and
-    `EulerAnglesUncertainty`.
+    """An attitude covariance is above its normal limit. Bit 6. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects
+    `EulerAngles` and `EulerAnglesUncertainty`.
     """
     RUN_NAN_IN_SOLUTION_WARNING = 1 << 7
-    """The solution contains NaN values. Bit 7. Concerns `filter.Reset`."""
+    """The solution contains NaN values. Bit 7. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects
+    `filter.Reset`.
+    """
     RUN_GYRO_BIAS_EST_HIGH_WARNING = 1 << 8
-    """The estimated gyroscope bias is high. Bit 8. Concerns `GyroBias`."""
+    """The estimated gyroscope bias is high. Bit 8. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `GyroBias`.
+    """
     RUN_ACCEL_BIAS_EST_HIGH_WARNING = 1 << 9
-    """The estimated accelerometer bias is high. Bit 9. Concerns `AccelBias`."""
+    """The estimated accelerometer bias is high. Bit 9. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `AccelBias`.
+    """
     RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 10
-    """The estimated gyroscope scale factor is high. Bit 10. Concerns `GyroScaleFactor`."""
+    """The estimated gyroscope scale factor is high. Bit 10. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects
+    `GyroScaleFactor`.
+    """
     RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 11
-    """The estimated accelerometer scale factor is high. Bit 11. Concerns `AccelScaleFactor`."""
+    """The estimated accelerometer scale factor is high. Bit 11. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects
+    `AccelScaleFactor`.
+    """
     RUN_MAG_BIAS_EST_HIGH_WARNING = 1 << 12
-    """The estimated magnetometer bias is high. Bit 12. Concerns `MagBias`."""
+    """The estimated magnetometer bias is high. Bit 12. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `MagBias`.
+    """
     RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
-    """The estimated correction of the antenna offset is high; on models with GNSS. Bit 13. Concerns
-    `AntennaOffsetCorrection` and `filter.AntennaOffset`.
+    """The estimated correction of the antenna offset is high; on models with GNSS. Bit 13. Only
+    while `filter_state` is `Gx5FilterState.RUN_SOLUTION_VALID` or
+    `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `AntennaOffsetCorrection` and
+    `filter.AntennaOffset`.
     """
     RUN_MAG_HARD_IRON_EST_HIGH_WARNING = 1 << 14
-    """The estimated hard-iron offset is high. Bit 14. Concerns `MagOffset`."""
+    """The estimated hard-iron offset is high. Bit 14. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `MagOffset`.
+    """
     RUN_MAG_SOFT_IRON_EST_HIGH_WARNING = 1 << 15
-    """The estimated soft-iron correction is high. Bit 15. Concerns `MagMatrix`."""
+    """The estimated soft-iron correction is high. Bit 15. Only while `filter_state` is
+    `Gx5FilterState.RUN_SOLUTION_VALID` or `Gx5FilterState.RUN_SOLUTION_ERROR`. Affects `MagMatrix`.
+    """
     INIT_NO_ATTITUDE = 1 << 12
-    """The attitude is not initialized. Bit 12. Overlaps other bits. Concerns `AttitudeQuaternion`,
-    `AttitudeDcm` and `EulerAngles`.
+    """The attitude is not initialized. Bit 12. Overlaps other bits. Only while `filter_state` is
+    `Gx5FilterState.INIT`. Affects `AttitudeQuaternion`, `AttitudeDcm` and `EulerAngles`.
     """
     INIT_NO_POSITION_VELOCITY = 1 << 13
-    """Position and velocity are not initialized. Bit 13. Overlaps other bits. Concerns
-    `LlhPosition` and `NedVelocity`.
+    """Position and velocity are not initialized. Bit 13. Overlaps other bits. Only while
+    `filter_state` is `Gx5FilterState.INIT`. Affects `LlhPosition` and `NedVelocity`.
     """
 
 
@@ -301,43 +375,43 @@ class Cv7StatusFlags(IntFlag):
     FILTER_CONDITION = 0x3
     """Convergence of the estimates. Bits 0 to 1. A value of `FilterCondition`."""
     ROLL_PITCH_WARNING = 1 << 2
-    """Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns
+    """Roll and pitch are doubtful; check the mounting transformation. Bit 2. Affects
     `AttitudeQuaternion`, `AttitudeDcm` and `EulerAngles`.
     """
     HEADING_WARNING = 1 << 3
-    """The heading is doubtful; check the heading source. Bit 3. Concerns `AttitudeQuaternion`,
+    """The heading is doubtful; check the heading source. Bit 3. Affects `AttitudeQuaternion`,
     `AttitudeDcm` and `EulerAngles`.
     """
     POSITION_WARNING = 1 << 4
-    """The position is doubtful; check the GNSS reception and antennas. Bit 4. Concerns
+    """The position is doubtful; check the GNSS reception and antennas. Bit 4. Affects
     `LlhPosition`, `EcefPosition` and `NedRelativePosition`.
     """
     VELOCITY_WARNING = 1 << 5
-    """The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Concerns
-    `NedVelocity` and `EcefVelocity`.
+    """The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Affects `NedVelocity`
+    and `EcefVelocity`.
     """
     IMU_BIAS_WARNING = 1 << 6
-    """The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Concerns `AccelBias`,
+    """The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Affects `AccelBias`,
     `GyroBias` and `mip_3dm.CaptureGyroBias`.
     """
     GNSS_CLOCK_WARNING = 1 << 7
-    """The GNSS clock is doubtful; navigation continues. Bit 7. Concerns `Timestamp` and
+    """The GNSS clock is doubtful; navigation continues. Bit 7. Affects `Timestamp` and
     `ClockCorrection`.
     """
     ANTENNA_LEVER_ARM_WARNING = 1 << 8
-    """The antenna offsets are probably wrong. Bit 8. Concerns `MultiAntennaOffsetCorrection` and
+    """The antenna offsets are probably wrong. Bit 8. Affects `MultiAntennaOffsetCorrection` and
     `filter.MultiAntennaOffset`.
     """
     MOUNTING_TRANSFORM_WARNING = 1 << 9
-    """The mounting transformation is probably wrong. Bit 9. Concerns
+    """The mounting transformation is probably wrong. Bit 9. Affects
     `mip_3dm.SensorToVehicleTransformEuler` and `mip_3dm.SensorToVehicleTransformDcm`.
     """
     TIME_SYNC_WARNING = 1 << 10
     """No pulse per second is detected, or the time of an external heading is too old. Bit 10.
-    Concerns `mip_3dm.PpsSourceControl`.
+    Affects `mip_3dm.PpsSourceControl`.
     """
     SOLUTION_ERROR = 0xF000
-    """Not 0 if the solution contains NaN values; reset the filter. Bits 12 to 15. Concerns
+    """Not 0 if the solution contains NaN values; reset the filter. Bits 12 to 15. Affects
     `filter.Reset`.
     """
 
@@ -367,7 +441,8 @@ class LlhPosition(Data):
 
     Estimated position as latitude, longitude and height.
 
-    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `position_llh`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or
+    assumed on 10 more.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -376,16 +451,9 @@ class LlhPosition(Data):
     __match_args__ = ("latitude", "longitude", "ellipsoid_height", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x01
     NAME = "filter_data.llh_position"
-    ROLE = "data"
-    _LAYOUT = (
-        ("latitude", "d", None),
-        ("longitude", "d", None),
-        ("ellipsoid_height", "d", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 26
 
     latitude: float
     """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
@@ -410,13 +478,31 @@ class LlhPosition(Data):
         self.ellipsoid_height = ellipsoid_height
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3dH.unpack(raw, at)
+        self.latitude = v[0]
+        self.longitude = v[1]
+        self.ellipsoid_height = v[2]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 26
+
+    def _write(self) -> bytes:
+        return _3dH.write(
+            "latitude longitude ellipsoid_height valid_flags",
+            self.latitude,
+            self.longitude,
+            self.ellipsoid_height,
+            self.valid_flags,
+        )
+
 
 class NedVelocity(Data):
     """NED velocity (0x82,0x02).
 
     Estimated velocity in the NED frame.
 
-    Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `velocity_ned`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or
+    assumed on 10 more.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
@@ -425,16 +511,9 @@ class NedVelocity(Data):
     __match_args__ = ("north", "east", "down", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x02
     NAME = "filter_data.ned_velocity"
-    ROLE = "data"
-    _LAYOUT = (
-        ("north", "f", None),
-        ("east", "f", None),
-        ("down", "f", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 14
 
     north: float
     """Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if `ValidFlags.VALID` of
@@ -457,15 +536,32 @@ class NedVelocity(Data):
         self.down = down
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self.north = v[0]
+        self.east = v[1]
+        self.down = v[2]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "north east down valid_flags", self.north, self.east, self.down, self.valid_flags
+        )
+
 
 class AttitudeQuaternion(Data):
     """Attitude quaternion (0x82,0x03).
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on
+    17 more.
 
-    `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
+    `v_ned = q * v_vehicle * q^-1` The 3DM-GX5-15 manual documents the inverse rotation, which is
+    taken for a misprint.
 
     - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
     - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -475,17 +571,15 @@ class AttitudeQuaternion(Data):
     __match_args__ = ("q", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x03
     NAME = "filter_data.attitude_quaternion"
-    ROLE = "data"
-    _LAYOUT = (("q", "ffff", types.Quatf), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 18
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
-    """Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level:
-    x 0, y 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first.
+    Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -494,13 +588,24 @@ class AttitudeQuaternion(Data):
         self.q = codec.vector(q, types.Quatf)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _4fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2] + v[3]) != total:
+            v = _4fH.keep_nan_bits(v, raw, at)
+        self._q = v[:4]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[4]]
+        return at + 18
+
+    def _write(self) -> bytes:
+        return _4fH.write("q*4 valid_flags", *codec.elements("q", self.q, 4), self.valid_flags)
+
 
 class AttitudeDcm(Data):
     """Attitude direction cosine matrix (0x82,0x04).
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 17 more.
 
     The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     v_ned`.
@@ -513,12 +618,9 @@ class AttitudeDcm(Data):
     __match_args__ = ("dcm", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x04
     NAME = "filter_data.attitude_dcm"
-    ROLE = "data"
-    _LAYOUT = (("dcm", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 38
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
@@ -533,14 +635,27 @@ class AttitudeDcm(Data):
         self.dcm = codec.vector(dcm, types.Matrix3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _9fH.unpack(raw, at)
+        if (total := sum(v[0:9])) != total:
+            v = _9fH.keep_nan_bits(v, raw, at)
+        self._dcm = v[:9]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[9]]
+        return at + 38
+
+    def _write(self) -> bytes:
+        return _9fH.write(
+            "dcm*9 valid_flags", *codec.elements("dcm", self.dcm, 9), self.valid_flags
+        )
+
 
 class EulerAngles(Data):
     """Euler angles (0x82,0x05).
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-45. Uncertain: The ranges of the angles. Uncertain: which no source states.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or
+    assumed on 20 more. Uncertain: The ranges of the angles are inferred; no source states them.
 
     The rotations apply in the order yaw, pitch, roll (3-2-1).
 
@@ -552,21 +667,13 @@ class EulerAngles(Data):
     __match_args__ = ("roll", "pitch", "yaw", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x05
     NAME = "filter_data.euler_angles"
-    ROLE = "data"
-    _LAYOUT = (
-        ("roll", "f", None),
-        ("pitch", "f", None),
-        ("yaw", "f", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 14
 
     roll: float
-    """Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-    3.141592653589793. At rest and level: 0. Positive: right side down. Valid if `ValidFlags.VALID`
-    of `valid_flags` is set.
+    """Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. At rest
+    and level: 0. Positive: right side down. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     pitch: float
     """Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to
@@ -574,9 +681,8 @@ class EulerAngles(Data):
     `valid_flags` is set.
     """
     yaw: float
-    """Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-    3.141592653589793. Positive: clockwise seen from above. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive:
+    clockwise seen from above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -587,13 +693,28 @@ class EulerAngles(Data):
         self.yaw = yaw
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self.roll = v[0]
+        self.pitch = v[1]
+        self.yaw = v[2]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "roll pitch yaw valid_flags", self.roll, self.pitch, self.yaw, self.valid_flags
+        )
+
 
 class GyroBias(Data):
     """Gyroscope bias (0x82,0x06).
 
     Estimated bias of the gyroscope.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -603,12 +724,9 @@ class GyroBias(Data):
     __match_args__ = ("bias", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x06
     NAME = "filter_data.gyro_bias"
-    ROLE = "data"
-    _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -622,13 +740,26 @@ class GyroBias(Data):
         self.bias = codec.vector(bias, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._bias = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "bias*3 valid_flags", *codec.elements("bias", self.bias, 3), self.valid_flags
+        )
+
 
 class AccelBias(Data):
     """Accelerometer bias (0x82,0x07).
 
     Estimated bias of the accelerometer.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 6 more.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
     """
@@ -637,12 +768,9 @@ class AccelBias(Data):
     __match_args__ = ("bias", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x07
     NAME = "filter_data.accel_bias"
-    ROLE = "data"
-    _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -656,13 +784,27 @@ class AccelBias(Data):
         self.bias = codec.vector(bias, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._bias = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "bias*3 valid_flags", *codec.elements("bias", self.bias, 3), self.valid_flags
+        )
+
 
 class LlhPositionUncertainty(Data):
     """Position uncertainty (0x82,0x08).
 
     Standard deviation of the estimated position, in the NED frame.
 
-    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `position_llh_uncertainty`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS;
+    likely or assumed on 5 more.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -671,16 +813,9 @@ class LlhPositionUncertainty(Data):
     __match_args__ = ("north", "east", "down", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x08
     NAME = "filter_data.llh_position_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (
-        ("north", "f", None),
-        ("east", "f", None),
-        ("down", "f", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 14
 
     north: float
     """North standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
@@ -703,13 +838,29 @@ class LlhPositionUncertainty(Data):
         self.down = down
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self.north = v[0]
+        self.east = v[1]
+        self.down = v[2]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "north east down valid_flags", self.north, self.east, self.down, self.valid_flags
+        )
+
 
 class NedVelocityUncertainty(Data):
     """NED velocity uncertainty (0x82,0x09).
 
     Standard deviation of the estimated velocity in the NED frame.
 
-    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `velocity_ned_uncertainty`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS;
+    likely or assumed on 5 more.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -718,16 +869,9 @@ class NedVelocityUncertainty(Data):
     __match_args__ = ("north", "east", "down", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x09
     NAME = "filter_data.ned_velocity_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (
-        ("north", "f", None),
-        ("east", "f", None),
-        ("down", "f", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 14
 
     north: float
     """North standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if
@@ -750,13 +894,28 @@ class NedVelocityUncertainty(Data):
         self.down = down
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self.north = v[0]
+        self.east = v[1]
+        self.down = v[2]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "north east down valid_flags", self.north, self.east, self.down, self.valid_flags
+        )
+
 
 class EulerAnglesUncertainty(Data):
     """Euler angles uncertainty (0x82,0x0A).
 
     Standard deviation of the estimated Euler angles.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 19 more.
 
     3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
     degrees of pitch up or down.
@@ -769,16 +928,9 @@ class EulerAnglesUncertainty(Data):
     __match_args__ = ("roll", "pitch", "yaw", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x0A
     NAME = "filter_data.euler_angles_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (
-        ("roll", "f", None),
-        ("pitch", "f", None),
-        ("yaw", "f", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 14
 
     roll: float
     """Standard deviation of roll. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
@@ -801,13 +953,28 @@ class EulerAnglesUncertainty(Data):
         self.yaw = yaw
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self.roll = v[0]
+        self.pitch = v[1]
+        self.yaw = v[2]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "roll pitch yaw valid_flags", self.roll, self.pitch, self.yaw, self.valid_flags
+        )
+
 
 class GyroBiasUncertainty(Data):
     """Gyroscope bias uncertainty (0x82,0x0B).
 
     Standard deviation of the estimated gyroscope bias.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 20 more.
 
     - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
     - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -817,12 +984,9 @@ class GyroBiasUncertainty(Data):
     __match_args__ = ("bias_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x0B
     NAME = "filter_data.gyro_bias_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
@@ -838,13 +1002,28 @@ class GyroBiasUncertainty(Data):
         self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._bias_uncertainty = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "bias_uncertainty*3 valid_flags",
+            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3),
+            self.valid_flags,
+        )
+
 
 class AccelBiasUncertainty(Data):
     """Accelerometer bias uncertainty (0x82,0x0C).
 
     Standard deviation of the estimated accelerometer bias.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 6 more.
 
     - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
     """
@@ -853,12 +1032,9 @@ class AccelBiasUncertainty(Data):
     __match_args__ = ("bias_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x0C
     NAME = "filter_data.accel_bias_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
@@ -874,13 +1050,29 @@ class AccelBiasUncertainty(Data):
         self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._bias_uncertainty = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "bias_uncertainty*3 valid_flags",
+            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3),
+            self.valid_flags,
+        )
+
 
 class LinearAccel(Data):
     """Linear acceleration (0x82,0x0D).
 
     Rate of change of the velocity, with the effect of gravity removed.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on
+    17 more.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
     - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -890,12 +1082,9 @@ class LinearAccel(Data):
     __match_args__ = ("accel", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x0D
     NAME = "filter_data.linear_accel"
-    ROLE = "data"
-    _LAYOUT = (("accel", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
@@ -910,14 +1099,27 @@ class LinearAccel(Data):
         self.accel = codec.vector(accel, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._accel = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "accel*3 valid_flags", *codec.elements("accel", self.accel, 3), self.valid_flags
+        )
+
 
 class CompAngularRate(Data):
     """Compensated angular rate (0x82,0x0E).
 
     Angular rate with the estimated bias removed.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-45.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or
+    assumed on 16 more.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -927,12 +1129,9 @@ class CompAngularRate(Data):
     __match_args__ = ("gyro", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x0E
     NAME = "filter_data.comp_angular_rate"
-    ROLE = "data"
-    _LAYOUT = (("gyro", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"gyro": (types.Vector3f,)}
 
     gyro: types.Vector3f
@@ -947,13 +1146,26 @@ class CompAngularRate(Data):
         self.gyro = codec.vector(gyro, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._gyro = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "gyro*3 valid_flags", *codec.elements("gyro", self.gyro, 3), self.valid_flags
+        )
+
 
 class Wgs84GravityMagnitude(Data):
     """WGS84 local gravity magnitude (0x82,0x0F).
 
     Magnitude of gravity at the position of the device according to the WGS84 model.
 
-    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+    Also called `wgs84_gravity_mag`. Confirmed on 3DM-GX5-15; likely or assumed on 10 more.
 
     The model is valid up to an altitude of 20 km.
 
@@ -964,11 +1176,9 @@ class Wgs84GravityMagnitude(Data):
     __match_args__ = ("gravity_magnitude", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x0F
     NAME = "filter_data.wgs84_gravity_magnitude"
-    ROLE = "data"
-    _LAYOUT = (("gravity_magnitude", "f", None), ("valid_flags", "H", ValidFlags))
+    _SIZE = 6
 
     gravity_magnitude: float
     """Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. At rest and
@@ -981,17 +1191,30 @@ class Wgs84GravityMagnitude(Data):
         self.gravity_magnitude = gravity_magnitude
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _fH.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _fH.keep_nan_bits(v, raw, at)
+        self.gravity_magnitude = v[0]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[1]]
+        return at + 6
+
+    def _write(self) -> bytes:
+        return _fH.write("gravity_magnitude valid_flags", self.gravity_magnitude, self.valid_flags)
+
 
 class Status(Data):
     """Filter status (0x82,0x10).
 
     State, dynamics mode, condition and warnings of the filter.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on
+    17 more.
 
-    The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
-    (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags have other
-    meanings in state `init` than while the filter runs.
+    7-series: state 1 is initialization, 2 vertical gyro, 3 AHRS, 4 full navigation. On the 3DM-CV7,
+    normal operation is state 4, mode 1, flags 1 (stable). 5-series and older: state 0 is start-up,
+    1 initialization, 2 a valid solution, 3 a solution with an error. Bits 12 and 13 of the flags
+    have other meanings in state 1 than in states 2 and 3.
 
     - 3dm-cv7-gnss-ins: Status (0x82,0x10)
     - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -1001,49 +1224,43 @@ class Status(Data):
     __match_args__ = ("filter_state", "dynamics_mode", "status_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x10
     NAME = "filter_data.status"
-    ROLE = "data"
-    _LAYOUT = (
-        ("filter_state", "H", None),
-        ("dynamics_mode", "H", None),
-        ("status_flags", "H", None),
-    )
+    _SIZE = 6
 
     filter_state: int
     """Progress of the filter from start-up to its full solution.
 
-    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
-      3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5FilterState`. Inferred: The 3DM-GX5-15
-      has them, and the SDK lists the same states for all generations up to the fifth.
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7FilterState`.
-      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation.
+    - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values
+      of `Gx5FilterState` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
+      all generations up to the fifth).
+    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
+      and -INS: values of `Cv7FilterState` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK
+      lists the same states for its generation).
     - On the 3DM-CV7-GNSS/INS: values of `Cv7FilterState`.
     - On the 3DM-GX5-15: values of `Gx5FilterState`.
     """
     dynamics_mode: int
     """Motion for which the filter is configured.
 
-    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
-      3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5DynamicsMode`. Inferred: The 3DM-GX5-15
-      has them, and the SDK lists the same states for all generations up to the fifth.
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7DynamicsMode`.
-      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation.
+    - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values
+      of `Gx5DynamicsMode` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
+      all generations up to the fifth).
+    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
+      and -INS: values of `Cv7DynamicsMode` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK
+      lists the same states for its generation).
     - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
     - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
     """
     status_flags: int
     """Condition and warnings.
 
-    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
-      3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5StatusFlags`. Inferred: The 3DM-GX5-15
-      has them, and the SDK lists the same states for all generations up to the fifth.
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7StatusFlags`.
-      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation.
+    - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values
+      of `Gx5StatusFlags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
+      all generations up to the fifth).
+    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
+      and -INS: values of `Cv7StatusFlags` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK
+      lists the same states for its generation).
     - On the 3DM-CV7-GNSS/INS: values of `Cv7StatusFlags`.
     - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
     """
@@ -1053,13 +1270,25 @@ class Status(Data):
         self.dynamics_mode = dynamics_mode
         self.status_flags = status_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.filter_state, self.dynamics_mode, self.status_flags = _3H.unpack(raw, at)
+        return at + 6
+
+    def _write(self) -> bytes:
+        return _3H.write(
+            "filter_state dynamics_mode status_flags",
+            self.filter_state,
+            self.dynamics_mode,
+            self.status_flags,
+        )
+
 
 class Timestamp(Data):
     """Filter timestamp (0x82,0x11).
 
     GPS time of the filter data.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 10 more.
 
     Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without
     synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: this
@@ -1073,11 +1302,9 @@ class Timestamp(Data):
     __match_args__ = ("tow", "week_number", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x11
     NAME = "filter_data.timestamp"
-    ROLE = "data"
-    _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("valid_flags", "H", ValidFlags))
+    _SIZE = 12
 
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `ValidFlags.VALID`
@@ -1094,13 +1321,25 @@ class Timestamp(Data):
         self.week_number = week_number
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _d2H.unpack(raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[2]]
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _d2H.write(
+            "tow week_number valid_flags", self.tow, self.week_number, self.valid_flags
+        )
+
 
 class QuaternionAttitudeUncertainty(Data):
     """Quaternion uncertainty (0x82,0x12).
 
     Standard deviation of the elements of the estimated attitude quaternion.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 20 more.
 
     - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
     - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -1110,12 +1349,9 @@ class QuaternionAttitudeUncertainty(Data):
     __match_args__ = ("q", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x12
     NAME = "filter_data.quaternion_attitude_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (("q", "ffff", types.Quatf), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 18
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -1129,13 +1365,24 @@ class QuaternionAttitudeUncertainty(Data):
         self.q = codec.vector(q, types.Quatf)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _4fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2] + v[3]) != total:
+            v = _4fH.keep_nan_bits(v, raw, at)
+        self._q = v[:4]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[4]]
+        return at + 18
+
+    def _write(self) -> bytes:
+        return _4fH.write("q*4 valid_flags", *codec.elements("q", self.q, 4), self.valid_flags)
+
 
 class GravityVector(Data):
     """Gravity vector (0x82,0x13).
 
     Estimated gravity.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
     - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1145,18 +1392,15 @@ class GravityVector(Data):
     __match_args__ = ("gravity", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x13
     NAME = "filter_data.gravity_vector"
-    ROLE = "data"
-    _LAYOUT = (("gravity", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"gravity": (types.Vector3f,)}
 
     gravity: types.Vector3f
     """Gravity vector, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
-    and level: x 0, y 0, z 9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The
-    sign, which no source states.
+    and level: x 0, y 0, z 9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: No
+    source states the sign.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -1165,13 +1409,26 @@ class GravityVector(Data):
         self.gravity = codec.vector(gravity, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._gravity = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "gravity*3 valid_flags", *codec.elements("gravity", self.gravity, 3), self.valid_flags
+        )
+
 
 class HeadingUpdateState(Data):
     """Heading update source state (0x82,0x14).
 
     The last heading that updated the filter, and its source.
 
-    Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Confirmed on 3DM-GX5-15 and -45; likely or assumed on 8 more.
 
     The valid bit means that the source provided data within the last 2 seconds.
 
@@ -1182,20 +1439,13 @@ class HeadingUpdateState(Data):
     __match_args__ = ("heading", "heading_uncertainty", "source", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x14
     NAME = "filter_data.heading_update_state"
-    ROLE = "data"
-    _LAYOUT = (
-        ("heading", "f", None),
-        ("heading_uncertainty", "f", None),
-        ("source", "H", HeadingSourceFlags),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 12
 
     heading: float
-    """Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from
-    above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Positive:
+    clockwise seen from above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading_uncertainty: float
     """Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID`
@@ -1204,7 +1454,9 @@ class HeadingUpdateState(Data):
     source: HeadingSourceFlags
     """Sources of the heading.
 
-    - On the 3DM-GX5-15: only `HeadingSourceFlags.EXTERNAL`.
+    - On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `HeadingSourceFlags.EXTERNAL`.
+    - On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only `HeadingSourceFlags.MAG` and
+      `HeadingSourceFlags.EXTERNAL`.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -1221,13 +1473,32 @@ class HeadingUpdateState(Data):
         self.source = source
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2f2H.unpack(raw, at)
+        if (total := v[0] + v[1]) != total:
+            v = _2f2H.keep_nan_bits(v, raw, at)
+        self.heading = v[0]
+        self.heading_uncertainty = v[1]
+        self.source = codec.KNOWN[HeadingSourceFlags][v[2]]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _2f2H.write(
+            "heading heading_uncertainty source valid_flags",
+            self.heading,
+            self.heading_uncertainty,
+            self.source,
+            self.valid_flags,
+        )
+
 
 class MagneticModel(Data):
     """Magnetic model (0x82,0x15).
 
     Magnetic field at the position of the device according to the World Magnetic Model.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 11 more.
 
     It is valid only with a valid GNSS position.
 
@@ -1252,18 +1523,9 @@ class MagneticModel(Data):
     )
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x15
     NAME = "filter_data.magnetic_model"
-    ROLE = "data"
-    _LAYOUT = (
-        ("intensity_north", "f", None),
-        ("intensity_east", "f", None),
-        ("intensity_down", "f", None),
-        ("inclination", "f", None),
-        ("declination", "f", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 22
 
     intensity_north: float
     """North component of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
@@ -1278,12 +1540,13 @@ class MagneticModel(Data):
     `valid_flags` is set.
     """
     inclination: float
-    """Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to
-    1.5707963267948966. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Angle of the field below the horizontal plane. Unit: rad. Frame: ned. Range:
+    -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     declination: float
-    """Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to
-    3.141592653589793. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive:
+    magnetic north is east of true north. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -1304,6 +1567,29 @@ class MagneticModel(Data):
         self.declination = declination
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _5fH.unpack(raw, at)
+        if (total := sum(v[0:5])) != total:
+            v = _5fH.keep_nan_bits(v, raw, at)
+        self.intensity_north = v[0]
+        self.intensity_east = v[1]
+        self.intensity_down = v[2]
+        self.inclination = v[3]
+        self.declination = v[4]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[5]]
+        return at + 22
+
+    def _write(self) -> bytes:
+        return _5fH.write(
+            "intensity_north intensity_east intensity_down inclination declination valid_flags",
+            self.intensity_north,
+            self.intensity_east,
+            self.intensity_down,
+            self.inclination,
+            self.declination,
+            self.valid_flags,
+        )
+
 
 class GyroScaleFactor(Data):
     """Gyroscope scale factor (0x82,0x16).
@@ -1319,12 +1605,9 @@ class GyroScaleFactor(Data):
     __match_args__ = ("scale_factor", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x16
     NAME = "filter_data.gyro_scale_factor"
-    ROLE = "data"
-    _LAYOUT = (("scale_factor", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"scale_factor": (types.Vector3f,)}
 
     scale_factor: types.Vector3f
@@ -1339,6 +1622,21 @@ class GyroScaleFactor(Data):
     ) -> None:
         self.scale_factor = codec.vector(scale_factor, types.Vector3f)
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._scale_factor = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "scale_factor*3 valid_flags",
+            *codec.elements("scale_factor", self.scale_factor, 3),
+            self.valid_flags,
+        )
 
 
 class AccelScaleFactor(Data):
@@ -1355,12 +1653,9 @@ class AccelScaleFactor(Data):
     __match_args__ = ("scale_factor", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x17
     NAME = "filter_data.accel_scale_factor"
-    ROLE = "data"
-    _LAYOUT = (("scale_factor", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"scale_factor": (types.Vector3f,)}
 
     scale_factor: types.Vector3f
@@ -1375,6 +1670,21 @@ class AccelScaleFactor(Data):
     ) -> None:
         self.scale_factor = codec.vector(scale_factor, types.Vector3f)
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._scale_factor = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "scale_factor*3 valid_flags",
+            *codec.elements("scale_factor", self.scale_factor, 3),
+            self.valid_flags,
+        )
 
 
 class GyroScaleFactorUncertainty(Data):
@@ -1391,15 +1701,9 @@ class GyroScaleFactorUncertainty(Data):
     __match_args__ = ("scale_factor_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x18
     NAME = "filter_data.gyro_scale_factor_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (
-        ("scale_factor_uncertainty", "fff", types.Vector3f),
-        ("valid_flags", "H", ValidFlags),
-    )
-
+    _SIZE = 14
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
@@ -1414,6 +1718,21 @@ class GyroScaleFactorUncertainty(Data):
     ) -> None:
         self.scale_factor_uncertainty = codec.vector(scale_factor_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._scale_factor_uncertainty = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "scale_factor_uncertainty*3 valid_flags",
+            *codec.elements("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            self.valid_flags,
+        )
 
 
 class AccelScaleFactorUncertainty(Data):
@@ -1430,15 +1749,9 @@ class AccelScaleFactorUncertainty(Data):
     __match_args__ = ("scale_factor_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x19
     NAME = "filter_data.accel_scale_factor_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (
-        ("scale_factor_uncertainty", "fff", types.Vector3f),
-        ("valid_flags", "H", ValidFlags),
-    )
-
+    _SIZE = 14
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
@@ -1454,13 +1767,29 @@ class AccelScaleFactorUncertainty(Data):
         self.scale_factor_uncertainty = codec.vector(scale_factor_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._scale_factor_uncertainty = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "scale_factor_uncertainty*3 valid_flags",
+            *codec.elements("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            self.valid_flags,
+        )
+
 
 class MagBias(Data):
     """Magnetometer bias (0x82,0x1A).
 
     Estimated bias of the magnetometer.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a
+    magnetometer.
 
     - mip-sdk-4: Mag Bias (0x82,0x1A)
     """
@@ -1469,12 +1798,9 @@ class MagBias(Data):
     __match_args__ = ("bias", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x1A
     NAME = "filter_data.mag_bias"
-    ROLE = "data"
-    _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -1488,13 +1814,27 @@ class MagBias(Data):
         self.bias = codec.vector(bias, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._bias = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "bias*3 valid_flags", *codec.elements("bias", self.bias, 3), self.valid_flags
+        )
+
 
 class MagBiasUncertainty(Data):
     """Magnetometer bias uncertainty (0x82,0x1B).
 
     Standard deviation of the estimated bias of the magnetometer.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a
+    magnetometer.
 
     - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
     """
@@ -1503,12 +1843,9 @@ class MagBiasUncertainty(Data):
     __match_args__ = ("bias_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x1B
     NAME = "filter_data.mag_bias_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
@@ -1524,13 +1861,29 @@ class MagBiasUncertainty(Data):
         self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._bias_uncertainty = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "bias_uncertainty*3 valid_flags",
+            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3),
+            self.valid_flags,
+        )
+
 
 class CompAccel(Data):
     """Compensated acceleration (0x82,0x1C).
 
-    Acceleration with the estimated bias removed. It includes gravity.
+    Specific force with the estimated bias removed.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on
+    14 more.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1540,18 +1893,14 @@ class CompAccel(Data):
     __match_args__ = ("accel", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x1C
     NAME = "filter_data.comp_accel"
-    ROLE = "data"
-    _LAYOUT = (("accel", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
-    """Acceleration with the estimated bias removed; gravity is included. Elements: x, y, z. Unit:
-    m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Specific force: acceleration minus gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle.
+    At rest and level: x 0, y 0, z -9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -1559,6 +1908,19 @@ class CompAccel(Data):
     def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.accel = codec.vector(accel, types.Vector3f)
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._accel = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "accel*3 valid_flags", *codec.elements("accel", self.accel, 3), self.valid_flags
+        )
 
 
 class StandardAtmosphere(Data):
@@ -1591,18 +1953,9 @@ class StandardAtmosphere(Data):
     )
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x20
     NAME = "filter_data.standard_atmosphere"
-    ROLE = "data"
-    _LAYOUT = (
-        ("geometric_altitude", "f", None),
-        ("geopotential_altitude", "f", None),
-        ("standard_temperature", "f", None),
-        ("standard_pressure", "f", None),
-        ("standard_density", "f", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 22
 
     geometric_altitude: float
     """Altitude used in the model. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
@@ -1641,13 +1994,37 @@ class StandardAtmosphere(Data):
         self.standard_density = standard_density
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _5fH.unpack(raw, at)
+        if (total := sum(v[0:5])) != total:
+            v = _5fH.keep_nan_bits(v, raw, at)
+        self.geometric_altitude = v[0]
+        self.geopotential_altitude = v[1]
+        self.standard_temperature = v[2]
+        self.standard_pressure = v[3]
+        self.standard_density = v[4]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[5]]
+        return at + 22
+
+    def _write(self) -> bytes:
+        return _5fH.write(
+            "geometric_altitude geopotential_altitude standard_temperature standard_pressure standard_density valid_flags",
+            self.geometric_altitude,
+            self.geopotential_altitude,
+            self.standard_temperature,
+            self.standard_pressure,
+            self.standard_density,
+            self.valid_flags,
+        )
+
 
 class PressureAltitude(Data):
     """Pressure altitude (0x82,0x21).
 
     Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17 more. Requires a pressure
+    sensor.
 
     It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
 
@@ -1659,11 +2036,9 @@ class PressureAltitude(Data):
     __match_args__ = ("pressure_altitude", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x21
     NAME = "filter_data.pressure_altitude"
-    ROLE = "data"
-    _LAYOUT = (("pressure_altitude", "f", None), ("valid_flags", "H", ValidFlags))
+    _SIZE = 6
 
     pressure_altitude: float
     """Altitude at which the standard atmosphere has the measured pressure. Unit: m. Range: at most
@@ -1675,6 +2050,17 @@ class PressureAltitude(Data):
     def __init__(self, pressure_altitude: float, valid_flags: ValidFlags) -> None:
         self.pressure_altitude = pressure_altitude
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _fH.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _fH.keep_nan_bits(v, raw, at)
+        self.pressure_altitude = v[0]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[1]]
+        return at + 6
+
+    def _write(self) -> bytes:
+        return _fH.write("pressure_altitude valid_flags", self.pressure_altitude, self.valid_flags)
 
 
 class DensityAltitude(Data):
@@ -1693,11 +2079,9 @@ class DensityAltitude(Data):
     __match_args__ = ("density_altitude", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x22
     NAME = "filter_data.density_altitude"
-    ROLE = "data"
-    _LAYOUT = (("density_altitude", "f", None), ("valid_flags", "H", ValidFlags))
+    _SIZE = 6
 
     density_altitude: float
     """Altitude at which the standard atmosphere has the present air density. Unit: m. Valid if
@@ -1710,6 +2094,17 @@ class DensityAltitude(Data):
         self.density_altitude = density_altitude
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _fH.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _fH.keep_nan_bits(v, raw, at)
+        self.density_altitude = v[0]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[1]]
+        return at + 6
+
+    def _write(self) -> bytes:
+        return _fH.write("density_altitude valid_flags", self.density_altitude, self.valid_flags)
+
 
 class MagOffset(Data):
     """Magnetometer offset (0x82,0x25).
@@ -1717,7 +2112,7 @@ class MagOffset(Data):
     Estimated hard iron offset of the magnetometer.
 
     No device is known for certain to support it. Also called `magnetometer_offset`. Known only from
-    the MicroStrain MIP SDK.
+    the MicroStrain MIP SDK. Requires a magnetometer.
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
@@ -1728,12 +2123,9 @@ class MagOffset(Data):
     __match_args__ = ("hard_iron", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x25
     NAME = "filter_data.mag_offset"
-    ROLE = "data"
-    _LAYOUT = (("hard_iron", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"hard_iron": (types.Vector3f,)}
 
     hard_iron: types.Vector3f
@@ -1747,6 +2139,21 @@ class MagOffset(Data):
         self.hard_iron = codec.vector(hard_iron, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._hard_iron = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "hard_iron*3 valid_flags",
+            *codec.elements("hard_iron", self.hard_iron, 3),
+            self.valid_flags,
+        )
+
 
 class MagMatrix(Data):
     """Magnetometer matrix (0x82,0x26).
@@ -1754,7 +2161,7 @@ class MagMatrix(Data):
     Estimated soft iron matrix of the magnetometer.
 
     No device is known for certain to support it. Also called `magnetometer_matrix`. Known only from
-    the MicroStrain MIP SDK.
+    the MicroStrain MIP SDK. Requires a magnetometer.
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by this matrix on the
     right.
@@ -1766,12 +2173,9 @@ class MagMatrix(Data):
     __match_args__ = ("soft_iron", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x26
     NAME = "filter_data.mag_matrix"
-    ROLE = "data"
-    _LAYOUT = (("soft_iron", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 38
     _VECTORS = {"soft_iron": (types.Matrix3f,)}
 
     soft_iron: types.Matrix3f
@@ -1785,6 +2189,21 @@ class MagMatrix(Data):
         self.soft_iron = codec.vector(soft_iron, types.Matrix3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _9fH.unpack(raw, at)
+        if (total := sum(v[0:9])) != total:
+            v = _9fH.keep_nan_bits(v, raw, at)
+        self._soft_iron = v[:9]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[9]]
+        return at + 38
+
+    def _write(self) -> bytes:
+        return _9fH.write(
+            "soft_iron*9 valid_flags",
+            *codec.elements("soft_iron", self.soft_iron, 9),
+            self.valid_flags,
+        )
+
 
 class MagOffsetUncertainty(Data):
     """Magnetometer offset uncertainty (0x82,0x28).
@@ -1792,7 +2211,7 @@ class MagOffsetUncertainty(Data):
     Standard deviation of the estimated hard iron offset.
 
     No device is known for certain to support it. Also called `magnetometer_offset_uncertainty`.
-    Known only from the MicroStrain MIP SDK.
+    Known only from the MicroStrain MIP SDK. Requires a magnetometer.
 
     - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
     """
@@ -1801,12 +2220,9 @@ class MagOffsetUncertainty(Data):
     __match_args__ = ("hard_iron_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x28
     NAME = "filter_data.mag_offset_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (("hard_iron_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"hard_iron_uncertainty": (types.Vector3f,)}
 
     hard_iron_uncertainty: types.Vector3f
@@ -1822,6 +2238,21 @@ class MagOffsetUncertainty(Data):
         self.hard_iron_uncertainty = codec.vector(hard_iron_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._hard_iron_uncertainty = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "hard_iron_uncertainty*3 valid_flags",
+            *codec.elements("hard_iron_uncertainty", self.hard_iron_uncertainty, 3),
+            self.valid_flags,
+        )
+
 
 class MagMatrixUncertainty(Data):
     """Magnetometer matrix uncertainty (0x82,0x29).
@@ -1829,7 +2260,7 @@ class MagMatrixUncertainty(Data):
     Standard deviation of the estimated soft iron matrix.
 
     No device is known for certain to support it. Also called `magnetometer_matrix_uncertainty`.
-    Known only from the MicroStrain MIP SDK.
+    Known only from the MicroStrain MIP SDK. Requires a magnetometer.
 
     - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
     """
@@ -1838,15 +2269,9 @@ class MagMatrixUncertainty(Data):
     __match_args__ = ("soft_iron_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x29
     NAME = "filter_data.mag_matrix_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (
-        ("soft_iron_uncertainty", "fffffffff", types.Matrix3f),
-        ("valid_flags", "H", ValidFlags),
-    )
-
+    _SIZE = 38
     _VECTORS = {"soft_iron_uncertainty": (types.Matrix3f,)}
 
     soft_iron_uncertainty: types.Matrix3f
@@ -1862,6 +2287,21 @@ class MagMatrixUncertainty(Data):
         self.soft_iron_uncertainty = codec.vector(soft_iron_uncertainty, types.Matrix3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _9fH.unpack(raw, at)
+        if (total := sum(v[0:9])) != total:
+            v = _9fH.keep_nan_bits(v, raw, at)
+        self._soft_iron_uncertainty = v[:9]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[9]]
+        return at + 38
+
+    def _write(self) -> bytes:
+        return _9fH.write(
+            "soft_iron_uncertainty*9 valid_flags",
+            *codec.elements("soft_iron_uncertainty", self.soft_iron_uncertainty, 9),
+            self.valid_flags,
+        )
+
 
 class MagCovarianceMatrix(Data):
     """Magnetometer covariance matrix (0x82,0x2A).
@@ -1869,7 +2309,7 @@ class MagCovarianceMatrix(Data):
     Covariance of the magnetometer measurement.
 
     Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    the MicroStrain MIP SDK. Requires a magnetometer.
 
     - mip-sdk-4: Magnetometer covariance matrix (0x82,0x2A)
     """
@@ -1878,18 +2318,15 @@ class MagCovarianceMatrix(Data):
     __match_args__ = ("covariance", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x2A
     NAME = "filter_data.mag_covariance_matrix"
-    ROLE = "data"
-    _LAYOUT = (("covariance", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 38
     _VECTORS = {"covariance": (types.Matrix3f,)}
 
     covariance: types.Matrix3f
     """Covariance matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-    Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The unit, which is likely
-    gauss^2, and the frame.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: No source states the unit, which
+    is likely gauss^2, or the frame.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -1898,6 +2335,21 @@ class MagCovarianceMatrix(Data):
         self.covariance = codec.vector(covariance, types.Matrix3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _9fH.unpack(raw, at)
+        if (total := sum(v[0:9])) != total:
+            v = _9fH.keep_nan_bits(v, raw, at)
+        self._covariance = v[:9]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[9]]
+        return at + 38
+
+    def _write(self) -> bytes:
+        return _9fH.write(
+            "covariance*9 valid_flags",
+            *codec.elements("covariance", self.covariance, 9),
+            self.valid_flags,
+        )
+
 
 class MagResidualVector(Data):
     """Magnetometer residual vector (0x82,0x2C).
@@ -1905,7 +2357,7 @@ class MagResidualVector(Data):
     Residual of the magnetometer measurement.
 
     Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    the MicroStrain MIP SDK. Requires a magnetometer.
 
     - mip-sdk-4: Magnetometer residual vector (0x82,0x2C)
     """
@@ -1914,12 +2366,9 @@ class MagResidualVector(Data):
     __match_args__ = ("residual", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x2C
     NAME = "filter_data.mag_residual_vector"
-    ROLE = "data"
-    _LAYOUT = (("residual", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"residual": (types.Vector3f,)}
 
     residual: types.Vector3f
@@ -1932,6 +2381,21 @@ class MagResidualVector(Data):
     def __init__(self, residual: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.residual = codec.vector(residual, types.Vector3f)
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._residual = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "residual*3 valid_flags",
+            *codec.elements("residual", self.residual, 3),
+            self.valid_flags,
+        )
 
 
 class AntennaOffsetCorrection(Data):
@@ -1950,12 +2414,9 @@ class AntennaOffsetCorrection(Data):
     __match_args__ = ("offset", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x30
     NAME = "filter_data.antenna_offset_correction"
-    ROLE = "data"
-    _LAYOUT = (("offset", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
@@ -1968,6 +2429,19 @@ class AntennaOffsetCorrection(Data):
     def __init__(self, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._offset = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "offset*3 valid_flags", *codec.elements("offset", self.offset, 3), self.valid_flags
+        )
 
 
 class AntennaOffsetCorrectionUncertainty(Data):
@@ -1984,12 +2458,9 @@ class AntennaOffsetCorrectionUncertainty(Data):
     __match_args__ = ("offset_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x31
     NAME = "filter_data.antenna_offset_correction_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (("offset_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     offset_uncertainty: types.Vector3f
@@ -2004,6 +2475,21 @@ class AntennaOffsetCorrectionUncertainty(Data):
     ) -> None:
         self.offset_uncertainty = codec.vector(offset_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._offset_uncertainty = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "offset_uncertainty*3 valid_flags",
+            *codec.elements("offset_uncertainty", self.offset_uncertainty, 3),
+            self.valid_flags,
+        )
 
 
 class ClockCorrection(Data):
@@ -2020,16 +2506,9 @@ class ClockCorrection(Data):
     __match_args__ = ("receiver_id", "bias", "bias_drift", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x32
     NAME = "filter_data.clock_correction"
-    ROLE = "data"
-    _LAYOUT = (
-        ("receiver_id", "B", None),
-        ("bias", "f", None),
-        ("bias_drift", "f", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 11
 
     receiver_id: int
     """Receiver, counted from 1. Range: at least 1."""
@@ -2048,6 +2527,25 @@ class ClockCorrection(Data):
         self.bias_drift = bias_drift
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B2fH.unpack(raw, at)
+        if (total := v[1] + v[2]) != total:
+            v = _B2fH.keep_nan_bits(v, raw, at)
+        self.receiver_id = v[0]
+        self.bias = v[1]
+        self.bias_drift = v[2]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 11
+
+    def _write(self) -> bytes:
+        return _B2fH.write(
+            "receiver_id bias bias_drift valid_flags",
+            self.receiver_id,
+            self.bias,
+            self.bias_drift,
+            self.valid_flags,
+        )
+
 
 class ClockCorrectionUncertainty(Data):
     """Clock correction uncertainty (0x82,0x33).
@@ -2063,16 +2561,9 @@ class ClockCorrectionUncertainty(Data):
     __match_args__ = ("receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x33
     NAME = "filter_data.clock_correction_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (
-        ("receiver_id", "B", None),
-        ("bias_uncertainty", "f", None),
-        ("bias_drift_uncertainty", "f", None),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 11
 
     receiver_id: int
     """Receiver, counted from 1. Range: at least 1."""
@@ -2099,13 +2590,32 @@ class ClockCorrectionUncertainty(Data):
         self.bias_drift_uncertainty = bias_drift_uncertainty
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B2fH.unpack(raw, at)
+        if (total := v[1] + v[2]) != total:
+            v = _B2fH.keep_nan_bits(v, raw, at)
+        self.receiver_id = v[0]
+        self.bias_uncertainty = v[1]
+        self.bias_drift_uncertainty = v[2]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 11
+
+    def _write(self) -> bytes:
+        return _B2fH.write(
+            "receiver_id bias_uncertainty bias_drift_uncertainty valid_flags",
+            self.receiver_id,
+            self.bias_uncertainty,
+            self.bias_drift_uncertainty,
+            self.valid_flags,
+        )
+
 
 class MultiAntennaOffsetCorrection(Data):
     """Multi-antenna offset correction (0x82,0x34).
 
     Estimated error of one GNSS antenna's offset.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Requires a receiver.
 
     The filter adds it to the stored offset.
 
@@ -2116,16 +2626,9 @@ class MultiAntennaOffsetCorrection(Data):
     __match_args__ = ("receiver_id", "offset", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x34
     NAME = "filter_data.multi_antenna_offset_correction"
-    ROLE = "data"
-    _LAYOUT = (
-        ("receiver_id", "B", None),
-        ("offset", "fff", types.Vector3f),
-        ("valid_flags", "H", ValidFlags),
-    )
-
+    _SIZE = 15
     _VECTORS = {"offset": (types.Vector3f,)}
 
     receiver_id: int
@@ -2144,13 +2647,30 @@ class MultiAntennaOffsetCorrection(Data):
         self.offset = codec.vector(offset, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B3fH.unpack(raw, at)
+        if (total := v[1] + v[2] + v[3]) != total:
+            v = _B3fH.keep_nan_bits(v, raw, at)
+        self.receiver_id = v[0]
+        self._offset = v[1:4]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[4]]
+        return at + 15
+
+    def _write(self) -> bytes:
+        return _B3fH.write(
+            "receiver_id offset*3 valid_flags",
+            self.receiver_id,
+            *codec.elements("offset", self.offset, 3),
+            self.valid_flags,
+        )
+
 
 class MultiAntennaOffsetCorrectionUncertainty(Data):
     """Multi-antenna offset correction uncertainty (0x82,0x35).
 
     Standard deviation of the estimated error of one GNSS antenna's offset.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more. Requires a receiver.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
     """
@@ -2159,16 +2679,9 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     __match_args__ = ("receiver_id", "offset_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x35
     NAME = "filter_data.multi_antenna_offset_correction_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (
-        ("receiver_id", "B", None),
-        ("offset_uncertainty", "fff", types.Vector3f),
-        ("valid_flags", "H", ValidFlags),
-    )
-
+    _SIZE = 15
     _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     receiver_id: int
@@ -2190,13 +2703,31 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
         self.offset_uncertainty = codec.vector(offset_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B3fH.unpack(raw, at)
+        if (total := v[1] + v[2] + v[3]) != total:
+            v = _B3fH.keep_nan_bits(v, raw, at)
+        self.receiver_id = v[0]
+        self._offset_uncertainty = v[1:4]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[4]]
+        return at + 15
+
+    def _write(self) -> bytes:
+        return _B3fH.write(
+            "receiver_id offset_uncertainty*3 valid_flags",
+            self.receiver_id,
+            *codec.elements("offset_uncertainty", self.offset_uncertainty, 3),
+            self.valid_flags,
+        )
+
 
 class EcefPositionUncertainty(Data):
     """ECEF position uncertainty (0x82,0x36).
 
     Standard deviation of the estimated position in Earth-fixed coordinates.
 
-    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `ecef_pos_uncertainty`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely
+    or assumed on 3 more.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -2205,12 +2736,9 @@ class EcefPositionUncertainty(Data):
     __match_args__ = ("position_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x36
     NAME = "filter_data.ecef_position_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (("position_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"position_uncertainty": (types.Vector3f,)}
 
     position_uncertainty: types.Vector3f
@@ -2226,13 +2754,29 @@ class EcefPositionUncertainty(Data):
         self.position_uncertainty = codec.vector(position_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._position_uncertainty = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "position_uncertainty*3 valid_flags",
+            *codec.elements("position_uncertainty", self.position_uncertainty, 3),
+            self.valid_flags,
+        )
+
 
 class EcefVelocityUncertainty(Data):
     """ECEF velocity uncertainty (0x82,0x37).
 
     Standard deviation of the estimated velocity in Earth-fixed coordinates.
 
-    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `ecef_vel_uncertainty`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely
+    or assumed on 3 more.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
@@ -2241,12 +2785,9 @@ class EcefVelocityUncertainty(Data):
     __match_args__ = ("velocity_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x37
     NAME = "filter_data.ecef_velocity_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (("velocity_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"velocity_uncertainty": (types.Vector3f,)}
 
     velocity_uncertainty: types.Vector3f
@@ -2262,13 +2803,29 @@ class EcefVelocityUncertainty(Data):
         self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._velocity_uncertainty = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "velocity_uncertainty*3 valid_flags",
+            *codec.elements("velocity_uncertainty", self.velocity_uncertainty, 3),
+            self.valid_flags,
+        )
+
 
 class EcefPosition(Data):
     """ECEF position (0x82,0x40).
 
     Estimated position in Earth-fixed coordinates.
 
-    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `ecef_pos`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on
+    3 more.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -2277,12 +2834,9 @@ class EcefPosition(Data):
     __match_args__ = ("position", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x40
     NAME = "filter_data.ecef_position"
-    ROLE = "data"
-    _LAYOUT = (("position", "ddd", types.Vector3d), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 26
     _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
@@ -2296,13 +2850,27 @@ class EcefPosition(Data):
         self.position = codec.vector(position, types.Vector3d)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3dH.unpack(raw, at)
+        self._position = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 26
+
+    def _write(self) -> bytes:
+        return _3dH.write(
+            "position*3 valid_flags",
+            *codec.elements("position", self.position, 3),
+            self.valid_flags,
+        )
+
 
 class EcefVelocity(Data):
     """ECEF velocity (0x82,0x41).
 
     Estimated velocity in Earth-fixed coordinates.
 
-    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `ecef_vel`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on
+    3 more.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -2311,12 +2879,9 @@ class EcefVelocity(Data):
     __match_args__ = ("velocity", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x41
     NAME = "filter_data.ecef_velocity"
-    ROLE = "data"
-    _LAYOUT = (("velocity", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 14
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
@@ -2330,13 +2895,29 @@ class EcefVelocity(Data):
         self.velocity = codec.vector(velocity, types.Vector3f)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fH.keep_nan_bits(v, raw, at)
+        self._velocity = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _3fH.write(
+            "velocity*3 valid_flags",
+            *codec.elements("velocity", self.velocity, 3),
+            self.valid_flags,
+        )
+
 
 class NedRelativePosition(Data):
     """NED relative position (0x82,0x42).
 
     Estimated position relative to the point that `filter.RelativePositionConfig` sets.
 
-    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `rel_pos_ned`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed
+    on 3 more.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -2345,12 +2926,9 @@ class NedRelativePosition(Data):
     __match_args__ = ("relative_position", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x42
     NAME = "filter_data.ned_relative_position"
-    ROLE = "data"
-    _LAYOUT = (("relative_position", "ddd", types.Ned3d), ("valid_flags", "H", ValidFlags))
-
+    _SIZE = 26
     _VECTORS = {"relative_position": (types.Ned3d,)}
 
     relative_position: types.Ned3d
@@ -2366,13 +2944,27 @@ class NedRelativePosition(Data):
         self.relative_position = codec.vector(relative_position, types.Ned3d)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3dH.unpack(raw, at)
+        self._relative_position = v[:3]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[3]]
+        return at + 26
+
+    def _write(self) -> bytes:
+        return _3dH.write(
+            "relative_position*3 valid_flags",
+            *codec.elements("relative_position", self.relative_position, 3),
+            self.valid_flags,
+        )
+
 
 class GnssPositionAidingStatus(Data):
     """GNSS position aiding status (0x82,0x43).
 
     Use of the position measurements of one GNSS receiver by the filter.
 
-    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `gnss_pos_aid_status`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or
+    assumed on 3 more.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -2383,16 +2975,9 @@ class GnssPositionAidingStatus(Data):
     __match_args__ = ("receiver_id", "tow", "status", "reserved")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x43
     NAME = "filter_data.gnss_position_aiding_status"
-    ROLE = "data"
-    _LAYOUT = (
-        ("receiver_id", "B", None),
-        ("tow", "f", None),
-        ("status", "H", GnssAidingStatus),
-        ("reserved", "BBBBBBBB", tuple),
-    )
+    _SIZE = 15
 
     receiver_id: int
     """Number of the receiver."""
@@ -2415,6 +3000,25 @@ class GnssPositionAidingStatus(Data):
         self.status = status
         self.reserved = codec.several(reserved)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _BfH8B.unpack(raw, at)
+        if v[1] != v[1]:
+            v = _BfH8B.keep_nan_bits(v, raw, at)
+        self.receiver_id = v[0]
+        self.tow = v[1]
+        self.status = codec.KNOWN[GnssAidingStatus][v[2]]
+        self.reserved = v[3:11]
+        return at + 15
+
+    def _write(self) -> bytes:
+        return _BfH8B.write(
+            "receiver_id tow status reserved*8",
+            self.receiver_id,
+            self.tow,
+            self.status,
+            *codec.exactly("reserved", self.reserved, 8),
+        )
+
 
 class GnssAttitudeAidingStatus(Data):
     """GNSS attitude aiding status (0x82,0x44).
@@ -2433,19 +3037,13 @@ class GnssAttitudeAidingStatus(Data):
     __match_args__ = ("tow", "status", "reserved")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x44
     NAME = "filter_data.gnss_attitude_aiding_status"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "f", None),
-        ("status", "H", GnssAidingStatus),
-        ("reserved", "BBBBBBBB", tuple),
-    )
+    _SIZE = 14
 
     tow: float
-    """GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
-    Whether it is the time of the measurement or that of its processing.
+    """GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is
+    not known whether this is the time of the measurement or that of its processing.
     """
     status: GnssAidingStatus
     """Use of the measurements."""
@@ -2458,6 +3056,23 @@ class GnssAttitudeAidingStatus(Data):
         self.tow = tow
         self.status = status
         self.reserved = codec.several(reserved)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _fH8B.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _fH8B.keep_nan_bits(v, raw, at)
+        self.tow = v[0]
+        self.status = codec.KNOWN[GnssAidingStatus][v[1]]
+        self.reserved = v[2:10]
+        return at + 14
+
+    def _write(self) -> bytes:
+        return _fH8B.write(
+            "tow status reserved*8",
+            self.tow,
+            self.status,
+            *codec.exactly("reserved", self.reserved, 8),
+        )
 
 
 class HeadingAidingStatus(Data):
@@ -2477,15 +3092,13 @@ class HeadingAidingStatus(Data):
     __match_args__ = ("tow", "type", "reserved")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x45
     NAME = "filter_data.heading_aiding_status"
-    ROLE = "data"
-    _LAYOUT = (("tow", "f", None), ("type", "B", HeadingAidingType), ("reserved", "ff", tuple))
+    _SIZE = 13
 
     tow: float
-    """GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
-    Whether it is the time of the measurement or that of its processing.
+    """GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is
+    not known whether this is the time of the measurement or that of its processing.
     """
     type: HeadingAidingType
     """Source of the heading."""
@@ -2499,13 +3112,27 @@ class HeadingAidingStatus(Data):
         self.type = type
         self.reserved = codec.several(reserved)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _fB2f.unpack(raw, at)
+        if (total := v[0] + v[2] + v[3]) != total:
+            v = _fB2f.keep_nan_bits(v, raw, at)
+        self.tow = v[0]
+        self.type = codec.KNOWN[HeadingAidingType][v[1]]
+        self.reserved = v[2:4]
+        return at + 13
+
+    def _write(self) -> bytes:
+        return _fB2f.write(
+            "tow type reserved*2", self.tow, self.type, *codec.exactly("reserved", self.reserved, 2)
+        )
+
 
 class AidingMeasurementSummary(Data):
     """Aiding measurement summary (0x82,0x46).
 
     Use of one kind of aiding measurement in the last measurement interval.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -2516,16 +3143,9 @@ class AidingMeasurementSummary(Data):
     __match_args__ = ("tow", "source", "type", "indicator")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x46
     NAME = "filter_data.aiding_measurement_summary"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "f", None),
-        ("source", "B", None),
-        ("type", "B", AidingMeasurementType),
-        ("indicator", "B", AidingMeasurementIndicator),
-    )
+    _SIZE = 7
 
     tow: float
     """GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800."""
@@ -2548,13 +3168,28 @@ class AidingMeasurementSummary(Data):
         self.type = type
         self.indicator = indicator
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _f3B.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _f3B.keep_nan_bits(v, raw, at)
+        self.tow = v[0]
+        self.source = v[1]
+        self.type = codec.KNOWN[AidingMeasurementType][v[2]]
+        self.indicator = codec.KNOWN[AidingMeasurementIndicator][v[3]]
+        return at + 7
+
+    def _write(self) -> bytes:
+        return _f3B.write(
+            "tow source type indicator", self.tow, self.source, self.type, self.indicator
+        )
+
 
 class OdometerScaleFactorError(Data):
     """Odometer scale factor error (0x82,0x47).
 
     Estimated relative error of the odometer scale factor.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
 
     Estimated scale factor = configured scale factor * (1 + error).
 
@@ -2565,11 +3200,9 @@ class OdometerScaleFactorError(Data):
     __match_args__ = ("scale_factor_error", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x47
     NAME = "filter_data.odometer_scale_factor_error"
-    ROLE = "data"
-    _LAYOUT = (("scale_factor_error", "f", None), ("valid_flags", "H", ValidFlags))
+    _SIZE = 6
 
     scale_factor_error: float
     """Relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
@@ -2580,13 +3213,26 @@ class OdometerScaleFactorError(Data):
         self.scale_factor_error = scale_factor_error
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _fH.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _fH.keep_nan_bits(v, raw, at)
+        self.scale_factor_error = v[0]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[1]]
+        return at + 6
+
+    def _write(self) -> bytes:
+        return _fH.write(
+            "scale_factor_error valid_flags", self.scale_factor_error, self.valid_flags
+        )
+
 
 class OdometerScaleFactorErrorUncertainty(Data):
     """Odometer scale factor error uncertainty (0x82,0x48).
 
     Uncertainty of the estimated error of the odometer scale factor.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
     """
@@ -2595,11 +3241,9 @@ class OdometerScaleFactorErrorUncertainty(Data):
     __match_args__ = ("scale_factor_error_uncertainty", "valid_flags")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x48
     NAME = "filter_data.odometer_scale_factor_error_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (("scale_factor_error_uncertainty", "f", None), ("valid_flags", "H", ValidFlags))
+    _SIZE = 6
 
     scale_factor_error_uncertainty: float
     """Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if `ValidFlags.VALID` of
@@ -2612,13 +3256,28 @@ class OdometerScaleFactorErrorUncertainty(Data):
         self.scale_factor_error_uncertainty = scale_factor_error_uncertainty
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _fH.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _fH.keep_nan_bits(v, raw, at)
+        self.scale_factor_error_uncertainty = v[0]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[1]]
+        return at + 6
+
+    def _write(self) -> bytes:
+        return _fH.write(
+            "scale_factor_error_uncertainty valid_flags",
+            self.scale_factor_error_uncertainty,
+            self.valid_flags,
+        )
+
 
 class GnssDualAntennaStatus(Data):
     """GNSS dual antenna status (0x82,0x49).
 
     Heading from two GNSS antennas.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Requires 2 antennas.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -2636,26 +3295,17 @@ class GnssDualAntennaStatus(Data):
     )
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x49
     NAME = "filter_data.gnss_dual_antenna_status"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "f", None),
-        ("heading", "f", None),
-        ("heading_uncertainty", "f", None),
-        ("fix_type", "B", DualAntennaFixType),
-        ("status_flags", "H", DualAntennaStatusFlags),
-        ("valid_flags", "H", ValidFlags),
-    )
+    _SIZE = 17
 
     tow: float
     """GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading: float
-    """Heading derived from the baseline of the antennas. Unit: rad. Positive: clockwise seen from
-    above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Heading derived from the baseline of the antennas. Unit: rad. Frame: ned. Positive: clockwise
+    seen from above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading_uncertainty: float
     """Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID`
@@ -2684,13 +3334,36 @@ class GnssDualAntennaStatus(Data):
         self.status_flags = status_flags
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3fB2H.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3fB2H.keep_nan_bits(v, raw, at)
+        self.tow = v[0]
+        self.heading = v[1]
+        self.heading_uncertainty = v[2]
+        self.fix_type = codec.KNOWN[DualAntennaFixType][v[3]]
+        self.status_flags = codec.KNOWN[DualAntennaStatusFlags][v[4]]
+        self.valid_flags = codec.KNOWN[ValidFlags][v[5]]
+        return at + 17
+
+    def _write(self) -> bytes:
+        return _3fB2H.write(
+            "tow heading heading_uncertainty fix_type status_flags valid_flags",
+            self.tow,
+            self.heading,
+            self.heading_uncertainty,
+            self.fix_type,
+            self.status_flags,
+            self.valid_flags,
+        )
+
 
 class AidingFrameConfigError(Data):
     """Aiding frame configuration error (0x82,0x50).
 
     Estimated error of a frame that `aiding.FrameConfig` defines. The filter corrects for it.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and -INS; likely or assumed on 2 more.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
@@ -2699,16 +3372,9 @@ class AidingFrameConfigError(Data):
     __match_args__ = ("frame_id", "translation", "attitude")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x50
     NAME = "filter_data.aiding_frame_config_error"
-    ROLE = "data"
-    _LAYOUT = (
-        ("frame_id", "B", None),
-        ("translation", "fff", types.Vector3f),
-        ("attitude", "ffff", types.Quatf),
-    )
-
+    _SIZE = 29
     _VECTORS = {"translation": (types.Vector3f,), "attitude": (types.Quatf,)}
 
     frame_id: int
@@ -2728,13 +3394,30 @@ class AidingFrameConfigError(Data):
         self.translation = codec.vector(translation, types.Vector3f)
         self.attitude = codec.vector(attitude, types.Quatf)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B7f.unpack(raw, at)
+        if (total := sum(v[1:8])) != total:
+            v = _B7f.keep_nan_bits(v, raw, at)
+        self.frame_id = v[0]
+        self._translation = v[1:4]
+        self._attitude = v[4:8]
+        return at + 29
+
+    def _write(self) -> bytes:
+        return _B7f.write(
+            "frame_id translation*3 attitude*4",
+            self.frame_id,
+            *codec.elements("translation", self.translation, 3),
+            *codec.elements("attitude", self.attitude, 4),
+        )
+
 
 class AidingFrameConfigErrorUncertainty(Data):
     """Aiding frame configuration error uncertainty (0x82,0x51).
 
     Uncertainty of the error in `AidingFrameConfigError`.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """
@@ -2743,16 +3426,9 @@ class AidingFrameConfigErrorUncertainty(Data):
     __match_args__ = ("frame_id", "translation_uncertainty", "attitude_uncertainty")
 
     SET = 0x82
-    SETS = (0x82,)
     DESCRIPTOR = 0x51
     NAME = "filter_data.aiding_frame_config_error_uncertainty"
-    ROLE = "data"
-    _LAYOUT = (
-        ("frame_id", "B", None),
-        ("translation_uncertainty", "fff", types.Vector3f),
-        ("attitude_uncertainty", "fff", types.Vector3f),
-    )
-
+    _SIZE = 25
     _VECTORS = {
         "translation_uncertainty": (types.Vector3f,),
         "attitude_uncertainty": (types.Vector3f,),
@@ -2777,6 +3453,23 @@ class AidingFrameConfigErrorUncertainty(Data):
         self.frame_id = frame_id
         self.translation_uncertainty = codec.vector(translation_uncertainty, types.Vector3f)
         self.attitude_uncertainty = codec.vector(attitude_uncertainty, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B6f.unpack(raw, at)
+        if (total := sum(v[1:7])) != total:
+            v = _B6f.keep_nan_bits(v, raw, at)
+        self.frame_id = v[0]
+        self._translation_uncertainty = v[1:4]
+        self._attitude_uncertainty = v[4:7]
+        return at + 25
+
+    def _write(self) -> bytes:
+        return _B6f.write(
+            "frame_id translation_uncertainty*3 attitude_uncertainty*3",
+            self.frame_id,
+            *codec.elements("translation_uncertainty", self.translation_uncertainty, 3),
+            *codec.elements("attitude_uncertainty", self.attitude_uncertainty, 3),
+        )
 
 
 #: Descriptor -> its types; several if constants or the size of the data distinguish layouts.

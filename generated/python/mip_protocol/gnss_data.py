@@ -3,8 +3,8 @@
 Measurements and status of GNSS receivers. Each receiver has a descriptor set; all have the same
 fields.
 
-Uncertain: Which devices send the fields that no manual lists for a set. The SDK lists the same
-fields for all GNSS data sets.
+Uncertain: Some devices may not send a field in every set: the SDK lists the same fields for all
+GNSS data sets, the manuals fewer.
 
 - gnss_data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.
 - gnss_1 (0x91): Measurements and status of the first internal GNSS receiver.
@@ -14,17 +14,75 @@ fields for all GNSS data sets.
   field may need several sentences; a value that NMEA does not provide is not valid. Times are taken
   from the sentences.
 - gnss_external_2 (0x95): Data that a second external GNSS receiver sends to the device. Uncertain:
-  The name. It is from a page on the 3DM-CV7-INS that the vendor published for trial; the SDK calls
-  the set GNSS 5.
+  The name is from a page on the 3DM-CV7-INS that the vendor published for trial; the SDK calls the
+  set GNSS 5.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .field import Data, Field, Shared
+
+# Numbers that are read and written together, by their letters for `struct`.
+_2B2H = codec.Block("2B2H")
+
+_2BH2h2H = codec.Block("2BH2h2H")
+
+_2Bd2H4BfB2d5fH = codec.Block("2Bd2H4BfB2d5fH")
+
+_2BdH2B2fBH = codec.Block("2BdH2B2fBH")
+
+_2BdH3B2fH = codec.Block("2BdH3B2fH")
+
+_2BdH4B25dH = codec.Block("2BdH4B25dH")
+
+_2BdHBb2IB5d6f3Bf6BH = codec.Block("2BdHBb2IB5d6f3Bf6BH")
+
+_2fBH = codec.Block("2fBH")
+
+_3BH = codec.Block("3BH")
+
+_3BH2BH = codec.Block("3BH2BH")
+
+_3dH = codec.Block("3dH")
+
+_3dfH = codec.Block("3dfH")
+
+_4d2fH = codec.Block("4d2fH")
+
+_4dH = codec.Block("4dH")
+
+_4fH = codec.Block("4fH")
+
+_7fH = codec.Block("7fH")
+
+_8fH = codec.Block("8fH")
+
+_B3fH = codec.Block("B3fH")
+
+_BH = codec.Block("BH")
+
+_H5BIH = codec.Block("H5BIH")
+
+_d2H = codec.Block("d2H")
+
+_d2HI4f4IH = codec.Block("d2HI4f4IH")
+
+_dH17dH = codec.Block("dH17dH")
+
+_dH3dBH = codec.Block("dH3dBH")
+
+_dH3df3H = codec.Block("dH3df3H")
+
+_dH4BH = codec.Block("dH4BH")
+
+_dH8dH = codec.Block("dH8dH")
+
+_f2h2H = codec.Block("f2h2H")
 
 
 @codec.open_flag(16)
@@ -120,7 +178,9 @@ class UtcTimeFlags(IntFlag):
     LEAP_SECONDS_KNOWN = 1 << 1
     """The leap seconds between GPS time and UTC are known. Bit 1."""
     FLAGS = 0x3
-    """All values are valid. Bits 0 to 1. Overlaps other bits."""
+    """Date and time come from GNSS, and the leap seconds are known. Bits 0 to 1. Overlaps other
+    bits.
+    """
 
 
 @codec.open_flag(16)
@@ -627,7 +687,9 @@ class EphemerisFlags(IntFlag):
     ISC_L5 = 1 << 2
     """`isc_l2c` is the correction for L5, not for L2. Bit 2."""
     FLAGS = 0x7
-    """All values are valid. Bits 0 to 2. Overlaps other bits."""
+    """The ephemeris is valid, with modernized data and the correction for L5. Bits 0 to 2. Overlaps
+    other bits.
+    """
 
 
 class GlonassSatelliteType(codec.OpenEnum):
@@ -703,8 +765,8 @@ class LlhPosition(Shared, Data):
     GNSS position as latitude, longitude and height.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Confirmed on 3DM-CV7-GNSS/INS, -INS
+    and 3DM-GQ7-GNSS/INS; likely or assumed on 11 more.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -733,16 +795,7 @@ class LlhPosition(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x03
     NAME = "gnss_data.llh_position"
-    ROLE = "data"
-    _LAYOUT = (
-        ("latitude", "d", None),
-        ("longitude", "d", None),
-        ("ellipsoid_height", "d", None),
-        ("msl_height", "d", None),
-        ("horizontal_accuracy", "f", None),
-        ("vertical_accuracy", "f", None),
-        ("valid_flags", "H", LlhPositionFlags),
-    )
+    _SIZE = 42
 
     latitude: float
     """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
@@ -789,6 +842,31 @@ class LlhPosition(Shared, Data):
         self.vertical_accuracy = vertical_accuracy
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _4d2fH.unpack(raw, at)
+        if (total := v[4] + v[5]) != total:
+            v = _4d2fH.keep_nan_bits(v, raw, at)
+        self.latitude = v[0]
+        self.longitude = v[1]
+        self.ellipsoid_height = v[2]
+        self.msl_height = v[3]
+        self.horizontal_accuracy = v[4]
+        self.vertical_accuracy = v[5]
+        self.valid_flags = codec.KNOWN[LlhPositionFlags][v[6]]
+        return at + 42
+
+    def _write(self) -> bytes:
+        return _4d2fH.write(
+            "latitude longitude ellipsoid_height msl_height horizontal_accuracy vertical_accuracy valid_flags",
+            self.latitude,
+            self.longitude,
+            self.ellipsoid_height,
+            self.msl_height,
+            self.horizontal_accuracy,
+            self.vertical_accuracy,
+            self.valid_flags,
+        )
+
 
 class EcefPosition(Shared, Data):
     """GNSS ECEF position (0x04).
@@ -796,8 +874,8 @@ class EcefPosition(Shared, Data):
     GNSS position in Earth-fixed coordinates.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Confirmed on 3DM-CV7-GNSS/INS, -INS
+    and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
@@ -809,13 +887,7 @@ class EcefPosition(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x04
     NAME = "gnss_data.ecef_position"
-    ROLE = "data"
-    _LAYOUT = (
-        ("position", "ddd", types.Vector3d),
-        ("position_accuracy", "f", None),
-        ("valid_flags", "H", EcefPositionFlags),
-    )
-
+    _SIZE = 30
     _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
@@ -839,6 +911,23 @@ class EcefPosition(Shared, Data):
         self.position_accuracy = position_accuracy
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3dfH.unpack(raw, at)
+        if v[3] != v[3]:
+            v = _3dfH.keep_nan_bits(v, raw, at)
+        self._position = v[:3]
+        self.position_accuracy = v[3]
+        self.valid_flags = codec.KNOWN[EcefPositionFlags][v[4]]
+        return at + 30
+
+    def _write(self) -> bytes:
+        return _3dfH.write(
+            "position*3 position_accuracy valid_flags",
+            *codec.elements("position", self.position, 3),
+            self.position_accuracy,
+            self.valid_flags,
+        )
+
 
 class NedVelocity(Shared, Data):
     """NED velocity (0x05).
@@ -846,8 +935,8 @@ class NedVelocity(Shared, Data):
     GNSS velocity in the local level frame.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Confirmed on 3DM-CV7-GNSS/INS, -INS
+    and 3DM-GQ7-GNSS/INS; likely or assumed on 11 more.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -876,17 +965,7 @@ class NedVelocity(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x05
     NAME = "gnss_data.ned_velocity"
-    ROLE = "data"
-    _LAYOUT = (
-        ("velocity", "fff", types.Ned3f),
-        ("speed", "f", None),
-        ("ground_speed", "f", None),
-        ("heading", "f", None),
-        ("speed_accuracy", "f", None),
-        ("heading_accuracy", "f", None),
-        ("valid_flags", "H", NedVelocityFlags),
-    )
-
+    _SIZE = 34
     _VECTORS = {"velocity": (types.Ned3f,)}
 
     velocity: types.Ned3f
@@ -934,6 +1013,31 @@ class NedVelocity(Shared, Data):
         self.heading_accuracy = heading_accuracy
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _8fH.unpack(raw, at)
+        if (total := sum(v[0:8])) != total:
+            v = _8fH.keep_nan_bits(v, raw, at)
+        self._velocity = v[:3]
+        self.speed = v[3]
+        self.ground_speed = v[4]
+        self.heading = v[5]
+        self.speed_accuracy = v[6]
+        self.heading_accuracy = v[7]
+        self.valid_flags = codec.KNOWN[NedVelocityFlags][v[8]]
+        return at + 34
+
+    def _write(self) -> bytes:
+        return _8fH.write(
+            "velocity*3 speed ground_speed heading speed_accuracy heading_accuracy valid_flags",
+            *codec.elements("velocity", self.velocity, 3),
+            self.speed,
+            self.ground_speed,
+            self.heading,
+            self.speed_accuracy,
+            self.heading_accuracy,
+            self.valid_flags,
+        )
+
 
 class EcefVelocity(Shared, Data):
     """GNSS ECEF velocity (0x06).
@@ -941,8 +1045,8 @@ class EcefVelocity(Shared, Data):
     GNSS velocity in Earth-fixed coordinates.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Confirmed on 3DM-CV7-GNSS/INS, -INS,
+    3DM-GQ7-GNSS/INS and 3DM-GX5-35; likely or assumed on 2 more.
 
     - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -955,13 +1059,7 @@ class EcefVelocity(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x06
     NAME = "gnss_data.ecef_velocity"
-    ROLE = "data"
-    _LAYOUT = (
-        ("velocity", "fff", types.Vector3f),
-        ("velocity_accuracy", "f", None),
-        ("valid_flags", "H", EcefVelocityFlags),
-    )
-
+    _SIZE = 18
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
@@ -985,6 +1083,23 @@ class EcefVelocity(Shared, Data):
         self.velocity_accuracy = velocity_accuracy
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _4fH.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2] + v[3]) != total:
+            v = _4fH.keep_nan_bits(v, raw, at)
+        self._velocity = v[:3]
+        self.velocity_accuracy = v[3]
+        self.valid_flags = codec.KNOWN[EcefVelocityFlags][v[4]]
+        return at + 18
+
+    def _write(self) -> bytes:
+        return _4fH.write(
+            "velocity*3 velocity_accuracy valid_flags",
+            *codec.elements("velocity", self.velocity, 3),
+            self.velocity_accuracy,
+            self.valid_flags,
+        )
+
 
 class Dop(Shared, Data):
     """DOP (0x07).
@@ -992,7 +1107,8 @@ class Dop(Shared, Data):
     Dilution of precision of the satellite geometry.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
+    4 more.
 
     - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
     - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
@@ -1004,17 +1120,7 @@ class Dop(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x07
     NAME = "gnss_data.dop"
-    ROLE = "data"
-    _LAYOUT = (
-        ("gdop", "f", None),
-        ("pdop", "f", None),
-        ("hdop", "f", None),
-        ("vdop", "f", None),
-        ("tdop", "f", None),
-        ("ndop", "f", None),
-        ("edop", "f", None),
-        ("valid_flags", "H", DopFlags),
-    )
+    _SIZE = 30
 
     gdop: float
     """Geometric dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.GDOP` of `valid_flags` is
@@ -1066,6 +1172,33 @@ class Dop(Shared, Data):
         self.edop = edop
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _7fH.unpack(raw, at)
+        if (total := sum(v[0:7])) != total:
+            v = _7fH.keep_nan_bits(v, raw, at)
+        self.gdop = v[0]
+        self.pdop = v[1]
+        self.hdop = v[2]
+        self.vdop = v[3]
+        self.tdop = v[4]
+        self.ndop = v[5]
+        self.edop = v[6]
+        self.valid_flags = codec.KNOWN[DopFlags][v[7]]
+        return at + 30
+
+    def _write(self) -> bytes:
+        return _7fH.write(
+            "gdop pdop hdop vdop tdop ndop edop valid_flags",
+            self.gdop,
+            self.pdop,
+            self.hdop,
+            self.vdop,
+            self.tdop,
+            self.ndop,
+            self.edop,
+            self.valid_flags,
+        )
+
 
 class UtcTime(Shared, Data):
     """UTC time (0x08).
@@ -1073,7 +1206,8 @@ class UtcTime(Shared, Data):
     Coordinated universal time (UTC) according to the receiver.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
+    6 more.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
     - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
@@ -1086,17 +1220,7 @@ class UtcTime(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x08
     NAME = "gnss_data.utc_time"
-    ROLE = "data"
-    _LAYOUT = (
-        ("year", "H", None),
-        ("month", "B", None),
-        ("day", "B", None),
-        ("hour", "B", None),
-        ("min", "B", None),
-        ("sec", "B", None),
-        ("msec", "I", None),
-        ("valid_flags", "H", UtcTimeFlags),
-    )
+    _SIZE = 13
 
     year: int
     """Year with four digits. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
@@ -1145,6 +1269,31 @@ class UtcTime(Shared, Data):
         self.msec = msec
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _H5BIH.unpack(raw, at)
+        self.year = v[0]
+        self.month = v[1]
+        self.day = v[2]
+        self.hour = v[3]
+        self.min = v[4]
+        self.sec = v[5]
+        self.msec = v[6]
+        self.valid_flags = codec.KNOWN[UtcTimeFlags][v[7]]
+        return at + 13
+
+    def _write(self) -> bytes:
+        return _H5BIH.write(
+            "year month day hour min sec msec valid_flags",
+            self.year,
+            self.month,
+            self.day,
+            self.hour,
+            self.min,
+            self.sec,
+            self.msec,
+            self.valid_flags,
+        )
+
 
 class GpsTime(Shared, Data):
     """GPS time (0x09).
@@ -1152,7 +1301,7 @@ class GpsTime(Shared, Data):
     GPS time according to the receiver.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
     - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
@@ -1164,8 +1313,7 @@ class GpsTime(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x09
     NAME = "gnss_data.gps_time"
-    ROLE = "data"
-    _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("valid_flags", "H", GpsTimeFlags))
+    _SIZE = 12
 
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `GpsTimeFlags.TOW`
@@ -1180,6 +1328,18 @@ class GpsTime(Shared, Data):
         self.tow = tow
         self.week_number = week_number
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _d2H.unpack(raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.valid_flags = codec.KNOWN[GpsTimeFlags][v[2]]
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _d2H.write(
+            "tow week_number valid_flags", self.tow, self.week_number, self.valid_flags
+        )
 
 
 class ClockInfo(Shared, Data):
@@ -1202,13 +1362,7 @@ class ClockInfo(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x0A
     NAME = "gnss_data.clock_info"
-    ROLE = "data"
-    _LAYOUT = (
-        ("bias", "d", None),
-        ("drift", "d", None),
-        ("accuracy_estimate", "d", None),
-        ("valid_flags", "H", ClockInfoFlags),
-    )
+    _SIZE = 26
 
     bias: float
     """Bias of the clock. Unit: s. Valid if `ClockInfoFlags.BIAS` of `valid_flags` is set."""
@@ -1229,6 +1383,23 @@ class ClockInfo(Shared, Data):
         self.accuracy_estimate = accuracy_estimate
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3dH.unpack(raw, at)
+        self.bias = v[0]
+        self.drift = v[1]
+        self.accuracy_estimate = v[2]
+        self.valid_flags = codec.KNOWN[ClockInfoFlags][v[3]]
+        return at + 26
+
+    def _write(self) -> bytes:
+        return _3dH.write(
+            "bias drift accuracy_estimate valid_flags",
+            self.bias,
+            self.drift,
+            self.accuracy_estimate,
+            self.valid_flags,
+        )
+
 
 class FixInfo(Shared, Data):
     """Fix info (0x0B).
@@ -1236,8 +1407,8 @@ class FixInfo(Shared, Data):
     Type of the position fix, with the satellites and corrections used.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
-    3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS;
+    likely or assumed on 5 more.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1250,13 +1421,7 @@ class FixInfo(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x0B
     NAME = "gnss_data.fix_info"
-    ROLE = "data"
-    _LAYOUT = (
-        ("fix_type", "B", types.GnssFixType),
-        ("num_sv", "B", None),
-        ("fix_flags", "H", FixFlags),
-        ("valid_flags", "H", FixInfoFlags),
-    )
+    _SIZE = 6
 
     fix_type: types.GnssFixType
     """Quantities that the receiver can determine at present. Valid if `FixInfoFlags.FIX_TYPE` of
@@ -1285,6 +1450,23 @@ class FixInfo(Shared, Data):
         self.fix_flags = fix_flags
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2B2H.unpack(raw, at)
+        self.fix_type = codec.KNOWN[types.GnssFixType][v[0]]
+        self.num_sv = v[1]
+        self.fix_flags = codec.KNOWN[FixFlags][v[2]]
+        self.valid_flags = codec.KNOWN[FixInfoFlags][v[3]]
+        return at + 6
+
+    def _write(self) -> bytes:
+        return _2B2H.write(
+            "fix_type num_sv fix_flags valid_flags",
+            self.fix_type,
+            self.num_sv,
+            self.fix_flags,
+            self.valid_flags,
+        )
+
 
 class SvInfo(Shared, Data):
     """Satellite info (0x0C).
@@ -1292,8 +1474,9 @@ class SvInfo(Shared, Data):
     State of one tracked satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK. Uncertain: Whether a packet holds one of these fields or several.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-GX5-45; likely or assumed on 2 more. Known
+    only from the MicroStrain MIP SDK. Uncertain: It is not known whether a packet contains one of
+    these fields or several.
 
     Each satellite is sent as one field, in packets separate from other GNSS data.
 
@@ -1322,16 +1505,7 @@ class SvInfo(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x0C
     NAME = "gnss_data.sv_info"
-    ROLE = "data"
-    _LAYOUT = (
-        ("channel", "B", None),
-        ("satellite_id", "B", None),
-        ("carrier_noise_ratio", "H", None),
-        ("azimuth", "h", None),
-        ("elevation", "h", None),
-        ("sv_flags", "H", SvFlags),
-        ("valid_flags", "H", SvInfoFlags),
-    )
+    _SIZE = 12
 
     channel: int
     """Channel of the receiver that tracks the satellite. Valid if `SvInfoFlags.CHANNEL` of
@@ -1344,12 +1518,12 @@ class SvInfo(Shared, Data):
     `valid_flags` is set.
     """
     azimuth: int
-    """Direction of the satellite, from north. Unit: deg. Valid if `SvInfoFlags.AZIMUTH` of
-    `valid_flags` is set.
+    """Direction of the satellite, from true north. Unit: deg. Frame: ned. Positive: clockwise seen
+    from above. Valid if `SvInfoFlags.AZIMUTH` of `valid_flags` is set.
     """
     elevation: int
-    """Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if
-    `SvInfoFlags.ELEVATION` of `valid_flags` is set.
+    """Angle between the horizon and the satellite. Unit: deg. Frame: ned. Range: -90 to 90.
+    Positive: above the horizon. Valid if `SvInfoFlags.ELEVATION` of `valid_flags` is set.
     """
     sv_flags: SvFlags
     """State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `valid_flags` is set."""
@@ -1374,6 +1548,29 @@ class SvInfo(Shared, Data):
         self.sv_flags = sv_flags
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2BH2h2H.unpack(raw, at)
+        self.channel = v[0]
+        self.satellite_id = v[1]
+        self.carrier_noise_ratio = v[2]
+        self.azimuth = v[3]
+        self.elevation = v[4]
+        self.sv_flags = codec.KNOWN[SvFlags][v[5]]
+        self.valid_flags = codec.KNOWN[SvInfoFlags][v[6]]
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _2BH2h2H.write(
+            "channel satellite_id carrier_noise_ratio azimuth elevation sv_flags valid_flags",
+            self.channel,
+            self.satellite_id,
+            self.carrier_noise_ratio,
+            self.azimuth,
+            self.elevation,
+            self.sv_flags,
+            self.valid_flags,
+        )
+
 
 class HardwareStatus(Shared, Data):
     """GNSS hardware status (0x0D).
@@ -1381,8 +1578,8 @@ class HardwareStatus(Shared, Data):
     State of the receiver and of its antenna.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Confirmed on 3DM-CV7-GNSS/INS,
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 2 more.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
@@ -1394,13 +1591,7 @@ class HardwareStatus(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x0D
     NAME = "gnss_data.hardware_status"
-    ROLE = "data"
-    _LAYOUT = (
-        ("receiver_state", "B", ReceiverState),
-        ("antenna_state", "B", AntennaState),
-        ("antenna_power", "B", AntennaPower),
-        ("valid_flags", "H", HardwareStatusFlags),
-    )
+    _SIZE = 5
 
     receiver_state: ReceiverState
     """Operating state of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `valid_flags`
@@ -1429,6 +1620,23 @@ class HardwareStatus(Shared, Data):
         self.antenna_power = antenna_power
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3BH.unpack(raw, at)
+        self.receiver_state = codec.KNOWN[ReceiverState][v[0]]
+        self.antenna_state = codec.KNOWN[AntennaState][v[1]]
+        self.antenna_power = codec.KNOWN[AntennaPower][v[2]]
+        self.valid_flags = codec.KNOWN[HardwareStatusFlags][v[3]]
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _3BH.write(
+            "receiver_state antenna_state antenna_power valid_flags",
+            self.receiver_state,
+            self.antenna_state,
+            self.antenna_power,
+            self.valid_flags,
+        )
+
 
 class DgpsInfo(Shared, Data):
     """DGPS info (0x0E).
@@ -1437,9 +1645,9 @@ class DgpsInfo(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its
-    data. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: Whether any device sends
-    `DgpsInfoSatellite`, the layout of the SDK, instead. Only this one agrees with the valid flags,
-    which are the same in all sources.
+    data. Confirmed on 3DM-GX5-35 and -45; likely or assumed on 1 more. Uncertain: Devices could
+    also send `DgpsInfoSatellite`, the layout of the SDK, but only this one agrees with the valid
+    flags, which are the same in all sources.
 
     The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
     the SDK of 2014.
@@ -1461,18 +1669,11 @@ class DgpsInfo(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x0E
     NAME = "gnss_data.dgps_info"
-    ROLE = "data"
-    _LAYOUT = (
-        ("age", "f", None),
-        ("base_station_id", "h", None),
-        ("base_station_status", "h", None),
-        ("num_channels", "H", None),
-        ("valid_flags", "H", DgpsInfoFlags),
-    )
+    _SIZE = 12
 
     age: float
     """Age of the corrections. Unit: s. Range: at least 0. Valid if `DgpsInfoFlags.AGE` of
-    `valid_flags` is set. Uncertain: The unit, which follows from `DgpsChannel`.
+    `valid_flags` is set. Uncertain: The unit is that of `DgpsChannel`; no source states it here.
     """
     base_station_id: int
     """Number of the base station. Valid if `DgpsInfoFlags.BASE_STATION_ID` of `valid_flags` is set.
@@ -1503,6 +1704,27 @@ class DgpsInfo(Shared, Data):
         self.num_channels = num_channels
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _f2h2H.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _f2h2H.keep_nan_bits(v, raw, at)
+        self.age = v[0]
+        self.base_station_id = v[1]
+        self.base_station_status = v[2]
+        self.num_channels = v[3]
+        self.valid_flags = codec.KNOWN[DgpsInfoFlags][v[4]]
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _f2h2H.write(
+            "age base_station_id base_station_status num_channels valid_flags",
+            self.age,
+            self.base_station_id,
+            self.base_station_status,
+            self.num_channels,
+            self.valid_flags,
+        )
+
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return len(data) < 15
@@ -1515,9 +1737,9 @@ class DgpsInfoSatellite(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfo` by the size of its data. Not
-    listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether any
-    device sends it. The values are those of `DgpsChannel`, but the flags are those of `DgpsInfo`,
-    so a mistake in the SDK is likely.
+    listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Possibly no
+    device sends it: the values are those of `DgpsChannel`, but the flags those of `DgpsInfo`, so a
+    mistake in the SDK is likely.
 
     The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document `DgpsInfo`
     instead. The flags of `base_station_id`, `base_station_status` and `num_channels` correspond to
@@ -1538,28 +1760,21 @@ class DgpsInfoSatellite(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x0E
     NAME = "gnss_data.dgps_info_satellite"
-    ROLE = "data"
-    _LAYOUT = (
-        ("satellite_id", "B", None),
-        ("age", "f", None),
-        ("range_correction", "f", None),
-        ("range_rate_correction", "f", None),
-        ("valid_flags", "H", DgpsInfoFlags),
-    )
+    _SIZE = 15
 
     satellite_id: int
     """Number of the satellite."""
     age: float
     """Age of the correction. Unit: s. Range: at least 0. Valid if `DgpsInfoFlags.AGE` of
-    `valid_flags` is set. Uncertain: The unit, which follows from `DgpsChannel`.
+    `valid_flags` is set. Uncertain: The unit is that of `DgpsChannel`; no source states it here.
     """
     range_correction: float
-    """Differential correction of the pseudorange. Unit: m. Uncertain: The unit, which follows from
-    `DgpsChannel`.
+    """Differential correction of the pseudorange. Unit: m. Uncertain: The unit is that of
+    `DgpsChannel`; no source states it here.
     """
     range_rate_correction: float
-    """Rate of change of the correction. Unit: m/s. Uncertain: The unit, which follows from
-    `DgpsChannel`.
+    """Rate of change of the correction. Unit: m/s. Uncertain: The unit is that of `DgpsChannel`; no
+    source states it here.
     """
     valid_flags: DgpsInfoFlags
     """Validity flags for the state of the corrections."""
@@ -1578,6 +1793,27 @@ class DgpsInfoSatellite(Shared, Data):
         self.range_rate_correction = range_rate_correction
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B3fH.unpack(raw, at)
+        if (total := v[1] + v[2] + v[3]) != total:
+            v = _B3fH.keep_nan_bits(v, raw, at)
+        self.satellite_id = v[0]
+        self.age = v[1]
+        self.range_correction = v[2]
+        self.range_rate_correction = v[3]
+        self.valid_flags = codec.KNOWN[DgpsInfoFlags][v[4]]
+        return at + 15
+
+    def _write(self) -> bytes:
+        return _B3fH.write(
+            "satellite_id age range_correction range_rate_correction valid_flags",
+            self.satellite_id,
+            self.age,
+            self.range_correction,
+            self.range_rate_correction,
+            self.valid_flags,
+        )
+
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return 15 <= len(data)
@@ -1589,8 +1825,8 @@ class DgpsChannel(Shared, Data):
     Differential correction for one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MIP SDK of 2014,
-    MicroStrain Communication Library and MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-GX5-45; likely or assumed on 2 more. Known
+    only from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
 
     Each active satellite is sent as one field, all in one packet.
 
@@ -1611,14 +1847,7 @@ class DgpsChannel(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x0F
     NAME = "gnss_data.dgps_channel"
-    ROLE = "data"
-    _LAYOUT = (
-        ("satellite_id", "B", None),
-        ("age", "f", None),
-        ("range_correction", "f", None),
-        ("range_rate_correction", "f", None),
-        ("valid_flags", "H", DgpsChannelFlags),
-    )
+    _SIZE = 15
 
     satellite_id: int
     """Number of the satellite. Valid if `DgpsChannelFlags.SATELLITE_ID` of `valid_flags` is set."""
@@ -1651,6 +1880,27 @@ class DgpsChannel(Shared, Data):
         self.range_rate_correction = range_rate_correction
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B3fH.unpack(raw, at)
+        if (total := v[1] + v[2] + v[3]) != total:
+            v = _B3fH.keep_nan_bits(v, raw, at)
+        self.satellite_id = v[0]
+        self.age = v[1]
+        self.range_correction = v[2]
+        self.range_rate_correction = v[3]
+        self.valid_flags = codec.KNOWN[DgpsChannelFlags][v[4]]
+        return at + 15
+
+    def _write(self) -> bytes:
+        return _B3fH.write(
+            "satellite_id age range_correction range_rate_correction valid_flags",
+            self.satellite_id,
+            self.age,
+            self.range_correction,
+            self.range_rate_correction,
+            self.valid_flags,
+        )
+
 
 class ClockInfo2(Shared, Data):
     """Clock info 2 (0x10).
@@ -1658,7 +1908,8 @@ class ClockInfo2(Shared, Data):
     Bias and drift of the receiver clock.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
+    1 more. Uncertain: The units are inferred from those of the ephemerides; no source states them.
 
     It supersedes clock info.
 
@@ -1684,14 +1935,7 @@ class ClockInfo2(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x10
     NAME = "gnss_data.clock_info_2"
-    ROLE = "data"
-    _LAYOUT = (
-        ("bias", "d", None),
-        ("drift", "d", None),
-        ("bias_accuracy_estimate", "d", None),
-        ("drift_accuracy_estimate", "d", None),
-        ("valid_flags", "H", ClockInfo2Flags),
-    )
+    _SIZE = 34
 
     bias: float
     """Bias of the clock. Unit: s. Valid if `ClockInfo2Flags.BIAS` of `valid_flags` is set."""
@@ -1722,6 +1966,25 @@ class ClockInfo2(Shared, Data):
         self.drift_accuracy_estimate = drift_accuracy_estimate
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _4dH.unpack(raw, at)
+        self.bias = v[0]
+        self.drift = v[1]
+        self.bias_accuracy_estimate = v[2]
+        self.drift_accuracy_estimate = v[3]
+        self.valid_flags = codec.KNOWN[ClockInfo2Flags][v[4]]
+        return at + 34
+
+    def _write(self) -> bytes:
+        return _4dH.write(
+            "bias drift bias_accuracy_estimate drift_accuracy_estimate valid_flags",
+            self.bias,
+            self.drift,
+            self.bias_accuracy_estimate,
+            self.drift_accuracy_estimate,
+            self.valid_flags,
+        )
+
 
 class GpsLeapSeconds(Shared, Data):
     """GPS leap seconds (0x11).
@@ -1729,7 +1992,8 @@ class GpsLeapSeconds(Shared, Data):
     Difference between GPS time and UTC.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
+    1 more.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
@@ -1741,8 +2005,7 @@ class GpsLeapSeconds(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x11
     NAME = "gnss_data.gps_leap_seconds"
-    ROLE = "data"
-    _LAYOUT = (("leap_seconds", "B", None), ("valid_flags", "H", GpsLeapSecondsFlags))
+    _SIZE = 3
 
     leap_seconds: int
     """GPS time minus UTC. Unit: s. Valid if `GpsLeapSecondsFlags.LEAP_SECONDS` of `valid_flags` is
@@ -1754,6 +2017,15 @@ class GpsLeapSeconds(Shared, Data):
     def __init__(self, leap_seconds: int, valid_flags: GpsLeapSecondsFlags) -> None:
         self.leap_seconds = leap_seconds
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _BH.unpack(raw, at)
+        self.leap_seconds = v[0]
+        self.valid_flags = codec.KNOWN[GpsLeapSecondsFlags][v[1]]
+        return at + 3
+
+    def _write(self) -> bytes:
+        return _BH.write("leap_seconds valid_flags", self.leap_seconds, self.valid_flags)
 
 
 class SbasInfo(Shared, Data):
@@ -1790,16 +2062,7 @@ class SbasInfo(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x12
     NAME = "gnss_data.sbas_info"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("sbas_system", "B", SbasSystem),
-        ("sbas_id", "B", None),
-        ("count", "B", None),
-        ("sbas_status", "B", SbasStatus),
-        ("valid_flags", "H", SbasInfoFlags),
-    )
+    _SIZE = 16
 
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `SbasInfoFlags.TOW`
@@ -1836,6 +2099,29 @@ class SbasInfo(Shared, Data):
         self.count = count
         self.sbas_status = sbas_status
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _dH4BH.unpack(raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.sbas_system = codec.KNOWN[SbasSystem][v[2]]
+        self.sbas_id = v[3]
+        self.count = v[4]
+        self.sbas_status = codec.KNOWN[SbasStatus][v[5]]
+        self.valid_flags = codec.KNOWN[SbasInfoFlags][v[6]]
+        return at + 16
+
+    def _write(self) -> bytes:
+        return _dH4BH.write(
+            "tow week_number sbas_system sbas_id count sbas_status valid_flags",
+            self.tow,
+            self.week_number,
+            self.sbas_system,
+            self.sbas_id,
+            self.count,
+            self.sbas_status,
+            self.valid_flags,
+        )
 
 
 class SbasCorrection(Shared, Data):
@@ -1882,19 +2168,7 @@ class SbasCorrection(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x13
     NAME = "gnss_data.sbas_correction"
-    ROLE = "data"
-    _LAYOUT = (
-        ("index", "B", None),
-        ("count", "B", None),
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("gnss_id", "B", types.GnssConstellation),
-        ("satellite_id", "B", None),
-        ("udrei", "B", None),
-        ("pseudorange_correction", "f", None),
-        ("iono_correction", "f", None),
-        ("valid_flags", "H", SbasCorrectionFlags),
-    )
+    _SIZE = 25
 
     index: int
     """Index of this field within the epoch."""
@@ -1948,6 +2222,37 @@ class SbasCorrection(Shared, Data):
         self.iono_correction = iono_correction
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2BdH3B2fH.unpack(raw, at)
+        if (total := v[7] + v[8]) != total:
+            v = _2BdH3B2fH.keep_nan_bits(v, raw, at)
+        self.index = v[0]
+        self.count = v[1]
+        self.tow = v[2]
+        self.week_number = v[3]
+        self.gnss_id = codec.KNOWN[types.GnssConstellation][v[4]]
+        self.satellite_id = v[5]
+        self.udrei = v[6]
+        self.pseudorange_correction = v[7]
+        self.iono_correction = v[8]
+        self.valid_flags = codec.KNOWN[SbasCorrectionFlags][v[9]]
+        return at + 25
+
+    def _write(self) -> bytes:
+        return _2BdH3B2fH.write(
+            "index count tow week_number gnss_id satellite_id udrei pseudorange_correction iono_correction valid_flags",
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.gnss_id,
+            self.satellite_id,
+            self.udrei,
+            self.pseudorange_correction,
+            self.iono_correction,
+            self.valid_flags,
+        )
+
 
 class RfErrorDetection(Shared, Data):
     """RF error detection (0x14).
@@ -1977,15 +2282,7 @@ class RfErrorDetection(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x14
     NAME = "gnss_data.rf_error_detection"
-    ROLE = "data"
-    _LAYOUT = (
-        ("rf_band", "B", RfBand),
-        ("jamming_state", "B", JammingState),
-        ("spoofing_state", "B", SpoofingState),
-        ("frequency", "H", None),
-        ("reserved", "BB", tuple),
-        ("valid_flags", "H", RfErrorDetectionFlags),
-    )
+    _SIZE = 9
 
     rf_band: RfBand
     """Band to which the states apply. Valid if `RfErrorDetectionFlags.RF_BAND` of `valid_flags` is
@@ -2025,6 +2322,27 @@ class RfErrorDetection(Shared, Data):
         self.reserved = codec.several(reserved)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3BH2BH.unpack(raw, at)
+        self.rf_band = codec.KNOWN[RfBand][v[0]]
+        self.jamming_state = codec.KNOWN[JammingState][v[1]]
+        self.spoofing_state = codec.KNOWN[SpoofingState][v[2]]
+        self.frequency = v[3]
+        self.reserved = v[4:6]
+        self.valid_flags = codec.KNOWN[RfErrorDetectionFlags][v[6]]
+        return at + 9
+
+    def _write(self) -> bytes:
+        return _3BH2BH.write(
+            "rf_band jamming_state spoofing_state frequency reserved*2 valid_flags",
+            self.rf_band,
+            self.jamming_state,
+            self.spoofing_state,
+            self.frequency,
+            *codec.exactly("reserved", self.reserved, 2),
+            self.valid_flags,
+        )
+
 
 class Heading(Shared, Data):
     """GNSS heading (0x15).
@@ -2033,7 +2351,7 @@ class Heading(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK. Uncertain: Which devices send it. The SDK does not name any.
+    MicroStrain MIP SDK. Uncertain: The SDK names no device that sends it.
 
     - mip-sdk-4: Heading (0x81,0x15)
     """
@@ -2044,22 +2362,18 @@ class Heading(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x15
     NAME = "gnss_data.heading"
-    ROLE = "data"
-    _LAYOUT = (
-        ("heading", "f", None),
-        ("uncertainty", "f", None),
-        ("fix_type", "B", HeadingFixType),
-        ("valid_flags", "H", HeadingFlags),
-    )
+    _SIZE = 11
 
     heading: float
-    """Heading of the baseline between the antennas. Unit: deg. Valid if `HeadingFlags.HEADING` of
-    `valid_flags` is set. Uncertain: The reference and the range. Clockwise from true north is
-    usual; the SDK only states degrees.
+    """Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned.
+    Positive: clockwise seen from above. Valid if `HeadingFlags.HEADING` of `valid_flags` is set.
+    Uncertain: Clockwise from true north is usual; the SDK only states degrees, and no range.
+    Uncertain: No source states from which antenna to which the baseline points. The opposite one
+    differs by 180 degrees.
     """
     uncertainty: float
     """Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if `HeadingFlags.UNCERTAINTY`
-    of `valid_flags` is set. Uncertain: Whether it is one standard deviation.
+    of `valid_flags` is set. Uncertain: It is not known whether this is one standard deviation.
     """
     fix_type: HeadingFixType
     """Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `valid_flags` is set."""
@@ -2078,6 +2392,25 @@ class Heading(Shared, Data):
         self.fix_type = fix_type
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2fBH.unpack(raw, at)
+        if (total := v[0] + v[1]) != total:
+            v = _2fBH.keep_nan_bits(v, raw, at)
+        self.heading = v[0]
+        self.uncertainty = v[1]
+        self.fix_type = codec.KNOWN[HeadingFixType][v[2]]
+        self.valid_flags = codec.KNOWN[HeadingFlags][v[3]]
+        return at + 11
+
+    def _write(self) -> bytes:
+        return _2fBH.write(
+            "heading uncertainty fix_type valid_flags",
+            self.heading,
+            self.uncertainty,
+            self.fix_type,
+            self.valid_flags,
+        )
+
 
 class SatelliteStatus(Shared, Data):
     """Satellite status (0x20).
@@ -2085,7 +2418,8 @@ class SatelliteStatus(Shared, Data):
     Direction to one satellite, and its health.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
+    3 more.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields.
 
@@ -2122,19 +2456,7 @@ class SatelliteStatus(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x20
     NAME = "gnss_data.satellite_status"
-    ROLE = "data"
-    _LAYOUT = (
-        ("index", "B", None),
-        ("count", "B", None),
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("gnss_id", "B", types.GnssConstellation),
-        ("satellite_id", "B", None),
-        ("elevation", "f", None),
-        ("azimuth", "f", None),
-        ("health", "B", codec.truth),
-        ("valid_flags", "H", SatelliteStatusFlags),
-    )
+    _SIZE = 25
 
     index: int
     """Index of this field within the epoch."""
@@ -2155,12 +2477,13 @@ class SatelliteStatus(Shared, Data):
     `valid_flags` is set.
     """
     elevation: float
-    """Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if
-    `SatelliteStatusFlags.ELEVATION` of `valid_flags` is set.
+    """Angle between the horizon and the satellite, seen from the rover. Unit: deg. Frame: ned.
+    Range: -90 to 90. Positive: above the horizon. Valid if `SatelliteStatusFlags.ELEVATION` of
+    `valid_flags` is set.
     """
     azimuth: float
-    """Azimuth, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.AZIMUTH` of
-    `valid_flags` is set.
+    """Direction of the satellite from the rover, from true north. Unit: deg. Frame: ned. Positive:
+    clockwise seen from above. Valid if `SatelliteStatusFlags.AZIMUTH` of `valid_flags` is set.
     """
     health: bool
     """True if the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `valid_flags` is
@@ -2193,6 +2516,37 @@ class SatelliteStatus(Shared, Data):
         self.health = health
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2BdH2B2fBH.unpack(raw, at)
+        if (total := v[6] + v[7]) != total:
+            v = _2BdH2B2fBH.keep_nan_bits(v, raw, at)
+        self.index = v[0]
+        self.count = v[1]
+        self.tow = v[2]
+        self.week_number = v[3]
+        self.gnss_id = codec.KNOWN[types.GnssConstellation][v[4]]
+        self.satellite_id = v[5]
+        self.elevation = v[6]
+        self.azimuth = v[7]
+        self.health = codec.TRUTH[v[8]]
+        self.valid_flags = codec.KNOWN[SatelliteStatusFlags][v[9]]
+        return at + 25
+
+    def _write(self) -> bytes:
+        return _2BdH2B2fBH.write(
+            "index count tow week_number gnss_id satellite_id elevation azimuth health valid_flags",
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.gnss_id,
+            self.satellite_id,
+            self.elevation,
+            self.azimuth,
+            self.health,
+            self.valid_flags,
+        )
+
 
 class Raw(Shared, Data):
     """Raw (0x22).
@@ -2200,7 +2554,7 @@ class Raw(Shared, Data):
     Raw observation of one signal of one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
 
     An epoch is sent as one field for each signal; `index` and `count` number the fields. The
     greatest lock time depends on the receiver.
@@ -2255,28 +2609,7 @@ class Raw(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x22
     NAME = "gnss_data.raw"
-    ROLE = "data"
-    _LAYOUT = (
-        ("index", "B", None),
-        ("count", "B", None),
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("receiver_id", "H", None),
-        ("tracking_channel", "B", None),
-        ("gnss_id", "B", types.GnssConstellation),
-        ("satellite_id", "B", None),
-        ("signal_id", "B", types.GnssSignal),
-        ("signal_strength", "f", None),
-        ("quality", "B", SignalQuality),
-        ("pseudorange", "d", None),
-        ("carrier_phase", "d", None),
-        ("doppler", "f", None),
-        ("range_uncertainty", "f", None),
-        ("phase_uncertainty", "f", None),
-        ("doppler_uncertainty", "f", None),
-        ("lock_time", "f", None),
-        ("valid_flags", "H", RawFlags),
-    )
+    _SIZE = 61
 
     index: int
     """Index of this field within the epoch."""
@@ -2382,6 +2715,55 @@ class Raw(Shared, Data):
         self.lock_time = lock_time
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2Bd2H4BfB2d5fH.unpack(raw, at)
+        if (total := sum(v[9:18])) != total:
+            v = _2Bd2H4BfB2d5fH.keep_nan_bits(v, raw, at)
+        self.index = v[0]
+        self.count = v[1]
+        self.tow = v[2]
+        self.week_number = v[3]
+        self.receiver_id = v[4]
+        self.tracking_channel = v[5]
+        self.gnss_id = codec.KNOWN[types.GnssConstellation][v[6]]
+        self.satellite_id = v[7]
+        self.signal_id = codec.KNOWN[types.GnssSignal][v[8]]
+        self.signal_strength = v[9]
+        self.quality = codec.KNOWN[SignalQuality][v[10]]
+        self.pseudorange = v[11]
+        self.carrier_phase = v[12]
+        self.doppler = v[13]
+        self.range_uncertainty = v[14]
+        self.phase_uncertainty = v[15]
+        self.doppler_uncertainty = v[16]
+        self.lock_time = v[17]
+        self.valid_flags = codec.KNOWN[RawFlags][v[18]]
+        return at + 61
+
+    def _write(self) -> bytes:
+        return _2Bd2H4BfB2d5fH.write(
+            "index count tow week_number receiver_id tracking_channel gnss_id satellite_id signal_id signal_strength quality pseudorange carrier_phase doppler range_uncertainty phase_uncertainty doppler_uncertainty lock_time valid_flags",
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.receiver_id,
+            self.tracking_channel,
+            self.gnss_id,
+            self.satellite_id,
+            self.signal_id,
+            self.signal_strength,
+            self.quality,
+            self.pseudorange,
+            self.carrier_phase,
+            self.doppler,
+            self.range_uncertainty,
+            self.phase_uncertainty,
+            self.doppler_uncertainty,
+            self.lock_time,
+            self.valid_flags,
+        )
+
 
 class BaseStationInfo(Shared, Data):
     """Base station info (0x30).
@@ -2417,17 +2799,7 @@ class BaseStationInfo(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x30
     NAME = "gnss_data.base_station_info"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("ecef_position", "ddd", types.Vector3d),
-        ("height", "f", None),
-        ("station_id", "H", None),
-        ("indicators", "H", BaseStationIndicators),
-        ("valid_flags", "H", BaseStationInfoFlags),
-    )
-
+    _SIZE = 44
     _VECTORS = {"ecef_position": (types.Vector3d,)}
 
     tow: float
@@ -2475,6 +2847,31 @@ class BaseStationInfo(Shared, Data):
         self.indicators = indicators
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _dH3df3H.unpack(raw, at)
+        if v[5] != v[5]:
+            v = _dH3df3H.keep_nan_bits(v, raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self._ecef_position = v[2:5]
+        self.height = v[5]
+        self.station_id = v[6]
+        self.indicators = codec.KNOWN[BaseStationIndicators][v[7]]
+        self.valid_flags = codec.KNOWN[BaseStationInfoFlags][v[8]]
+        return at + 44
+
+    def _write(self) -> bytes:
+        return _dH3df3H.write(
+            "tow week_number ecef_position*3 height station_id indicators valid_flags",
+            self.tow,
+            self.week_number,
+            *codec.elements("ecef_position", self.ecef_position, 3),
+            self.height,
+            self.station_id,
+            self.indicators,
+            self.valid_flags,
+        )
+
 
 class RtkCorrectionsStatus(Shared, Data):
     """RTK corrections status (0x31).
@@ -2515,19 +2912,7 @@ class RtkCorrectionsStatus(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x31
     NAME = "gnss_data.rtk_corrections_status"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("epoch_status", "H", RtkEpochStatus),
-        ("dongle_status", "I", types.RtkStatusFlags),
-        ("gps_correction_latency", "f", None),
-        ("glonass_correction_latency", "f", None),
-        ("galileo_correction_latency", "f", None),
-        ("beidou_correction_latency", "f", None),
-        ("reserved", "IIII", tuple),
-        ("valid_flags", "H", RtkCorrectionsStatusFlags),
-    )
+    _SIZE = 50
 
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
@@ -2592,6 +2977,37 @@ class RtkCorrectionsStatus(Shared, Data):
         self.reserved = codec.several(reserved)
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _d2HI4f4IH.unpack(raw, at)
+        if (total := v[4] + v[5] + v[6] + v[7]) != total:
+            v = _d2HI4f4IH.keep_nan_bits(v, raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.epoch_status = codec.KNOWN[RtkEpochStatus][v[2]]
+        self.dongle_status = codec.KNOWN[types.RtkStatusFlags][v[3]]
+        self.gps_correction_latency = v[4]
+        self.glonass_correction_latency = v[5]
+        self.galileo_correction_latency = v[6]
+        self.beidou_correction_latency = v[7]
+        self.reserved = v[8:12]
+        self.valid_flags = codec.KNOWN[RtkCorrectionsStatusFlags][v[12]]
+        return at + 50
+
+    def _write(self) -> bytes:
+        return _d2HI4f4IH.write(
+            "tow week_number epoch_status dongle_status gps_correction_latency glonass_correction_latency galileo_correction_latency beidou_correction_latency reserved*4 valid_flags",
+            self.tow,
+            self.week_number,
+            self.epoch_status,
+            self.dongle_status,
+            self.gps_correction_latency,
+            self.glonass_correction_latency,
+            self.galileo_correction_latency,
+            self.beidou_correction_latency,
+            *codec.exactly("reserved", self.reserved, 4),
+            self.valid_flags,
+        )
+
 
 class GpsEphemeris(Shared, Data):
     """GPS ephemeris (0x61).
@@ -2599,7 +3015,7 @@ class GpsEphemeris(Shared, Data):
     Broadcast orbit and clock of one GPS satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
 
     `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
@@ -2683,43 +3099,7 @@ class GpsEphemeris(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x61
     NAME = "gnss_data.gps_ephemeris"
-    ROLE = "data"
-    _LAYOUT = (
-        ("index", "B", None),
-        ("count", "B", None),
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("satellite_id", "B", None),
-        ("health", "B", None),
-        ("iodc", "B", None),
-        ("iode", "B", None),
-        ("t_oc", "d", None),
-        ("af0", "d", None),
-        ("af1", "d", None),
-        ("af2", "d", None),
-        ("t_gd", "d", None),
-        ("isc_l1ca", "d", None),
-        ("isc_l2c", "d", None),
-        ("t_oe", "d", None),
-        ("a", "d", None),
-        ("a_dot", "d", None),
-        ("mean_anomaly", "d", None),
-        ("delta_mean_motion", "d", None),
-        ("delta_mean_motion_dot", "d", None),
-        ("eccentricity", "d", None),
-        ("argument_of_perigee", "d", None),
-        ("omega", "d", None),
-        ("omega_dot", "d", None),
-        ("inclination", "d", None),
-        ("inclination_dot", "d", None),
-        ("c_ic", "d", None),
-        ("c_is", "d", None),
-        ("c_uc", "d", None),
-        ("c_us", "d", None),
-        ("c_rc", "d", None),
-        ("c_rs", "d", None),
-        ("valid_flags", "H", EphemerisFlags),
-    )
+    _SIZE = 218
 
     index: int
     """Index of this field within the epoch."""
@@ -2906,6 +3286,83 @@ class GpsEphemeris(Shared, Data):
         self.c_rs = c_rs
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2BdH4B25dH.unpack(raw, at)
+        self.index = v[0]
+        self.count = v[1]
+        self.tow = v[2]
+        self.week_number = v[3]
+        self.satellite_id = v[4]
+        self.health = v[5]
+        self.iodc = v[6]
+        self.iode = v[7]
+        self.t_oc = v[8]
+        self.af0 = v[9]
+        self.af1 = v[10]
+        self.af2 = v[11]
+        self.t_gd = v[12]
+        self.isc_l1ca = v[13]
+        self.isc_l2c = v[14]
+        self.t_oe = v[15]
+        self.a = v[16]
+        self.a_dot = v[17]
+        self.mean_anomaly = v[18]
+        self.delta_mean_motion = v[19]
+        self.delta_mean_motion_dot = v[20]
+        self.eccentricity = v[21]
+        self.argument_of_perigee = v[22]
+        self.omega = v[23]
+        self.omega_dot = v[24]
+        self.inclination = v[25]
+        self.inclination_dot = v[26]
+        self.c_ic = v[27]
+        self.c_is = v[28]
+        self.c_uc = v[29]
+        self.c_us = v[30]
+        self.c_rc = v[31]
+        self.c_rs = v[32]
+        self.valid_flags = codec.KNOWN[EphemerisFlags][v[33]]
+        return at + 218
+
+    def _write(self) -> bytes:
+        return _2BdH4B25dH.write(
+            "index count tow week_number satellite_id health iodc iode t_oc af0 af1 af2 t_gd isc_l1ca isc_l2c t_oe a a_dot mean_anomaly delta_mean_motion delta_mean_motion_dot eccentricity argument_of_perigee omega omega_dot inclination inclination_dot c_ic c_is c_uc c_us c_rc c_rs valid_flags",
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.satellite_id,
+            self.health,
+            self.iodc,
+            self.iode,
+            self.t_oc,
+            self.af0,
+            self.af1,
+            self.af2,
+            self.t_gd,
+            self.isc_l1ca,
+            self.isc_l2c,
+            self.t_oe,
+            self.a,
+            self.a_dot,
+            self.mean_anomaly,
+            self.delta_mean_motion,
+            self.delta_mean_motion_dot,
+            self.eccentricity,
+            self.argument_of_perigee,
+            self.omega,
+            self.omega_dot,
+            self.inclination,
+            self.inclination_dot,
+            self.c_ic,
+            self.c_is,
+            self.c_uc,
+            self.c_us,
+            self.c_rc,
+            self.c_rs,
+            self.valid_flags,
+        )
+
 
 class GlonassEphemeris(Shared, Data):
     """GLONASS ephemeris (0x62).
@@ -2913,7 +3370,8 @@ class GlonassEphemeris(Shared, Data):
     Broadcast orbit and clock of one GLONASS satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Confirmed on 3DM-CV7-GNSS/INS;
+    likely or assumed on 1 more.
 
     The GLONASS interface control document explains p and ft. A period of four years has 1461 days;
     no source states how nt, a u8, counts them.
@@ -2980,35 +3438,7 @@ class GlonassEphemeris(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x62
     NAME = "gnss_data.glonass_ephemeris"
-    ROLE = "data"
-    _LAYOUT = (
-        ("index", "B", None),
-        ("count", "B", None),
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("satellite_id", "B", None),
-        ("frequency_number", "b", None),
-        ("tk", "I", None),
-        ("tb", "I", None),
-        ("satellite_type", "B", GlonassSatelliteType),
-        ("gamma", "d", None),
-        ("tau_n", "d", None),
-        ("position", "ddd", types.Vector3d),
-        ("velocity", "fff", types.Vector3f),
-        ("accel", "fff", types.Vector3f),
-        ("health", "B", None),
-        ("p", "B", None),
-        ("nt", "B", None),
-        ("delta_tau_n", "f", None),
-        ("ft", "B", None),
-        ("en", "B", None),
-        ("p1", "B", None),
-        ("p2", "B", None),
-        ("p3", "B", None),
-        ("p4", "B", None),
-        ("valid_flags", "H", GlonassEphemerisFlags),
-    )
-
+    _SIZE = 102
     _VECTORS = {
         "position": (types.Vector3d,),
         "velocity": (types.Vector3f,),
@@ -3158,6 +3588,67 @@ class GlonassEphemeris(Shared, Data):
         self.p4 = p4
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2BdHBb2IB5d6f3Bf6BH.unpack(raw, at)
+        if (total := sum(v[14:24])) != total:
+            v = _2BdHBb2IB5d6f3Bf6BH.keep_nan_bits(v, raw, at)
+        self.index = v[0]
+        self.count = v[1]
+        self.tow = v[2]
+        self.week_number = v[3]
+        self.satellite_id = v[4]
+        self.frequency_number = v[5]
+        self.tk = v[6]
+        self.tb = v[7]
+        self.satellite_type = codec.KNOWN[GlonassSatelliteType][v[8]]
+        self.gamma = v[9]
+        self.tau_n = v[10]
+        self._position = v[11:14]
+        self._velocity = v[14:17]
+        self._accel = v[17:20]
+        self.health = v[20]
+        self.p = v[21]
+        self.nt = v[22]
+        self.delta_tau_n = v[23]
+        self.ft = v[24]
+        self.en = v[25]
+        self.p1 = v[26]
+        self.p2 = v[27]
+        self.p3 = v[28]
+        self.p4 = v[29]
+        self.valid_flags = codec.KNOWN[GlonassEphemerisFlags][v[30]]
+        return at + 102
+
+    def _write(self) -> bytes:
+        return _2BdHBb2IB5d6f3Bf6BH.write(
+            "index count tow week_number satellite_id frequency_number tk tb satellite_type gamma tau_n position*3 velocity*3 accel*3 health p nt delta_tau_n ft en p1 p2 p3 p4 valid_flags",
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.satellite_id,
+            self.frequency_number,
+            self.tk,
+            self.tb,
+            self.satellite_type,
+            self.gamma,
+            self.tau_n,
+            *codec.elements("position", self.position, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("accel", self.accel, 3),
+            self.health,
+            self.p,
+            self.nt,
+            self.delta_tau_n,
+            self.ft,
+            self.en,
+            self.p1,
+            self.p2,
+            self.p3,
+            self.p4,
+            self.valid_flags,
+        )
+
 
 class GalileoEphemeris(Shared, Data):
     """Galileo ephemeris (0x63).
@@ -3165,7 +3656,7 @@ class GalileoEphemeris(Shared, Data):
     Broadcast orbit and clock of one Galileo satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
 
     It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
@@ -3250,43 +3741,7 @@ class GalileoEphemeris(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x63
     NAME = "gnss_data.galileo_ephemeris"
-    ROLE = "data"
-    _LAYOUT = (
-        ("index", "B", None),
-        ("count", "B", None),
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("satellite_id", "B", None),
-        ("health", "B", None),
-        ("iodc", "B", None),
-        ("iode", "B", None),
-        ("t_oc", "d", None),
-        ("af0", "d", None),
-        ("af1", "d", None),
-        ("af2", "d", None),
-        ("t_gd", "d", None),
-        ("isc_l1ca", "d", None),
-        ("isc_l2c", "d", None),
-        ("t_oe", "d", None),
-        ("a", "d", None),
-        ("a_dot", "d", None),
-        ("mean_anomaly", "d", None),
-        ("delta_mean_motion", "d", None),
-        ("delta_mean_motion_dot", "d", None),
-        ("eccentricity", "d", None),
-        ("argument_of_perigee", "d", None),
-        ("omega", "d", None),
-        ("omega_dot", "d", None),
-        ("inclination", "d", None),
-        ("inclination_dot", "d", None),
-        ("c_ic", "d", None),
-        ("c_is", "d", None),
-        ("c_uc", "d", None),
-        ("c_us", "d", None),
-        ("c_rc", "d", None),
-        ("c_rs", "d", None),
-        ("valid_flags", "H", EphemerisFlags),
-    )
+    _SIZE = 218
 
     index: int
     """Index of this field within the epoch."""
@@ -3473,6 +3928,83 @@ class GalileoEphemeris(Shared, Data):
         self.c_rs = c_rs
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2BdH4B25dH.unpack(raw, at)
+        self.index = v[0]
+        self.count = v[1]
+        self.tow = v[2]
+        self.week_number = v[3]
+        self.satellite_id = v[4]
+        self.health = v[5]
+        self.iodc = v[6]
+        self.iode = v[7]
+        self.t_oc = v[8]
+        self.af0 = v[9]
+        self.af1 = v[10]
+        self.af2 = v[11]
+        self.t_gd = v[12]
+        self.isc_l1ca = v[13]
+        self.isc_l2c = v[14]
+        self.t_oe = v[15]
+        self.a = v[16]
+        self.a_dot = v[17]
+        self.mean_anomaly = v[18]
+        self.delta_mean_motion = v[19]
+        self.delta_mean_motion_dot = v[20]
+        self.eccentricity = v[21]
+        self.argument_of_perigee = v[22]
+        self.omega = v[23]
+        self.omega_dot = v[24]
+        self.inclination = v[25]
+        self.inclination_dot = v[26]
+        self.c_ic = v[27]
+        self.c_is = v[28]
+        self.c_uc = v[29]
+        self.c_us = v[30]
+        self.c_rc = v[31]
+        self.c_rs = v[32]
+        self.valid_flags = codec.KNOWN[EphemerisFlags][v[33]]
+        return at + 218
+
+    def _write(self) -> bytes:
+        return _2BdH4B25dH.write(
+            "index count tow week_number satellite_id health iodc iode t_oc af0 af1 af2 t_gd isc_l1ca isc_l2c t_oe a a_dot mean_anomaly delta_mean_motion delta_mean_motion_dot eccentricity argument_of_perigee omega omega_dot inclination inclination_dot c_ic c_is c_uc c_us c_rc c_rs valid_flags",
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.satellite_id,
+            self.health,
+            self.iodc,
+            self.iode,
+            self.t_oc,
+            self.af0,
+            self.af1,
+            self.af2,
+            self.t_gd,
+            self.isc_l1ca,
+            self.isc_l2c,
+            self.t_oe,
+            self.a,
+            self.a_dot,
+            self.mean_anomaly,
+            self.delta_mean_motion,
+            self.delta_mean_motion_dot,
+            self.eccentricity,
+            self.argument_of_perigee,
+            self.omega,
+            self.omega_dot,
+            self.inclination,
+            self.inclination_dot,
+            self.c_ic,
+            self.c_is,
+            self.c_uc,
+            self.c_us,
+            self.c_rc,
+            self.c_rs,
+            self.valid_flags,
+        )
+
 
 class BeidouEphemeris(Shared, Data):
     """BeiDou ephemeris (0x64).
@@ -3480,7 +4012,7 @@ class BeidouEphemeris(Shared, Data):
     Broadcast orbit and clock of one BeiDou satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 1 more.
 
     It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
@@ -3565,43 +4097,7 @@ class BeidouEphemeris(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x64
     NAME = "gnss_data.beidou_ephemeris"
-    ROLE = "data"
-    _LAYOUT = (
-        ("index", "B", None),
-        ("count", "B", None),
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("satellite_id", "B", None),
-        ("health", "B", None),
-        ("iodc", "B", None),
-        ("iode", "B", None),
-        ("t_oc", "d", None),
-        ("af0", "d", None),
-        ("af1", "d", None),
-        ("af2", "d", None),
-        ("t_gd", "d", None),
-        ("isc_l1ca", "d", None),
-        ("isc_l2c", "d", None),
-        ("t_oe", "d", None),
-        ("a", "d", None),
-        ("a_dot", "d", None),
-        ("mean_anomaly", "d", None),
-        ("delta_mean_motion", "d", None),
-        ("delta_mean_motion_dot", "d", None),
-        ("eccentricity", "d", None),
-        ("argument_of_perigee", "d", None),
-        ("omega", "d", None),
-        ("omega_dot", "d", None),
-        ("inclination", "d", None),
-        ("inclination_dot", "d", None),
-        ("c_ic", "d", None),
-        ("c_is", "d", None),
-        ("c_uc", "d", None),
-        ("c_us", "d", None),
-        ("c_rc", "d", None),
-        ("c_rs", "d", None),
-        ("valid_flags", "H", EphemerisFlags),
-    )
+    _SIZE = 218
 
     index: int
     """Index of this field within the epoch."""
@@ -3788,6 +4284,83 @@ class BeidouEphemeris(Shared, Data):
         self.c_rs = c_rs
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2BdH4B25dH.unpack(raw, at)
+        self.index = v[0]
+        self.count = v[1]
+        self.tow = v[2]
+        self.week_number = v[3]
+        self.satellite_id = v[4]
+        self.health = v[5]
+        self.iodc = v[6]
+        self.iode = v[7]
+        self.t_oc = v[8]
+        self.af0 = v[9]
+        self.af1 = v[10]
+        self.af2 = v[11]
+        self.t_gd = v[12]
+        self.isc_l1ca = v[13]
+        self.isc_l2c = v[14]
+        self.t_oe = v[15]
+        self.a = v[16]
+        self.a_dot = v[17]
+        self.mean_anomaly = v[18]
+        self.delta_mean_motion = v[19]
+        self.delta_mean_motion_dot = v[20]
+        self.eccentricity = v[21]
+        self.argument_of_perigee = v[22]
+        self.omega = v[23]
+        self.omega_dot = v[24]
+        self.inclination = v[25]
+        self.inclination_dot = v[26]
+        self.c_ic = v[27]
+        self.c_is = v[28]
+        self.c_uc = v[29]
+        self.c_us = v[30]
+        self.c_rc = v[31]
+        self.c_rs = v[32]
+        self.valid_flags = codec.KNOWN[EphemerisFlags][v[33]]
+        return at + 218
+
+    def _write(self) -> bytes:
+        return _2BdH4B25dH.write(
+            "index count tow week_number satellite_id health iodc iode t_oc af0 af1 af2 t_gd isc_l1ca isc_l2c t_oe a a_dot mean_anomaly delta_mean_motion delta_mean_motion_dot eccentricity argument_of_perigee omega omega_dot inclination inclination_dot c_ic c_is c_uc c_us c_rc c_rs valid_flags",
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.satellite_id,
+            self.health,
+            self.iodc,
+            self.iode,
+            self.t_oc,
+            self.af0,
+            self.af1,
+            self.af2,
+            self.t_gd,
+            self.isc_l1ca,
+            self.isc_l2c,
+            self.t_oe,
+            self.a,
+            self.a_dot,
+            self.mean_anomaly,
+            self.delta_mean_motion,
+            self.delta_mean_motion_dot,
+            self.eccentricity,
+            self.argument_of_perigee,
+            self.omega,
+            self.omega_dot,
+            self.inclination,
+            self.inclination_dot,
+            self.c_ic,
+            self.c_is,
+            self.c_uc,
+            self.c_us,
+            self.c_rc,
+            self.c_rs,
+            self.valid_flags,
+        )
+
 
 class GpsIonoCorrection(Shared, Data):
     """GPS ionospheric correction (0x71).
@@ -3807,14 +4380,7 @@ class GpsIonoCorrection(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x71
     NAME = "gnss_data.gps_iono_correction"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("alpha", "dddd", tuple),
-        ("beta", "dddd", tuple),
-        ("valid_flags", "H", GpsIonoCorrectionFlags),
-    )
+    _SIZE = 76
 
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
@@ -3826,11 +4392,11 @@ class GpsIonoCorrection(Shared, Data):
     """
     alpha: tuple[float, float, float, float]
     """Coefficients alpha 0 to 3. Valid if `GpsIonoCorrectionFlags.ALPHA` of `valid_flags` is set.
-    Uncertain: The units.
+    Uncertain: No source states the units.
     """
     beta: tuple[float, float, float, float]
     """Coefficients beta 0 to 3. Valid if `GpsIonoCorrectionFlags.BETA` of `valid_flags` is set.
-    Uncertain: The units.
+    Uncertain: No source states the units.
     """
     valid_flags: GpsIonoCorrectionFlags
     """Validity flags for the model."""
@@ -3848,6 +4414,25 @@ class GpsIonoCorrection(Shared, Data):
         self.alpha = codec.several(alpha)
         self.beta = codec.several(beta)
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _dH8dH.unpack(raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.alpha = v[2:6]
+        self.beta = v[6:10]
+        self.valid_flags = codec.KNOWN[GpsIonoCorrectionFlags][v[10]]
+        return at + 76
+
+    def _write(self) -> bytes:
+        return _dH8dH.write(
+            "tow week_number alpha*4 beta*4 valid_flags",
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 4),
+            *codec.exactly("beta", self.beta, 4),
+            self.valid_flags,
+        )
 
 
 class GalileoIonoCorrection(Shared, Data):
@@ -3868,14 +4453,7 @@ class GalileoIonoCorrection(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x73
     NAME = "gnss_data.galileo_iono_correction"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("alpha", "ddd", tuple),
-        ("disturbance_flags", "B", None),
-        ("valid_flags", "H", GalileoIonoCorrectionFlags),
-    )
+    _SIZE = 37
 
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
@@ -3887,12 +4465,12 @@ class GalileoIonoCorrection(Shared, Data):
     """
     alpha: tuple[float, float, float]
     """The three coefficients of the model. Valid if `GalileoIonoCorrectionFlags.ALPHA` of
-    `valid_flags` is set. Uncertain: The units.
+    `valid_flags` is set. Uncertain: No source states the units.
     """
     disturbance_flags: int
     """Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if
-    `GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `valid_flags` is set. Uncertain: Whether the
-    bits count from 0 or from 1, and which region each represents.
+    `GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `valid_flags` is set. Uncertain: No source
+    states whether the bits count from 0 or from 1, or the region of each.
     """
     valid_flags: GalileoIonoCorrectionFlags
     """Validity flags for the model."""
@@ -3910,6 +4488,25 @@ class GalileoIonoCorrection(Shared, Data):
         self.alpha = codec.several(alpha)
         self.disturbance_flags = disturbance_flags
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _dH3dBH.unpack(raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.alpha = v[2:5]
+        self.disturbance_flags = v[5]
+        self.valid_flags = codec.KNOWN[GalileoIonoCorrectionFlags][v[6]]
+        return at + 37
+
+    def _write(self) -> bytes:
+        return _dH3dBH.write(
+            "tow week_number alpha*3 disturbance_flags valid_flags",
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 3),
+            self.disturbance_flags,
+            self.valid_flags,
+        )
 
 
 class BeidouIonoCorrection(Shared, Data):
@@ -3930,15 +4527,7 @@ class BeidouIonoCorrection(Shared, Data):
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x74
     NAME = "gnss_data.beidou_iono_correction"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("alpha", "dddd", tuple),
-        ("beta", "dddd", tuple),
-        ("alpha_correction", "ddddddddd", tuple),
-        ("valid_flags", "H", BeidouIonoCorrectionFlags),
-    )
+    _SIZE = 148
 
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
@@ -3950,15 +4539,15 @@ class BeidouIonoCorrection(Shared, Data):
     """
     alpha: tuple[float, float, float, float]
     """Coefficients alpha 0 to 3. Valid if `BeidouIonoCorrectionFlags.ALPHA` of `valid_flags` is
-    set. Uncertain: The units.
+    set. Uncertain: No source states the units.
     """
     beta: tuple[float, float, float, float]
     """Coefficients beta 0 to 3. Valid if `BeidouIonoCorrectionFlags.BETA` of `valid_flags` is set.
-    Uncertain: The units.
+    Uncertain: No source states the units.
     """
     alpha_correction: tuple[float, ...]
     """Nine further coefficients of the delay. Valid if `BeidouIonoCorrectionFlags.ALPHA_CORRECTION`
-    of `valid_flags` is set. Uncertain: The units.
+    of `valid_flags` is set. Uncertain: No source states the units.
     """
     valid_flags: BeidouIonoCorrectionFlags
     """Validity flags for the model."""
@@ -3978,6 +4567,27 @@ class BeidouIonoCorrection(Shared, Data):
         self.beta = codec.several(beta)
         self.alpha_correction = codec.several(alpha_correction)
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _dH17dH.unpack(raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.alpha = v[2:6]
+        self.beta = v[6:10]
+        self.alpha_correction = v[10:19]
+        self.valid_flags = codec.KNOWN[BeidouIonoCorrectionFlags][v[19]]
+        return at + 148
+
+    def _write(self) -> bytes:
+        return _dH17dH.write(
+            "tow week_number alpha*4 beta*4 alpha_correction*9 valid_flags",
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 4),
+            *codec.exactly("beta", self.beta, 4),
+            *codec.exactly("alpha_correction", self.alpha_correction, 9),
+            self.valid_flags,
+        )
 
 
 #: Descriptor -> its types; several if constants or the size of the data distinguish layouts.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from .checks import HEADS, is_correct
+from .checks import HEADS, has_checksum, is_correct
 from .packet import NO_SETS, OVERHEAD, SYNC, Packet
 
 if TYPE_CHECKING:
@@ -155,14 +155,13 @@ class Parser(Scanner[Packet]):
         self, data: bytes, items: list[Any], between: bool = False, final: bool = False
     ) -> None:
         buffer = self._rest + data if self._rest else data
-        add, known, new = items.append, HEADS.made.get, object.__new__
+        add, known, new = items.append, HEADS.get, object.__new__
         at, length = 0, len(buffer)
         while True:
             head = known(buffer[at : at + 4])
             if head is not None:
-                size, check = head
-                end = at + size
-                if end <= length and check(buffer, at):
+                end = at + head[0]
+                if end <= length and has_checksum(buffer, at, head):
                     packet = new(Packet)
                     packet._data = buffer[at:end]
                     add(packet)
@@ -176,7 +175,7 @@ class Parser(Scanner[Packet]):
             if not end:
                 self._rest = buffer[begin:]
                 return
-            HEADS.count(buffer[begin : begin + 4])
+            HEADS.add_header(buffer[begin : begin + 4])
             add(Packet._trusted(buffer[begin:end]))
             at = end
 

@@ -17,7 +17,7 @@ from importlib import import_module
 from typing import Any, ParamSpec, Protocol
 from urllib.parse import urlsplit
 
-from .errors import MissingExtra, PortError
+from .exceptions import MissingExtra, PortError
 
 #: The factory default baud rate.
 USUAL = 115200
@@ -29,6 +29,8 @@ WRITE_TIMEOUT = 5.0
 CONNECT_TIMEOUT = 10.0
 #: The largest number of bytes read at once.
 AT_ONCE = 4096
+#: Seconds within which bytes that wait at a port are handled before a command is sent.
+SETTLE = 0.05
 #: Seconds to wait before reading again a port that returns immediately without data.
 PAUSE = 0.002
 
@@ -72,6 +74,10 @@ class SocketPort:
         if not data:
             raise ConnectionResetError("the other end has closed the connection")
         return data
+
+    def waits(self) -> bool:
+        """Do bytes, or the end of the connection, wait?"""
+        return bool(self._ready(selectors.EVENT_READ, 0))
 
     def write(self, data: bytes) -> int:
         if not self._ready(selectors.EVENT_WRITE, WRITE_TIMEOUT):
@@ -172,6 +178,15 @@ def read_some(port: Any) -> bytes:
     return read(AT_ONCE) or b""
 
 
+def waits(port: Any) -> bool:
+    """Do bytes wait at a port, as far as it can tell?"""
+    try:
+        check = getattr(port, "waits", None)
+        return bool(check() if check else getattr(port, "in_waiting", 0))
+    except Exception:  # the port is lost, which the reader reports
+        return False
+
+
 def write_all(port: Any, data: bytes, wait: Callable[[float], object] = time.sleep) -> None:
     """Writes all bytes, in several calls if the port accepts fewer at once.
 
@@ -232,6 +247,7 @@ class Reader(threading.Thread):
         self._on_data = on_data
         self._on_end = on_end
         self._stopped = threading.Event()
+        self._handling = False
 
     def run(self) -> None:
         error: BaseException | None = None
@@ -239,13 +255,21 @@ class Reader(threading.Thread):
             while not self._stopped.is_set():
                 before = time.monotonic()
                 data = read_some(self._port)
+                self._handling = True
                 now = time.monotonic()
                 self._on_data(data, now, time.time())
+                self._handling = False
                 if not data and now - before < PAUSE:
                     self._stopped.wait(PAUSE)
         except BaseException as caught:  # ports and callbacks may raise anything
             error = None if self._stopped.is_set() else caught
         self._on_end(error)
+
+    def settle(self) -> None:
+        """Waits for a moment until the bytes that have already arrived are handled."""
+        end = time.monotonic() + SETTLE
+        while (self._handling or waits(self._port)) and time.monotonic() < end:
+            time.sleep(0.0005)
 
     def write(self, data: bytes) -> None:
         """Writes all bytes to the port, unless the reader is stopped before it accepts them."""

@@ -13,7 +13,8 @@ class Support(Enum):
     """Does a device support a command or a data field?"""
 
     YES = "yes"
-    PROBABLE = "probable"
+    LIKELY = "likely"  # an example, a program or a list of others names this very model
+    ASSUMED = "assumed"  # its family or a nearly identical device has it
     NO = "no"
     UNKNOWN = "unknown"
 
@@ -25,8 +26,9 @@ class Evidence:
     answer: Support
     kind: str  # "documented" in its manual, "listed" by the device, ... concluded from a "sister"
     why: str
-    descriptors: dict[int, bytes]  # set -> descriptors of commands and data
+    descriptors: dict[int, bytes]  # set -> descriptors of commands and data; none: all of the set
     undefined: tuple[tuple[int, int], ...] = ()  # others that it lists, without a known layout
+    absence: str = ""  # what the device lacks: "has no magnetometer"
 
 
 @dataclass(frozen=True)
@@ -95,20 +97,33 @@ class Device:
 
     @cached_property
     def fields(self) -> frozenset[tuple[int, int]]:
-        """(set, descriptor) of the commands and data that it certainly or probably supports."""
-        return self.certain | {k for k, e in self._said.items() if e.answer is Support.PROBABLE}
+        """(set, descriptor) of the commands and data that it supports, or is believed to support."""
+        return self.certain | self.likely | self.assumed
 
     @cached_property
     def certain(self) -> frozenset[tuple[int, int]]:
         return frozenset(key for key, e in self._said.items() if e.answer is Support.YES)
 
     @cached_property
+    def likely(self) -> frozenset[tuple[int, int]]:
+        return frozenset(key for key, e in self._said.items() if e.answer is Support.LIKELY)
+
+    @cached_property
+    def assumed(self) -> frozenset[tuple[int, int]]:
+        return frozenset(key for key, e in self._said.items() if e.answer is Support.ASSUMED)
+
+    @cached_property
     def _said(self) -> dict[tuple[int, int], Evidence]:
         return {(s, d): e for e in self.evidence for s, ds in e.descriptors.items() for d in ds}
 
+    @cached_property
+    def _whole(self) -> dict[int, Evidence]:
+        """Data set of which the device has no field -> why."""
+        return {s: e for e in self.evidence for s, ds in e.descriptors.items() if not ds}
+
     def has(self, set: int, descriptor: int) -> bool:
-        """Does it certainly or probably support this command or data field?"""
-        return self.support(set, descriptor) in (Support.YES, Support.PROBABLE)
+        """Does it support this command or data field, certainly or as is believed?"""
+        return self.support(set, descriptor) not in (Support.NO, Support.UNKNOWN)
 
     def support(self, set: int, descriptor: int) -> Support:
         """Returns whether the device supports a command or data field. A shared field is found in
@@ -119,7 +134,7 @@ class Device:
     def why(self, set: int, descriptor: int) -> Evidence | None:
         """Returns the evidence for the answer of `support`; None if there is none."""
         shared = self._said.get((0xFF, descriptor)) if set >= 0x80 else None
-        return self._said.get((set, descriptor), shared)
+        return self._said.get((set, descriptor)) or self._whole.get(set, shared)
 
     def decimation(self, set: int, rate: float) -> int:
         """Returns the decimation, at least 1, for the rate closest to a desired one in Hz. If the

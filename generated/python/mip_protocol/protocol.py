@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from . import codec, types
 from .field import Response, Shared
 from .types import AckCode
@@ -12,6 +14,10 @@ VERSION = "0.1.0"
 #: Set and descriptor of the command that `Client` uses as a barrier; 0, 0 if the specification
 #: names none.
 BARRIER = (0x01, 0x01)
+
+
+# Numbers that are read and written together, by their letters for `struct`.
+_2B = codec.Block("2B")
 
 
 class FunctionSelector(codec.OpenEnum):
@@ -47,8 +53,7 @@ class Acknowledge(Shared, Response):
     SETS = range(0x01, 0x80)
     DESCRIPTOR = 0xF1
     NAME = "protocol.acknowledge"
-    ROLE = "response"
-    _LAYOUT = (("command", "B", None), ("code", "B", types.AckCode))
+    _SIZE = 2
 
     command: int
     """Descriptor of the acknowledged command."""
@@ -58,6 +63,15 @@ class Acknowledge(Shared, Response):
     def __init__(self, command: int, code: types.AckCode) -> None:
         self.command = command
         self.code = code
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2B.unpack(raw, at)
+        self.command = v[0]
+        self.code = codec.KNOWN[types.AckCode][v[1]]
+        return at + 2
+
+    def _write(self) -> bytes:
+        return _2B.write("command code", self.command, self.code)
 
 
 __all__ = ["VERSION", "AckCode", "Acknowledge", "FunctionSelector"]

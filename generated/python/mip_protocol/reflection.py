@@ -11,15 +11,14 @@ from __future__ import annotations
 
 from enum import IntEnum, IntFlag
 from functools import cache
-from importlib import import_module
 from typing import Any, overload
 
-from ._sets import MODULES
-from .described import Described
+from . import prose
+from ._sets import MODULES, SETS
+from .described import Described, description
 from .field import Field, Structure
-from .info import BitsInfo, EnumInfo, FieldInfo, Info, SetInfo, StructureInfo
+from .info import BitsInfo, EnumInfo, FieldInfo, Item, SetInfo, StructureInfo
 from .parameter import Flag, Parameter, Variant
-from .text import Item, items
 
 
 @overload
@@ -35,40 +34,20 @@ def info(kind: type) -> Any:
 
     Raises LookupError for any other class.
     """
-    return _info(kind)
+    return description(kind)
 
 
-@cache
-def _info(kind: type) -> Info:
-    for base in kind.__mro__:
-        package, _, module = base.__module__.rpartition(".")
-        if package == __package__ and module in _modules():
-            found = _table(module).get(base.__name__)
-            if found is not None:
-                return found
-    raise LookupError(f"{kind.__module__}.{kind.__qualname__} is not a type of the specification")
+def items(holder: Described, device: str | None = None) -> list[Item]:
+    """Returns an object's values, without absent ones, each with its text and its validity."""
+    values: list[Item] = holder.INFO.items(holder, device)
+    return values
 
 
 @cache
 def set_info(number: int) -> SetInfo:
     """Returns the description of a descriptor set. Raises LookupError if the set is unknown."""
-    from . import prose
-    from ._index import SETS
-
     name, title = SETS[number]
     return SetInfo(name, number, title, prose.of_set(f"{__package__}.{MODULES[number]}", name))
-
-
-@cache
-def _modules() -> frozenset[str]:
-    return frozenset((*MODULES.values(), "protocol", "types"))
-
-
-@cache
-def _table(module: str) -> dict[str, Info]:
-    """Returns a module's table: class -> its description."""
-    table: dict[str, Info] = import_module(f"._meaning.{module}", __package__).TYPES
-    return table
 
 
 __all__ = ["Flag", "Item", "Parameter", "Variant", "info", "items", "set_info"]

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from functools import cache
 from importlib import import_module
+from typing import Any
 
 from ._sets import MODULES as MODULES
-from .field import Field, chosen
-from .layouts import Layouts
-from .packet import Packet, RawField
+from .exceptions import DecodeError
+from .field import Field, Shared, chosen
+from .packet import Packet, RawField, Undecoded
 from .protocol import Acknowledge
 
 SHARED_SET = 0xFF
+#: The fields of a packet.
+Fields = tuple["Field | RawField", ...]
 
 
 @cache
@@ -45,9 +48,12 @@ def by_name(name: str) -> type[Field]:
     The set's name may be left out if the rest is unambiguous. Raises UnknownName, which lists the
     nearest names.
     """
-    from .lookup import field
+    from .lookup import descriptors, field_home
 
-    return field(name)
+    numbers = descriptors(name)
+    module, kind = field_home(name, [t.NAME for t in types(*numbers)] if numbers else None)
+    found: type[Field] = getattr(import_module(f".{module}", __package__), kind)
+    return found
 
 
 def set_by_name(name: str) -> int:
@@ -86,8 +92,57 @@ def decode_packet(packet: Packet) -> list[Field | RawField]:
     A raw field's `error` is the reason why it cannot be decoded. Decoding stops at a malformed
     field, because no field can be found after it; see `Packet.malformed`.
     """
-    return list(LAYOUTS.decode(packet))
+    data = bytes(packet)
+    return list(decode_bytes(data, 0, len(data)))
 
 
-#: Decodes whole packets, and keeps the functions compiled for their layouts.
-LAYOUTS = Layouts(types)
+def decode_field(raw: RawField) -> Field | RawField:
+    """Decodes a field; one that is unknown or cannot be decoded stays raw."""
+    try:
+        return decode(raw) or raw
+    except DecodeError as error:
+        return Undecoded.because(raw, error)
+
+
+#: A class whose fields consist of plain numbers, the function that reads one, its size with the
+#: header, whether it is shared. Size 0: all others.
+Plain = tuple[Any, Any, int, bool]
+_OTHER: Plain = (None, None, 0, False)
+#: Set -> these facts for each descriptor, once a packet of the set has been decoded.
+_PLAIN: list[list[Plain]] = [[] for _ in range(256)]
+
+
+def _plain(set: int) -> list[Plain]:
+    facts = []
+    for descriptor in range(256):
+        kinds = types(set, descriptor)
+        one, made = kinds[0] if len(kinds) == 1 else Field, _OTHER
+        if one._SIZE:
+            made = (one, one._read, one._SIZE + 2, issubclass(one, Shared))
+        facts.append(made)
+    _PLAIN[set] = facts
+    return facts
+
+
+def decode_bytes(buffer: bytes, at: int, end: int) -> Fields:
+    """Decodes the fields of the packet from `at` to `end`, which has the correct checksum."""
+    number = buffer[at + 2]
+    plain, new = _PLAIN[number] or _plain(number), object.__new__
+    at, end = at + 4, end - 2
+    fields: list[Field | RawField] = []
+    while at < end:
+        length, descriptor = buffer[at], buffer[at + 1]
+        if length > end - at or length < 2:
+            break  # no field can be found after a malformed one
+        kind, read, size, shared = plain[descriptor]
+        if size == length:
+            field = new(kind)
+            at = read(field, buffer, at + 2)
+            if shared:
+                field._packet_set = number
+            fields.append(field)
+        else:
+            raw = RawField(number, descriptor, buffer[at + 2 : at + length])
+            fields.append(decode_field(raw))
+            at += length
+    return tuple(fields)

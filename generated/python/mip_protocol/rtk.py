@@ -3,7 +3,7 @@
 Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
 
 Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the names.
-Uncertain: How the strings are padded or terminated.
+Uncertain: No source states how strings are padded or terminated.
 
 - mip-sdk-4: Rtk Commands (0x0F)
 """
@@ -14,9 +14,22 @@ from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any
 
-from . import codec, types, wire
+from . import codec, types
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
+
+# Numbers that are read and written together, by their letters for `struct`.
+_2I = codec.Block("2I")
+
+_7BI = codec.Block("7BI")
+
+_B = codec.Block("B")
+
+_B2IQ = codec.Block("B2IQ")
+
+_B2i = codec.Block("B2i")
+
+_I = codec.Block("I")
 
 
 class ConnectedDevice(codec.OpenEnum):
@@ -83,17 +96,22 @@ class GetStatusFlagsResponse(Response):
     __match_args__ = ("flags",)
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x81
     NAME = "rtk.get_status_flags_response"
-    ROLE = "response"
-    _LAYOUT = (("flags", "I", types.RtkStatusFlags),)
+    _SIZE = 4
 
     flags: types.RtkStatusFlags
     """State of the modem and of the corrections."""
 
     def __init__(self, flags: types.RtkStatusFlags) -> None:
         self.flags = flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.flags = codec.KNOWN[types.RtkStatusFlags][_I.unpack(raw, at)[0]]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _I.write("flags", self.flags)
 
 
 class GetImeiResponse(Response):
@@ -108,17 +126,24 @@ class GetImeiResponse(Response):
     __match_args__ = ("imei",)
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x82
     NAME = "rtk.get_imei_response"
-    ROLE = "response"
-    _LAYOUT = (("imei", "", wire.Text(32, 32)),)
 
     imei: str
     """International mobile equipment identity."""
 
     def __init__(self, imei: str) -> None:
         self.imei = imei
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        n = 32
+        self.imei = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        return at
+
+    def _write(self) -> bytes:
+        out = codec.padded("imei", self.imei, 32)
+        return codec.finished(out)
 
 
 class GetImsiResponse(Response):
@@ -133,17 +158,24 @@ class GetImsiResponse(Response):
     __match_args__ = ("imsi",)
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x83
     NAME = "rtk.get_imsi_response"
-    ROLE = "response"
-    _LAYOUT = (("imsi", "", wire.Text(32, 32)),)
 
     imsi: str
     """International mobile subscriber identity."""
 
     def __init__(self, imsi: str) -> None:
         self.imsi = imsi
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        n = 32
+        self.imsi = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        return at
+
+    def _write(self) -> bytes:
+        out = codec.padded("imsi", self.imsi, 32)
+        return codec.finished(out)
 
 
 class GetIccidResponse(Response):
@@ -158,17 +190,24 @@ class GetIccidResponse(Response):
     __match_args__ = ("iccid",)
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x84
     NAME = "rtk.get_iccid_response"
-    ROLE = "response"
-    _LAYOUT = (("iccid", "", wire.Text(32, 32)),)
 
     iccid: str
     """Number of the SIM card."""
 
     def __init__(self, iccid: str) -> None:
         self.iccid = iccid
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        n = 32
+        self.iccid = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        return at
+
+    def _write(self) -> bytes:
+        out = codec.padded("iccid", self.iccid, 32)
+        return codec.finished(out)
 
 
 class GetRssiResponse(Response):
@@ -184,23 +223,35 @@ class GetRssiResponse(Response):
     __match_args__ = ("valid", "rssi", "signal_quality")
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x85
     NAME = "rtk.get_rssi_response"
-    ROLE = "response"
-    _LAYOUT = (("valid", "B", codec.truth), ("rssi", "i", None), ("signal_quality", "i", None))
+    _SIZE = 9
 
     valid: bool
     """True if the modem is connected."""
     rssi: int
-    """Received signal strength. Valid if `valid` is true. Uncertain: The unit; dBm is likely."""
+    """Received signal strength. Valid if `valid` is true. Uncertain: No source states the unit; dBm
+    is likely.
+    """
     signal_quality: int
-    """Quality of the modem's radio signal. Valid if `valid` is true. Uncertain: The unit."""
+    """Quality of the modem's radio signal. Valid if `valid` is true. Uncertain: No source states
+    the unit.
+    """
 
     def __init__(self, valid: bool, rssi: int, signal_quality: int) -> None:
         self.valid = valid
         self.rssi = rssi
         self.signal_quality = signal_quality
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B2i.unpack(raw, at)
+        self.valid = codec.TRUTH[v[0]]
+        self.rssi = v[1]
+        self.signal_quality = v[2]
+        return at + 9
+
+    def _write(self) -> bytes:
+        return _B2i.write("valid rssi signal_quality", self.valid, self.rssi, self.signal_quality)
 
 
 class ConnectedDeviceTypeResponse(Response):
@@ -215,17 +266,22 @@ class ConnectedDeviceTypeResponse(Response):
     __match_args__ = ("device_type",)
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x86
     NAME = "rtk.connected_device_type_response"
-    ROLE = "response"
-    _LAYOUT = (("device_type", "B", ConnectedDevice),)
+    _SIZE = 1
 
     device_type: ConnectedDevice
     """Type of device that the modem is connected to."""
 
     def __init__(self, device_type: ConnectedDevice) -> None:
         self.device_type = device_type
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.device_type = codec.KNOWN[ConnectedDevice][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("device_type", self.device_type)
 
 
 class GetActivationCodeResponse(Response):
@@ -241,17 +297,24 @@ class GetActivationCodeResponse(Response):
     __match_args__ = ("activation_code",)
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x87
     NAME = "rtk.get_activation_code_response"
-    ROLE = "response"
-    _LAYOUT = (("activation_code", "", wire.Text(32, 32)),)
 
     activation_code: str
     """Code that activates the modem for its service."""
 
     def __init__(self, activation_code: str) -> None:
         self.activation_code = activation_code
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        n = 32
+        self.activation_code = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        return at
+
+    def _write(self) -> bytes:
+        out = codec.padded("activation_code", self.activation_code, 32)
+        return codec.finished(out)
 
 
 class GetModemFirmwareVersionResponse(Response):
@@ -266,11 +329,8 @@ class GetModemFirmwareVersionResponse(Response):
     __match_args__ = ("modem_firmware_version",)
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x88
     NAME = "rtk.get_modem_firmware_version_response"
-    ROLE = "response"
-    _LAYOUT = (("modem_firmware_version", "", wire.Text(32, 32)),)
 
     modem_firmware_version: str
     """Firmware version of the modem, not of the dongle."""
@@ -278,14 +338,24 @@ class GetModemFirmwareVersionResponse(Response):
     def __init__(self, modem_firmware_version: str) -> None:
         self.modem_firmware_version = modem_firmware_version
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        n = 32
+        self.modem_firmware_version = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        return at
+
+    def _write(self) -> bytes:
+        out = codec.padded("modem_firmware_version", self.modem_firmware_version, 32)
+        return codec.finished(out)
+
 
 class ServiceStatusResponse(Response):
     """Service status response (0x0F,0x8A).
 
     Connection status according to the server.
 
-    Response to `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the
-    counters count.
+    Response to `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: No source
+    states what the counters count.
 
     - mip-sdk-4: Service status (0x0F,0x0A)
     """
@@ -294,16 +364,9 @@ class ServiceStatusResponse(Response):
     __match_args__ = ("flags", "received_bytes", "last_bytes", "last_bytes_time")
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x8A
     NAME = "rtk.service_status_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("flags", "B", ServiceFlags),
-        ("received_bytes", "I", None),
-        ("last_bytes", "I", None),
-        ("last_bytes_time", "Q", None),
-    )
+    _SIZE = 17
 
     flags: ServiceFlags
     """State of the service."""
@@ -312,7 +375,7 @@ class ServiceStatusResponse(Response):
     last_bytes: int
     """Number of bytes in the last transfer. Unit: byte."""
     last_bytes_time: int
-    """Time of the last transfer. Uncertain: The unit and the epoch."""
+    """Time of the last transfer. Uncertain: No source states the unit and the epoch."""
 
     def __init__(
         self, flags: ServiceFlags, received_bytes: int, last_bytes: int, last_bytes_time: int
@@ -321,6 +384,23 @@ class ServiceStatusResponse(Response):
         self.received_bytes = received_bytes
         self.last_bytes = last_bytes
         self.last_bytes_time = last_bytes_time
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B2IQ.unpack(raw, at)
+        self.flags = codec.KNOWN[ServiceFlags][v[0]]
+        self.received_bytes = v[1]
+        self.last_bytes = v[2]
+        self.last_bytes_time = v[3]
+        return at + 17
+
+    def _write(self) -> bytes:
+        return _B2IQ.write(
+            "flags received_bytes last_bytes last_bytes_time",
+            self.flags,
+            self.received_bytes,
+            self.last_bytes,
+            self.last_bytes_time,
+        )
 
 
 class GetStatusFlags(Command[GetStatusFlagsResponse]):
@@ -340,10 +420,8 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
     __slots__ = ()
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x01
     NAME = "rtk.get_status_flags"
-    ROLE = "command"
     RESPONSES = (GetStatusFlagsResponse,)
 
 
@@ -361,10 +439,8 @@ class GetImei(Command[GetImeiResponse]):
     __slots__ = ()
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x02
     NAME = "rtk.get_imei"
-    ROLE = "command"
     RESPONSES = (GetImeiResponse,)
 
 
@@ -382,10 +458,8 @@ class GetImsi(Command[GetImsiResponse]):
     __slots__ = ()
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x03
     NAME = "rtk.get_imsi"
-    ROLE = "command"
     RESPONSES = (GetImsiResponse,)
 
 
@@ -403,10 +477,8 @@ class GetIccid(Command[GetIccidResponse]):
     __slots__ = ()
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x04
     NAME = "rtk.get_iccid"
-    ROLE = "command"
     RESPONSES = (GetIccidResponse,)
 
 
@@ -424,10 +496,8 @@ class GetRssi(Command[GetRssiResponse]):
     __slots__ = ()
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x05
     NAME = "rtk.get_rssi"
-    ROLE = "command"
     RESPONSES = (GetRssiResponse,)
 
 
@@ -447,14 +517,10 @@ class ConnectedDeviceType(Command[R]):
     __match_args__ = ("function", "device_type")
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x06
     NAME = "rtk.connected_device_type"
-    ROLE = "command"
     RESPONSES = (ConnectedDeviceTypeResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("device_type", "B", ConnectedDevice))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -466,6 +532,19 @@ class ConnectedDeviceType(Command[R]):
     ) -> None:
         self.function = function
         self.device_type = device_type
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.device_type = codec.KNOWN[ConnectedDevice][_B.read(raw, at)[0]] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "device_type"))
+        out += _B.write("device_type", self.device_type) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -517,10 +596,8 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
     __slots__ = ()
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x07
     NAME = "rtk.get_activation_code"
-    ROLE = "command"
     RESPONSES = (GetActivationCodeResponse,)
 
 
@@ -538,10 +615,8 @@ class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
     __slots__ = ()
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x08
     NAME = "rtk.get_modem_firmware_version"
-    ROLE = "command"
     RESPONSES = (GetModemFirmwareVersionResponse,)
 
 
@@ -562,21 +637,26 @@ class ServiceStatus(Command[ServiceStatusResponse]):
     __match_args__ = ("reserved1", "reserved2")
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x0A
     NAME = "rtk.service_status"
-    ROLE = "command"
     RESPONSES = (ServiceStatusResponse,)
-    _LAYOUT = (("reserved1", "I", None), ("reserved2", "I", None))
+    _SIZE = 8
 
     reserved1: int
-    """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
+    """Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed."""
     reserved2: int
-    """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
+    """Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed."""
 
     def __init__(self, reserved1: int = 0, reserved2: int = 0) -> None:
         self.reserved1 = reserved1
         self.reserved2 = reserved2
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.reserved1, self.reserved2 = _2I.unpack(raw, at)
+        return at + 8
+
+    def _write(self) -> bytes:
+        return _2I.write("reserved1 reserved2", self.reserved1, self.reserved2)
 
 
 class EraseStorage(Command[None]):
@@ -596,17 +676,22 @@ class EraseStorage(Command[None]):
     __match_args__ = ("media",)
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x20
     NAME = "rtk.erase_storage"
-    ROLE = "command"
-    _LAYOUT = (("media", "B", StorageMedium),)
+    _SIZE = 1
 
     media: StorageMedium
     """The medium."""
 
     def __init__(self, media: StorageMedium) -> None:
         self.media = media
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.media = codec.KNOWN[StorageMedium][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("media", self.media)
 
 
 class LedControl(Command[None]):
@@ -625,25 +710,21 @@ class LedControl(Command[None]):
     __match_args__ = ("primary_color", "alternate_color", "action", "period")
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x21
     NAME = "rtk.led_control"
-    ROLE = "command"
-    _LAYOUT = (
-        ("primary_color", "BBB", tuple),
-        ("alternate_color", "BBB", tuple),
-        ("action", "B", LedAction),
-        ("period", "I", None),
-    )
+    _SIZE = 11
 
     primary_color: tuple[int, int, int]
-    """First colour. Uncertain: The order of its parts; red, green, blue is likely."""
+    """First colour. Uncertain: No source states the order of its parts; red, green, blue is likely.
+    """
     alternate_color: tuple[int, int, int]
-    """Second colour. Uncertain: The order of its parts; red, green, blue is likely."""
+    """Second colour. Uncertain: No source states the order of its parts; red, green, blue is
+    likely.
+    """
     action: LedAction
     """Pattern."""
     period: int
-    """Period of the pattern. Uncertain: The unit; ms is likely."""
+    """Period of the pattern. Uncertain: No source states the unit; ms is likely."""
 
     def __init__(
         self,
@@ -656,6 +737,23 @@ class LedControl(Command[None]):
         self.alternate_color = codec.several(alternate_color)
         self.action = action
         self.period = period
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _7BI.unpack(raw, at)
+        self.primary_color = v[:3]
+        self.alternate_color = v[3:6]
+        self.action = codec.KNOWN[LedAction][v[6]]
+        self.period = v[7]
+        return at + 11
+
+    def _write(self) -> bytes:
+        return _7BI.write(
+            "primary_color*3 alternate_color*3 action period",
+            *codec.exactly("primary_color", self.primary_color, 3),
+            *codec.exactly("alternate_color", self.alternate_color, 3),
+            self.action,
+            self.period,
+        )
 
 
 class ModemHardReset(Command[None]):
@@ -673,10 +771,8 @@ class ModemHardReset(Command[None]):
     __slots__ = ()
 
     SET = 0x0F
-    SETS = (0x0F,)
     DESCRIPTOR = 0x22
     NAME = "rtk.modem_hard_reset"
-    ROLE = "command"
 
 
 GetStatusFlagsResponse.COMMANDS = (GetStatusFlags,)

@@ -10,9 +10,33 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .field import Data, Field
+
+# Numbers that are read and written together, by their letters for `struct`.
+_2I = codec.Block("2I")
+
+_2fH = codec.Block("2fH")
+
+_3f = codec.Block("3f")
+
+_4H = codec.Block("4H")
+
+_4f = codec.Block("4f")
+
+_9f = codec.Block("9f")
+
+_B2I = codec.Block("B2I")
+
+_H = codec.Block("H")
+
+_I = codec.Block("I")
+
+_d2H = codec.Block("d2H")
+
+_f = codec.Block("f")
 
 
 @codec.open_flag(16)
@@ -20,25 +44,33 @@ class OverrangeFlags(IntFlag):
     """Sensor axes that were near or outside their range."""
 
     ACCEL_X = 1 << 0
-    """The accelerometer x axis is near or outside its range. Bit 0. Concerns `ScaledAccel`."""
+    """The accelerometer x axis is near or outside its range. Bit 0. Affects `ScaledAccel`."""
     ACCEL_Y = 1 << 1
-    """The accelerometer y axis is near or outside its range. Bit 1. Concerns `ScaledAccel`."""
+    """The accelerometer y axis is near or outside its range. Bit 1. Affects `ScaledAccel`."""
     ACCEL_Z = 1 << 2
-    """The accelerometer z axis is near or outside its range. Bit 2. Concerns `ScaledAccel`."""
+    """The accelerometer z axis is near or outside its range. Bit 2. Affects `ScaledAccel`."""
     GYRO_X = 1 << 4
-    """The gyroscope x axis is near or outside its range. Bit 4. Concerns `ScaledGyro`."""
+    """The gyroscope x axis is near or outside its range. Bit 4. Affects `ScaledGyro`."""
     GYRO_Y = 1 << 5
-    """The gyroscope y axis is near or outside its range. Bit 5. Concerns `ScaledGyro`."""
+    """The gyroscope y axis is near or outside its range. Bit 5. Affects `ScaledGyro`."""
     GYRO_Z = 1 << 6
-    """The gyroscope z axis is near or outside its range. Bit 6. Concerns `ScaledGyro`."""
+    """The gyroscope z axis is near or outside its range. Bit 6. Affects `ScaledGyro`."""
     MAG_X = 1 << 8
-    """The magnetometer x axis is near or outside its range. Bit 8. Concerns `ScaledMag`."""
+    """The magnetometer x axis is near or outside its range. Bit 8. Affects `ScaledMag`. Requires a
+    magnetometer.
+    """
     MAG_Y = 1 << 9
-    """The magnetometer y axis is near or outside its range. Bit 9. Concerns `ScaledMag`."""
+    """The magnetometer y axis is near or outside its range. Bit 9. Affects `ScaledMag`. Requires a
+    magnetometer.
+    """
     MAG_Z = 1 << 10
-    """The magnetometer z axis is near or outside its range. Bit 10. Concerns `ScaledMag`."""
+    """The magnetometer z axis is near or outside its range. Bit 10. Affects `ScaledMag`. Requires a
+    magnetometer.
+    """
     PRESSURE = 1 << 12
-    """The pressure sensor is near or outside its range. Bit 12. Concerns `ScaledPressure`."""
+    """The pressure sensor is near or outside its range. Bit 12. Affects `ScaledPressure`. Requires
+    a pressure sensor.
+    """
 
 
 @codec.open_flag(16)
@@ -64,12 +96,9 @@ class RawAccel(Data):
     __match_args__ = ("raw_accel",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x01
     NAME = "sensor.raw_accel"
-    ROLE = "data"
-    _LAYOUT = (("raw_accel", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"raw_accel": (types.Vector3f,)}
 
     raw_accel: types.Vector3f
@@ -77,6 +106,16 @@ class RawAccel(Data):
 
     def __init__(self, raw_accel: types.Vector3f | codec.Numbers) -> None:
         self.raw_accel = codec.vector(raw_accel, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._raw_accel = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("raw_accel*3", *codec.elements("raw_accel", self.raw_accel, 3))
 
 
 class RawGyro(Data):
@@ -94,12 +133,9 @@ class RawGyro(Data):
     __match_args__ = ("raw_gyro",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x02
     NAME = "sensor.raw_gyro"
-    ROLE = "data"
-    _LAYOUT = (("raw_gyro", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"raw_gyro": (types.Vector3f,)}
 
     raw_gyro: types.Vector3f
@@ -108,6 +144,16 @@ class RawGyro(Data):
     def __init__(self, raw_gyro: types.Vector3f | codec.Numbers) -> None:
         self.raw_gyro = codec.vector(raw_gyro, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._raw_gyro = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("raw_gyro*3", *codec.elements("raw_gyro", self.raw_gyro, 3))
+
 
 class RawMag(Data):
     """Raw mag (0x80,0x03).
@@ -115,6 +161,7 @@ class RawMag(Data):
     Raw magnetic field in counts of the sensor, temperature compensated.
 
     Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
+    Requires a magnetometer.
 
     - mip-sdk-4: Raw mag (0x80,0x03)
     - mip-sdk-2014: Raw mag (0x80,0x03)
@@ -124,22 +171,29 @@ class RawMag(Data):
     __match_args__ = ("raw_mag",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x03
     NAME = "sensor.raw_mag"
-    ROLE = "data"
-    _LAYOUT = (("raw_mag", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"raw_mag": (types.Vector3f,)}
 
     raw_mag: types.Vector3f
-    """Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame.
-    The SDK has the vehicle frame here, but the sensor frame for raw acceleration and raw angular
-    rate.
+    """Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame is
+    doubtful: the SDK has the vehicle frame here, but the sensor frame for raw acceleration and raw
+    angular rate.
     """
 
     def __init__(self, raw_mag: types.Vector3f | codec.Numbers) -> None:
         self.raw_mag = codec.vector(raw_mag, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._raw_mag = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("raw_mag*3", *codec.elements("raw_mag", self.raw_mag, 3))
 
 
 class ScaledAccel(Data):
@@ -147,8 +201,8 @@ class ScaledAccel(Data):
 
     Specific force, temperature compensated: about -1 g on z when level and at rest.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and
+    -45; likely or assumed on 24 more.
 
     At rest, it is the opposite of the gravity vector.
 
@@ -160,12 +214,9 @@ class ScaledAccel(Data):
     __match_args__ = ("scaled_accel",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x04
     NAME = "sensor.scaled_accel"
-    ROLE = "data"
-    _LAYOUT = (("scaled_accel", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
@@ -176,14 +227,24 @@ class ScaledAccel(Data):
     def __init__(self, scaled_accel: types.Vector3f | codec.Numbers) -> None:
         self.scaled_accel = codec.vector(scaled_accel, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._scaled_accel = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("scaled_accel*3", *codec.elements("scaled_accel", self.scaled_accel, 3))
+
 
 class ScaledGyro(Data):
     """Scaled gyro (0x80,0x05).
 
     Measured angular rate, temperature compensated.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and
+    -45; likely or assumed on 24 more.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -193,12 +254,9 @@ class ScaledGyro(Data):
     __match_args__ = ("scaled_gyro",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x05
     NAME = "sensor.scaled_gyro"
-    ROLE = "data"
-    _LAYOUT = (("scaled_gyro", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"scaled_gyro": (types.Vector3f,)}
 
     scaled_gyro: types.Vector3f
@@ -209,14 +267,24 @@ class ScaledGyro(Data):
     def __init__(self, scaled_gyro: types.Vector3f | codec.Numbers) -> None:
         self.scaled_gyro = codec.vector(scaled_gyro, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._scaled_gyro = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("scaled_gyro*3", *codec.elements("scaled_gyro", self.scaled_gyro, 3))
+
 
 class ScaledMag(Data):
     """Scaled mag (0x80,0x06).
 
     Measured magnetic field, temperature compensated.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-35 and 3DM-GX5-45.
+    Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and -45; likely
+    or assumed on 16 more. Requires a magnetometer.
 
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
     """
@@ -225,12 +293,9 @@ class ScaledMag(Data):
     __match_args__ = ("scaled_mag",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x06
     NAME = "sensor.scaled_mag"
-    ROLE = "data"
-    _LAYOUT = (("scaled_mag", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"scaled_mag": (types.Vector3f,)}
 
     scaled_mag: types.Vector3f
@@ -239,13 +304,24 @@ class ScaledMag(Data):
     def __init__(self, scaled_mag: types.Vector3f | codec.Numbers) -> None:
         self.scaled_mag = codec.vector(scaled_mag, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._scaled_mag = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("scaled_mag*3", *codec.elements("scaled_mag", self.scaled_mag, 3))
+
 
 class DeltaTheta(Data):
     """Delta theta (0x80,0x07).
 
     Time integral of the angular rate over the period set by the message format.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -35; likely or assumed on 21
+    more.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -255,12 +331,9 @@ class DeltaTheta(Data):
     __match_args__ = ("delta_theta",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x07
     NAME = "sensor.delta_theta"
-    ROLE = "data"
-    _LAYOUT = (("delta_theta", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"delta_theta": (types.Vector3f,)}
 
     delta_theta: types.Vector3f
@@ -271,16 +344,26 @@ class DeltaTheta(Data):
     def __init__(self, delta_theta: types.Vector3f | codec.Numbers) -> None:
         self.delta_theta = codec.vector(delta_theta, types.Vector3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._delta_theta = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("delta_theta*3", *codec.elements("delta_theta", self.delta_theta, 3))
+
 
 class DeltaVelocity(Data):
     """Delta velocity (0x80,0x08).
 
-    Time integral of the acceleration over the period set by the message format.
+    Time integral of the specific force over the period set by the message format.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 22 more.
 
-    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. It includes gravity.
-    Divided by the period, z is -1 g on a device that is level and at rest.
+    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. Divided by the period,
+    z is -1 g on a device that is level and at rest.
 
     - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
     - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
@@ -290,21 +373,30 @@ class DeltaVelocity(Data):
     __match_args__ = ("delta_velocity",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x08
     NAME = "sensor.delta_velocity"
-    ROLE = "data"
-    _LAYOUT = (("delta_velocity", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"delta_velocity": (types.Vector3f,)}
 
     delta_velocity: types.Vector3f
-    """Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle. At rest and
-    level: x 0, y 0.
+    """Integral of the specific force: acceleration minus gravity. Elements: x, y, z. Unit: g*s.
+    Frame: vehicle. At rest and level: x 0, y 0.
     """
 
     def __init__(self, delta_velocity: types.Vector3f | codec.Numbers) -> None:
         self.delta_velocity = codec.vector(delta_velocity, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._delta_velocity = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write(
+            "delta_velocity*3", *codec.elements("delta_velocity", self.delta_velocity, 3)
+        )
 
 
 class CompOrientationMatrix(Data):
@@ -312,7 +404,7 @@ class CompOrientationMatrix(Data):
 
     Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 21 more.
 
     `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
 
@@ -324,12 +416,9 @@ class CompOrientationMatrix(Data):
     __match_args__ = ("m",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x09
     NAME = "sensor.comp_orientation_matrix"
-    ROLE = "data"
-    _LAYOUT = (("m", "fffffffff", types.Matrix3f),)
-
+    _SIZE = 36
     _VECTORS = {"m": (types.Matrix3f,)}
 
     m: types.Matrix3f
@@ -342,16 +431,27 @@ class CompOrientationMatrix(Data):
     def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
         self.m = codec.vector(m, types.Matrix3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _9f.unpack(raw, at)
+        if (total := sum(v)) != total:
+            v = _9f.keep_nan_bits(v, raw, at)
+        self._m = v
+        return at + 36
+
+    def _write(self) -> bytes:
+        return _9f.write("m*9", *codec.elements("m", self.m, 9))
+
 
 class CompQuaternion(Data):
     """Complementary filter quaternion (0x80,0x0A).
 
     Attitude from the complementary filter as a quaternion, relative to the NED frame.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on
+    18 more.
 
-    `v_vehicle = q^-1 * v_ned * q`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle
-    frame.
+    The 3DM-GX5-15 uses the sensor frame in place of the vehicle frame. `v_ned = q * v_vehicle *
+    q^-1`
 
     - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
     - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
@@ -361,23 +461,31 @@ class CompQuaternion(Data):
     __match_args__ = ("q",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x0A
     NAME = "sensor.comp_quaternion"
-    ROLE = "data"
-    _LAYOUT = (("q", "ffff", types.Quatf),)
-
+    _SIZE = 16
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
-    """Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame:
-    ned. At rest and level: x 0, y 0.
+    """Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first.
+    Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0.
 
-    - On the 3DM-GX5-15: Rotation between the NED frame and the sensor frame.
+    - On the 3DM-GX5-15: Rotates vectors of the sensor frame into the NED frame; Hamilton
+      quaternion, w first.
     """
 
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
         self.q = codec.vector(q, types.Quatf)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _4f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2] + v[3]) != total:
+            v = _4f.keep_nan_bits(v, raw, at)
+        self._q = v
+        return at + 16
+
+    def _write(self) -> bytes:
+        return _4f.write("q*4", *codec.elements("q", self.q, 4))
 
 
 class CompOrientationUpdateMatrix(Data):
@@ -386,8 +494,8 @@ class CompOrientationUpdateMatrix(Data):
     Change in the complementary filter's attitude, as a matrix.
 
     Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
-    profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of
-    the change and the frames. The SDK and the SDK of 2014 state only the name and the layout.
+    profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: No source
+    states the interval of the change and the frames; the SDKs state only the name and the layout.
 
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
     - mip-sdk-2014: Orientation Update Matrix (0x80,0x0B)
@@ -397,12 +505,9 @@ class CompOrientationUpdateMatrix(Data):
     __match_args__ = ("m",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x0B
     NAME = "sensor.comp_orientation_update_matrix"
-    ROLE = "data"
-    _LAYOUT = (("m", "fffffffff", types.Matrix3f),)
-
+    _SIZE = 36
     _VECTORS = {"m": (types.Matrix3f,)}
 
     m: types.Matrix3f
@@ -411,14 +516,24 @@ class CompOrientationUpdateMatrix(Data):
     def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
         self.m = codec.vector(m, types.Matrix3f)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _9f.unpack(raw, at)
+        if (total := sum(v)) != total:
+            v = _9f.keep_nan_bits(v, raw, at)
+        self._m = v
+        return at + 36
+
+    def _write(self) -> bytes:
+        return _9f.write("m*9", *codec.elements("m", self.m, 9))
+
 
 class CompEulerAngles(Data):
     """Complementary filter Euler angles (0x80,0x0C).
 
     Attitude from the complementary filter as Euler angles, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: The ranges of the angles. Uncertain:
-    which no source states.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 19 more.
+    Uncertain: The ranges of the angles are inferred; no source states them.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -430,29 +545,35 @@ class CompEulerAngles(Data):
     __match_args__ = ("roll", "pitch", "yaw")
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x0C
     NAME = "sensor.comp_euler_angles"
-    ROLE = "data"
-    _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("yaw", "f", None))
+    _SIZE = 12
 
     roll: float
-    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest
-    and level: 0. Positive: right side down.
+    """Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right
+    side down.
     """
     pitch: float
     """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest
     and level: 0. Positive: nose up.
     """
     yaw: float
-    """Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-    clockwise seen from above.
-    """
+    """Yaw angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above."""
 
     def __init__(self, roll: float, pitch: float, yaw: float) -> None:
         self.roll = roll
         self.pitch = pitch
         self.yaw = yaw
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self.roll, self.pitch, self.yaw = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write("roll pitch yaw", self.roll, self.pitch, self.yaw)
 
 
 class OrientationRawTemperature(Data):
@@ -475,18 +596,26 @@ class OrientationRawTemperature(Data):
     __match_args__ = ("raw_temperature",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x0D
     NAME = "sensor.orientation_raw_temperature"
-    ROLE = "data"
-    _LAYOUT = (("raw_temperature", "HHHH", tuple),)
+    _SIZE = 8
 
     raw_temperature: tuple[int, int, int, int]
-    """Temperatures in counts. Unit: 1. Uncertain: The scale, and which axes the numbers 1 to 3 are.
+    """Temperatures in counts. Unit: 1. Uncertain: No source states the scale, or the axes of the
+    numbers 1 to 3.
     """
 
     def __init__(self, raw_temperature: Sequence[int]) -> None:
         self.raw_temperature = codec.several(raw_temperature)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.raw_temperature = _4H.unpack(raw, at)
+        return at + 8
+
+    def _write(self) -> bytes:
+        return _4H.write(
+            "raw_temperature*4", *codec.exactly("raw_temperature", self.raw_temperature, 4)
+        )
 
 
 class InternalTimestamp(Data):
@@ -495,8 +624,8 @@ class InternalTimestamp(Data):
     Free-running counter of the device.
 
     Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
-    profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: Which devices
-    send it. The SDK of 2014 is for devices of the 3-series and 4-series.
+    profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: No source lists
+    the devices that send it; the SDK of 2014 is for devices of the 3-series and 4-series.
 
     - mip-sdk-4: Internal timestamp (0x80,0x0E)
     - mip-sdk-2014: Internal timestamp (0x80,0x0E)
@@ -506,17 +635,22 @@ class InternalTimestamp(Data):
     __match_args__ = ("counts",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x0E
     NAME = "sensor.internal_timestamp"
-    ROLE = "data"
-    _LAYOUT = (("counts", "I", None),)
+    _SIZE = 4
 
     counts: int
     """Counter: 62 500 counts per second, 16 us each. Unit: 1."""
 
     def __init__(self, counts: int) -> None:
         self.counts = counts
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.counts = _I.unpack(raw, at)[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _I.write("counts", self.counts)
 
 
 class PpsTimestamp(Data):
@@ -526,8 +660,8 @@ class PpsTimestamp(Data):
 
     Deprecated: the SDK marks it as deprecated and names no replacement. Distinguished from
     `PpsTimestampWithFlags` by the size of its data. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK. Uncertain: Whether any device sends it. `PpsTimestampWithFlags`
-    has more sources. Uncertain: The epoch.
+    from the MicroStrain MIP SDK. Uncertain: Possibly no device sends it; `PpsTimestampWithFlags`
+    has more sources. Uncertain: No source states the epoch.
 
     The sources contradict each other. Only the SDK has this layout.
 
@@ -538,20 +672,25 @@ class PpsTimestamp(Data):
     __match_args__ = ("seconds", "useconds")
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x0F
     NAME = "sensor.pps_timestamp"
-    ROLE = "data"
-    _LAYOUT = (("seconds", "I", None), ("useconds", "I", None))
+    _SIZE = 8
 
     seconds: int
-    """Whole seconds. Unit: s. Uncertain: The unit; it follows from the name."""
+    """Whole seconds. Unit: s. Uncertain: The unit is inferred from the name."""
     useconds: int
-    """Fraction of the second. Unit: us. Uncertain: The unit; it follows from the name."""
+    """Fraction of the second. Unit: us. Uncertain: The unit is inferred from the name."""
 
     def __init__(self, seconds: int, useconds: int) -> None:
         self.seconds = seconds
         self.useconds = useconds
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.seconds, self.useconds = _2I.unpack(raw, at)
+        return at + 8
+
+    def _write(self) -> bytes:
+        return _2I.write("seconds useconds", self.seconds, self.useconds)
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -565,8 +704,9 @@ class PpsTimestampWithFlags(Data):
 
     Deprecated: the SDK marks the descriptor as deprecated and names no replacement. Distinguished
     from `PpsTimestamp` by the size of its data. Not listed in any device profile. Known only from
-    the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices send it. The
-    SDK of 2014 dates from the time of the 3DM-GX3 devices. Uncertain: The epoch.
+    the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: No source lists the
+    devices that send it; the SDK of 2014 dates from the time of the 3DM-GX3. Uncertain: No source
+    states the epoch.
 
     The sources disagree on the layout; this one is from MSCL and the SDK of 2014.
 
@@ -578,14 +718,12 @@ class PpsTimestampWithFlags(Data):
     __match_args__ = ("flags", "seconds", "nanoseconds")
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x0F
     NAME = "sensor.pps_timestamp_with_flags"
-    ROLE = "data"
-    _LAYOUT = (("flags", "B", None), ("seconds", "I", None), ("nanoseconds", "I", None))
+    _SIZE = 9
 
     flags: int
-    """State of the time. Uncertain: The meaning of the bits, which no source states."""
+    """State of the time. Uncertain: No source states the meaning of the bits."""
     seconds: int
     """Whole seconds. Unit: s."""
     nanoseconds: int
@@ -595,6 +733,13 @@ class PpsTimestampWithFlags(Data):
         self.flags = flags
         self.seconds = seconds
         self.nanoseconds = nanoseconds
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.flags, self.seconds, self.nanoseconds = _B2I.unpack(raw, at)
+        return at + 9
+
+    def _write(self) -> bytes:
+        return _B2I.write("flags seconds nanoseconds", self.flags, self.seconds, self.nanoseconds)
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -606,7 +751,7 @@ class NorthVector(Data):
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
 
-    Supported by 3DM-GX5-15.
+    Confirmed on 3DM-GX5-15; likely or assumed on 11 more.
 
     Without magnetic disturbance it equals the measured magnetic field, unless a sensor-to-vehicle
     transformation moves the latter out of the sensor frame. A lasting disturbance is not
@@ -619,22 +764,31 @@ class NorthVector(Data):
     __match_args__ = ("stabilized_mag",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x10
     NAME = "sensor.north_vector"
-    ROLE = "data"
-    _LAYOUT = (("stabilized_mag", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"stabilized_mag": (types.Vector3f,)}
 
     stabilized_mag: types.Vector3f
-    """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame. The
-    SDK has the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes
-    lack this vector.
+    """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame is
+    doubtful: the SDK has the vehicle frame, but the lists of what the sensor-to-vehicle
+    transformation changes lack this vector.
     """
 
     def __init__(self, stabilized_mag: types.Vector3f | codec.Numbers) -> None:
         self.stabilized_mag = codec.vector(stabilized_mag, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._stabilized_mag = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write(
+            "stabilized_mag*3", *codec.elements("stabilized_mag", self.stabilized_mag, 3)
+        )
 
 
 class UpVector(Data):
@@ -642,7 +796,7 @@ class UpVector(Data):
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
 
-    Supported by 3DM-GX5-15 and 3DM-GX5-35.
+    Confirmed on 3DM-GX5-15 and -35; likely or assumed on 10 more.
 
     At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation moves the
     latter out of the sensor frame.
@@ -655,22 +809,32 @@ class UpVector(Data):
     __match_args__ = ("stabilized_accel",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x11
     NAME = "sensor.up_vector"
-    ROLE = "data"
-    _LAYOUT = (("stabilized_accel", "fff", types.Vector3f),)
-
+    _SIZE = 12
     _VECTORS = {"stabilized_accel": (types.Vector3f,)}
 
     stabilized_accel: types.Vector3f
     """Opposite of the gravity vector, as the accelerometers measure it. Elements: x, y, z. Unit: g.
-    Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame. The SDK has the vehicle
-    frame, but the lists of what the sensor-to-vehicle transformation changes lack this vector.
+    Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame is doubtful: the SDK has
+    the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this
+    vector.
     """
 
     def __init__(self, stabilized_accel: types.Vector3f | codec.Numbers) -> None:
         self.stabilized_accel = codec.vector(stabilized_accel, types.Vector3f)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self._stabilized_accel = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write(
+            "stabilized_accel*3", *codec.elements("stabilized_accel", self.stabilized_accel, 3)
+        )
 
 
 class GpsTimestamp(Data):
@@ -678,7 +842,8 @@ class GpsTimestamp(Data):
 
     GPS time of the sensor data.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -35; likely or assumed on 12
+    more.
 
     Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction
     of the time of week is the time since the last pulse. Without external synchronization it is the
@@ -693,34 +858,36 @@ class GpsTimestamp(Data):
     __match_args__ = ("tow", "week_number", "valid_flags")
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x12
     NAME = "sensor.gps_timestamp"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("valid_flags", "H", types.SensorGpsTimestampFlags),
-    )
+    _SIZE = 12
 
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
     `types.SensorGpsTimestampFlags.TOW_VALID` of `valid_flags` is set.
 
-    - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
-      of `valid_flags` is set.
+    - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and
+      -45: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `valid_flags` is set
+      (inferred: the 3DM-GX5-15 has it).
+    - On the 3DM-GX5-15 and -35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
+      `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `types.SensorGpsTimestampFlags.WEEK_NUMBER_VALID` of
     `valid_flags` is set.
 
-    - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
-      of `valid_flags` is set.
+    - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and
+      -45: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `valid_flags` is set
+      (inferred: the 3DM-GX5-15 has it).
+    - On the 3DM-GX5-15 and -35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
+      `valid_flags` is set.
     """
     valid_flags: types.SensorGpsTimestampFlags
     """State of the time.
 
-    - On the 3DM-GX5-15 and 3DM-GX5-35: values of `types.Gx5SensorGpsTimestampFlags`.
+    - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and
+      -45: values of `types.Gx5SensorGpsTimestampFlags` (inferred: the 3DM-GX5-15 has it).
+    - On the 3DM-GX5-15 and -35: values of `types.Gx5SensorGpsTimestampFlags`.
     """
 
     def __init__(
@@ -730,13 +897,26 @@ class GpsTimestamp(Data):
         self.week_number = week_number
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _d2H.unpack(raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.valid_flags = codec.KNOWN[types.SensorGpsTimestampFlags][v[2]]
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _d2H.write(
+            "tow week_number valid_flags", self.tow, self.week_number, self.valid_flags
+        )
+
 
 class TemperatureStatistics(Data):
     """Temperature statistics (0x80,0x14).
 
     Temperatures since the last power-on or reset.
 
-    Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `temperature_abs`. Confirmed on 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or
+    assumed on 9 more.
 
     The values come from the inertial sensors, alone or together with sensors on the board.
 
@@ -747,15 +927,9 @@ class TemperatureStatistics(Data):
     __match_args__ = ("min_temperature", "max_temperature", "mean_temperature")
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x14
     NAME = "sensor.temperature_statistics"
-    ROLE = "data"
-    _LAYOUT = (
-        ("min_temperature", "f", None),
-        ("max_temperature", "f", None),
-        ("mean_temperature", "f", None),
-    )
+    _SIZE = 12
 
     min_temperature: float
     """Lowest temperature. Unit: degC."""
@@ -771,13 +945,29 @@ class TemperatureStatistics(Data):
         self.max_temperature = max_temperature
         self.mean_temperature = mean_temperature
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3f.unpack(raw, at)
+        if (total := v[0] + v[1] + v[2]) != total:
+            v = _3f.keep_nan_bits(v, raw, at)
+        self.min_temperature, self.max_temperature, self.mean_temperature = v
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _3f.write(
+            "min_temperature max_temperature mean_temperature",
+            self.min_temperature,
+            self.max_temperature,
+            self.mean_temperature,
+        )
+
 
 class RawPressure(Data):
     """Raw pressure (0x80,0x16).
 
     Raw ambient pressure in counts of the sensor, temperature compensated.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a pressure
+    sensor.
 
     - mip-sdk-4: Raw pressure (0x80,0x16)
     """
@@ -786,11 +976,9 @@ class RawPressure(Data):
     __match_args__ = ("raw_pressure",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x16
     NAME = "sensor.raw_pressure"
-    ROLE = "data"
-    _LAYOUT = (("raw_pressure", "f", None),)
+    _SIZE = 4
 
     raw_pressure: float
     """Pressure in counts. Unit: 1."""
@@ -798,14 +986,24 @@ class RawPressure(Data):
     def __init__(self, raw_pressure: float) -> None:
         self.raw_pressure = raw_pressure
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _f.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _f.keep_nan_bits(v, raw, at)
+        self.raw_pressure = v[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _f.write("raw_pressure", self.raw_pressure)
+
 
 class ScaledPressure(Data):
     """Scaled pressure (0x80,0x17).
 
     Measured ambient pressure, temperature compensated.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-35.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -35; likely or
+    assumed on 17 more. Requires a pressure sensor.
 
     - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
     - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -815,11 +1013,9 @@ class ScaledPressure(Data):
     __match_args__ = ("scaled_pressure",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x17
     NAME = "sensor.scaled_pressure"
-    ROLE = "data"
-    _LAYOUT = (("scaled_pressure", "f", None),)
+    _SIZE = 4
 
     scaled_pressure: float
     """Ambient pressure. Unit: mbar. Range: at least 0."""
@@ -827,13 +1023,23 @@ class ScaledPressure(Data):
     def __init__(self, scaled_pressure: float) -> None:
         self.scaled_pressure = scaled_pressure
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _f.unpack(raw, at)
+        if v[0] != v[0]:
+            v = _f.keep_nan_bits(v, raw, at)
+        self.scaled_pressure = v[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _f.write("scaled_pressure", self.scaled_pressure)
+
 
 class OverrangeStatus(Data):
     """Overrange status (0x80,0x18).
 
     Sensor axes that are near or outside their range.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
 
     - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
     """
@@ -842,17 +1048,27 @@ class OverrangeStatus(Data):
     __match_args__ = ("status",)
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x18
     NAME = "sensor.overrange_status"
-    ROLE = "data"
-    _LAYOUT = (("status", "H", OverrangeFlags),)
+    _SIZE = 2
 
     status: OverrangeFlags
-    """One bit for each axis."""
+    """One bit for each axis.
+
+    - On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `OverrangeFlags.ACCEL_X`,
+      `OverrangeFlags.ACCEL_Y`, `OverrangeFlags.ACCEL_Z`, `OverrangeFlags.GYRO_X`,
+      `OverrangeFlags.GYRO_Y`, `OverrangeFlags.GYRO_Z` and `OverrangeFlags.PRESSURE`.
+    """
 
     def __init__(self, status: OverrangeFlags) -> None:
         self.status = status
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.status = codec.KNOWN[OverrangeFlags][_H.unpack(raw, at)[0]]
+        return at + 2
+
+    def _write(self) -> bytes:
+        return _H.write("status", self.status)
 
 
 class Odometer(Data):
@@ -869,19 +1085,14 @@ class Odometer(Data):
     __match_args__ = ("speed", "uncertainty", "valid_flags")
 
     SET = 0x80
-    SETS = (0x80,)
     DESCRIPTOR = 0x40
     NAME = "sensor.odometer"
-    ROLE = "data"
-    _LAYOUT = (
-        ("speed", "f", None),
-        ("uncertainty", "f", None),
-        ("valid_flags", "H", OdometerFlags),
-    )
+    _SIZE = 10
 
     speed: float
     """Average speed over the interval; negative values come from quadrature encoders only. Unit:
-    m/s. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is set.
+    m/s. Frame: vehicle. Positive: forward. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is
+    set.
     """
     uncertainty: float
     """Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if `OdometerFlags.ODOMETER` of
@@ -894,6 +1105,20 @@ class Odometer(Data):
         self.speed = speed
         self.uncertainty = uncertainty
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2fH.unpack(raw, at)
+        if (total := v[0] + v[1]) != total:
+            v = _2fH.keep_nan_bits(v, raw, at)
+        self.speed = v[0]
+        self.uncertainty = v[1]
+        self.valid_flags = codec.KNOWN[OdometerFlags][v[2]]
+        return at + 10
+
+    def _write(self) -> bytes:
+        return _2fH.write(
+            "speed uncertainty valid_flags", self.speed, self.uncertainty, self.valid_flags
+        )
 
 
 #: Descriptor -> its types; several if constants or the size of the data distinguish layouts.

@@ -10,9 +10,23 @@ packets of the other data sets.
 from __future__ import annotations
 
 from enum import IntFlag
+from typing import Any
 
 from . import codec
 from .field import Data, Field, Shared
+
+# Numbers that are read and written together, by their letters for `struct`.
+_B = codec.Block("B")
+
+_I = codec.Block("I")
+
+_Q = codec.Block("Q")
+
+_QH = codec.Block("QH")
+
+_d = codec.Block("d")
+
+_d2H = codec.Block("d2H")
 
 
 @codec.open_flag(16)
@@ -48,7 +62,7 @@ class EventSource(Shared, Data):
 
     The event trigger that caused the packet.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
 
     Put it first in the format of event messages, to distinguish their packets from scheduled ones.
 
@@ -62,14 +76,20 @@ class EventSource(Shared, Data):
     SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD0
     NAME = "shared.event_source"
-    ROLE = "data"
-    _LAYOUT = (("trigger_id", "B", None),)
+    _SIZE = 1
 
     trigger_id: int
     """Id of the trigger; 0 means that the packet was scheduled by `mip_3dm.MessageFormat`."""
 
     def __init__(self, trigger_id: int) -> None:
         self.trigger_id = trigger_id
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.trigger_id = _B.unpack(raw, at)[0]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("trigger_id", self.trigger_id)
 
 
 class Ticks(Shared, Data):
@@ -93,8 +113,7 @@ class Ticks(Shared, Data):
     SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD1
     NAME = "shared.ticks"
-    ROLE = "data"
-    _LAYOUT = (("ticks", "I", None),)
+    _SIZE = 4
 
     ticks: int
     """Base periods since the device started, modulo 2^32. Unit: 1."""
@@ -102,14 +121,21 @@ class Ticks(Shared, Data):
     def __init__(self, ticks: int) -> None:
         self.ticks = ticks
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.ticks = _I.unpack(raw, at)[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _I.write("ticks", self.ticks)
+
 
 class DeltaTicks(Shared, Data):
     """Delta ticks (0xFF,0xD2).
 
     Number of base periods between the previous field of this kind and this one.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether
-    each set and each event instance counts separately, as with `DeltaTime`.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Each set
+    and each event instance may count separately, as with `DeltaTime`.
 
     A tick is one period at the base rate of the device.
 
@@ -123,8 +149,7 @@ class DeltaTicks(Shared, Data):
     SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD2
     NAME = "shared.delta_ticks"
-    ROLE = "data"
-    _LAYOUT = (("ticks", "I", None),)
+    _SIZE = 4
 
     ticks: int
     """Base periods since the previous field of this kind. Unit: 1."""
@@ -132,13 +157,20 @@ class DeltaTicks(Shared, Data):
     def __init__(self, ticks: int) -> None:
         self.ticks = ticks
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.ticks = _I.unpack(raw, at)[0]
+        return at + 4
+
+    def _write(self) -> bytes:
+        return _I.write("ticks", self.ticks)
+
 
 class GpsTimestamp(Shared, Data):
     """GPS timestamp (0xFF,0xD3).
 
     External time of the data as GPS time of week and week number.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
 
     In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
     `base.GpsTimeUpdate` has set the time of week and the week number. With an internal GNSS
@@ -158,12 +190,7 @@ class GpsTimestamp(Shared, Data):
     SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD3
     NAME = "shared.gps_timestamp"
-    ROLE = "data"
-    _LAYOUT = (
-        ("tow", "d", None),
-        ("week_number", "H", None),
-        ("valid_flags", "H", GpsTimestampFlags),
-    )
+    _SIZE = 12
 
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
@@ -181,13 +208,25 @@ class GpsTimestamp(Shared, Data):
         self.week_number = week_number
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _d2H.unpack(raw, at)
+        self.tow = v[0]
+        self.week_number = v[1]
+        self.valid_flags = codec.KNOWN[GpsTimestampFlags][v[2]]
+        return at + 12
+
+    def _write(self) -> bytes:
+        return _d2H.write(
+            "tow week_number valid_flags", self.tow, self.week_number, self.valid_flags
+        )
+
 
 class DeltaTime(Shared, Data):
     """Delta time (0xFF,0xD4).
 
     External time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
 
     It is the same as `ExternalTimeDelta`, in other units. Sending either restarts the counter that
     both share, so use only one of them.
@@ -202,8 +241,7 @@ class DeltaTime(Shared, Data):
     SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD4
     NAME = "shared.delta_time"
-    ROLE = "data"
-    _LAYOUT = (("seconds", "d", None),)
+    _SIZE = 8
 
     seconds: float
     """Time since the last output. Unit: s. Range: at least 0."""
@@ -211,13 +249,20 @@ class DeltaTime(Shared, Data):
     def __init__(self, seconds: float) -> None:
         self.seconds = seconds
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.seconds = _d.unpack(raw, at)[0]
+        return at + 8
+
+    def _write(self) -> bytes:
+        return _d.write("seconds", self.seconds)
+
 
 class ReferenceTimestamp(Shared, Data):
     """Reference timestamp (0xFF,0xD5).
 
     Time of the data by the internal reference clock.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
 
     The clock starts at power-on, only moves forward and never jumps; the value is always valid. In
     event messages it is the time of the trigger.
@@ -232,8 +277,7 @@ class ReferenceTimestamp(Shared, Data):
     SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD5
     NAME = "shared.reference_timestamp"
-    ROLE = "data"
-    _LAYOUT = (("nanoseconds", "Q", None),)
+    _SIZE = 8
 
     nanoseconds: int
     """Time since initialization. Unit: ns."""
@@ -241,13 +285,20 @@ class ReferenceTimestamp(Shared, Data):
     def __init__(self, nanoseconds: int) -> None:
         self.nanoseconds = nanoseconds
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.nanoseconds = _Q.unpack(raw, at)[0]
+        return at + 8
+
+    def _write(self) -> bytes:
+        return _Q.write("nanoseconds", self.nanoseconds)
+
 
 class ReferenceTimeDelta(Shared, Data):
     """Reference time delta (0xFF,0xD6).
 
     Reference time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
 
     The value is always valid.
 
@@ -261,8 +312,7 @@ class ReferenceTimeDelta(Shared, Data):
     SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD6
     NAME = "shared.reference_time_delta"
-    ROLE = "data"
-    _LAYOUT = (("dt_nanos", "Q", None),)
+    _SIZE = 8
 
     dt_nanos: int
     """Time since the last output. Unit: ns."""
@@ -270,13 +320,20 @@ class ReferenceTimeDelta(Shared, Data):
     def __init__(self, dt_nanos: int) -> None:
         self.dt_nanos = dt_nanos
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.dt_nanos = _Q.unpack(raw, at)[0]
+        return at + 8
+
+    def _write(self) -> bytes:
+        return _Q.write("dt_nanos", self.dt_nanos)
+
 
 class ExternalTimestamp(Shared, Data):
     """External timestamp (0xFF,0xD7).
 
     Time of the data in the external clock domain.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
 
     It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
     valid when the external clock is synchronized through the PPS. Its epoch is the epoch of the
@@ -297,8 +354,7 @@ class ExternalTimestamp(Shared, Data):
     SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD7
     NAME = "shared.external_timestamp"
-    ROLE = "data"
-    _LAYOUT = (("nanoseconds", "Q", None), ("valid_flags", "H", ExternalTimestampFlags))
+    _SIZE = 10
 
     nanoseconds: int
     """External time. Unit: ns. Valid if `ExternalTimestampFlags.NANOSECONDS` of `valid_flags` is
@@ -311,13 +367,22 @@ class ExternalTimestamp(Shared, Data):
         self.nanoseconds = nanoseconds
         self.valid_flags = valid_flags
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _QH.unpack(raw, at)
+        self.nanoseconds = v[0]
+        self.valid_flags = codec.KNOWN[ExternalTimestampFlags][v[1]]
+        return at + 10
+
+    def _write(self) -> bytes:
+        return _QH.write("nanoseconds valid_flags", self.nanoseconds, self.valid_flags)
+
 
 class ExternalTimeDelta(Shared, Data):
     """External time delta (0xFF,0xD8).
 
     External time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
 
     It is the same as `DeltaTime`, in other units. Sending either restarts the counter that both
     share, so use only one of them.
@@ -332,8 +397,7 @@ class ExternalTimeDelta(Shared, Data):
     SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD8
     NAME = "shared.external_time_delta"
-    ROLE = "data"
-    _LAYOUT = (("dt_nanos", "Q", None), ("valid_flags", "H", ExternalTimeDeltaFlags))
+    _SIZE = 10
 
     dt_nanos: int
     """Time since the last output. Unit: ns. Valid if `ExternalTimeDeltaFlags.DT_NANOS` of
@@ -345,6 +409,15 @@ class ExternalTimeDelta(Shared, Data):
     def __init__(self, dt_nanos: int, valid_flags: ExternalTimeDeltaFlags) -> None:
         self.dt_nanos = dt_nanos
         self.valid_flags = valid_flags
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _QH.unpack(raw, at)
+        self.dt_nanos = v[0]
+        self.valid_flags = codec.KNOWN[ExternalTimeDeltaFlags][v[1]]
+        return at + 10
+
+    def _write(self) -> bytes:
+        return _QH.write("dt_nanos valid_flags", self.dt_nanos, self.valid_flags)
 
 
 #: Descriptor -> its types; several if constants or the size of the data distinguish layouts.

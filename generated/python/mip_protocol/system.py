@@ -14,6 +14,13 @@ from . import codec, types
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
+# Numbers that are read and written together, by their letters for `struct`.
+_B = codec.Block("B")
+
+_B2I = codec.Block("B2I")
+
+_I = codec.Block("I")
+
 
 @codec.open_flag(32)
 class CommProtocols(IntFlag):
@@ -42,7 +49,7 @@ class ProtocolMode(codec.OpenEnum):
     SENSOR_DIRECT = 2
     """The internal inertial sensor; the protocol is MIP."""
     GNSS_DIRECT = 3
-    """The internal GNSS receiver, if there is one; the protocols are NMEA and UBX."""
+    """The internal GNSS receiver; the protocols are NMEA and UBX. Requires a receiver."""
 
 
 class InterfaceControlResponse(Response):
@@ -58,18 +65,14 @@ class InterfaceControlResponse(Response):
     __match_args__ = ("port", "protocols_incoming", "protocols_outgoing")
 
     SET = 0x7F
-    SETS = (0x7F,)
     DESCRIPTOR = 0x82
     NAME = "system.interface_control_response"
-    ROLE = "response"
-    _LAYOUT = (
-        ("port", "B", types.CommInterface),
-        ("protocols_incoming", "I", CommProtocols),
-        ("protocols_outgoing", "I", CommProtocols),
-    )
+    _SIZE = 9
 
     port: types.CommInterface
-    """Port whose protocols are set or read. Uncertain: Whether write and read accept `all`."""
+    """Port whose protocols are set or read. Uncertain: No source states whether write and read
+    accept `all`.
+    """
     protocols_incoming: CommProtocols
     """Protocols that the port receives."""
     protocols_outgoing: CommProtocols
@@ -85,11 +88,26 @@ class InterfaceControlResponse(Response):
         self.protocols_incoming = protocols_incoming
         self.protocols_outgoing = protocols_outgoing
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _B2I.unpack(raw, at)
+        self.port = codec.KNOWN[types.CommInterface][v[0]]
+        self.protocols_incoming = codec.KNOWN[CommProtocols][v[1]]
+        self.protocols_outgoing = codec.KNOWN[CommProtocols][v[2]]
+        return at + 9
+
+    def _write(self) -> bytes:
+        return _B2I.write(
+            "port protocols_incoming protocols_outgoing",
+            self.port,
+            self.protocols_incoming,
+            self.protocols_outgoing,
+        )
+
 
 class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Response to `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Response to `CommMode`. Confirmed on 3DM-GX5-15, -35 and -45; likely or assumed on 17 more.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -98,17 +116,22 @@ class CommModeResponse(Response):
     __match_args__ = ("mode",)
 
     SET = 0x7F
-    SETS = (0x7F,)
     DESCRIPTOR = 0x90
     NAME = "system.comm_mode_response"
-    ROLE = "response"
-    _LAYOUT = (("mode", "B", ProtocolMode),)
+    _SIZE = 1
 
     mode: ProtocolMode
     """Communication mode. Default: `ProtocolMode.STANDARD`."""
 
     def __init__(self, mode: ProtocolMode) -> None:
         self.mode = mode
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.mode = codec.KNOWN[ProtocolMode][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("mode", self.mode)
 
 
 class InterfaceControl(Command[R]):
@@ -134,24 +157,17 @@ class InterfaceControl(Command[R]):
     __match_args__ = ("function", "port", "protocols_incoming", "protocols_outgoing")
 
     SET = 0x7F
-    SETS = (0x7F,)
     DESCRIPTOR = 0x02
     NAME = "system.interface_control"
-    ROLE = "command"
     RESPONSES = (InterfaceControlResponse,)
     REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
-    _LAYOUT = (
-        ("function", "B", FunctionSelector),
-        ("port", "B", types.CommInterface),
-        ("protocols_incoming", "I", CommProtocols),
-        ("protocols_outgoing", "I", CommProtocols),
-    )
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     port: types.CommInterface | None
-    """Port whose protocols are set or read. Uncertain: Whether write and read accept `all`."""
+    """Port whose protocols are set or read. Uncertain: No source states whether write and read
+    accept `all`.
+    """
     protocols_incoming: CommProtocols | None
     """Protocols that the port receives. Required for `write`."""
     protocols_outgoing: CommProtocols | None
@@ -168,6 +184,33 @@ class InterfaceControl(Command[R]):
         self.port = port
         self.protocols_incoming = protocols_incoming
         self.protocols_outgoing = protocols_outgoing
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1, 5, 9))
+        self.port = codec.KNOWN[types.CommInterface][_B.read(raw, at)[0]] if there >= 1 else None
+        self.protocols_incoming = (
+            codec.KNOWN[CommProtocols][_I.read(raw, at + 1)[0]] if there >= 2 else None
+        )
+        self.protocols_outgoing = (
+            codec.KNOWN[CommProtocols][_I.read(raw, at + 5)[0]] if there >= 3 else None
+        )
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(
+            self,
+            self.REQUIRED.get(self.function, 0),
+            (1, "port"),
+            (2, "protocols_incoming"),
+            (3, "protocols_outgoing"),
+        )
+        out += _B.write("port", self.port) if there >= 1 else b""
+        out += _I.write("protocols_incoming", self.protocols_incoming) if there >= 2 else b""
+        out += _I.write("protocols_outgoing", self.protocols_outgoing) if there >= 3 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(
@@ -225,7 +268,7 @@ class CommMode(Command[R]):
     Switches the port between the device and one of its internal sensors.
 
     For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `CommModeResponse`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    `CommModeResponse`. Confirmed on 3DM-GX5-15, -35 and -45; likely or assumed on 17 more.
 
     The ACK is sent in the old mode, just before the switch. In a direct mode, the device itself
     replies only to this command and `mip_3dm.DeviceStatus`.
@@ -237,26 +280,37 @@ class CommMode(Command[R]):
     __match_args__ = ("function", "mode")
 
     SET = 0x7F
-    SETS = (0x7F,)
     DESCRIPTOR = 0x10
     NAME = "system.comm_mode"
-    ROLE = "command"
     RESPONSES = (CommModeResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
-    _LAYOUT = (("function", "B", FunctionSelector), ("mode", "B", ProtocolMode))
-    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
     mode: ProtocolMode | None
     """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`.
 
+    - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, 3DM-GX4-15, -25, 3DM-GX5-15 and -25: only
+      `ProtocolMode.STANDARD` and `ProtocolMode.SENSOR_DIRECT`.
     - On the 3DM-GX5-35: default `ProtocolMode.STANDARD`.
     """
 
     def __init__(self, function: FunctionSelector, mode: ProtocolMode | None = None) -> None:
         self.function = function
         self.mode = mode
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.function = codec.KNOWN[FunctionSelector][_B.read(raw, at)[0]]
+        at += 1
+        there, end = codec.find_present(raw, at, self.REQUIRED.get(self.function, 0), (0, 1))
+        self.mode = codec.KNOWN[ProtocolMode][_B.read(raw, at)[0]] if there >= 1 else None
+        return end
+
+    def _write(self) -> bytes:
+        out = _B.write("function", self.function)
+        there = codec.count_present(self, self.REQUIRED.get(self.function, 0), (1, "mode"))
+        out += _B.write("mode", self.mode) if there >= 1 else b""
+        return codec.finished(out)
 
     @classmethod
     def write(cls: ClassOf[CommMode[Any]], mode: ProtocolMode) -> CommMode[None]:

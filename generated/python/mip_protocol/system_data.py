@@ -9,9 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntFlag
+from typing import Any
 
 from . import codec
 from .field import Data, Field
+
+# Numbers that are read and written together, by their letters for `struct`.
+_16B = codec.Block("16B")
+
+_2B = codec.Block("2B")
+
+_B = codec.Block("B")
+
+_Bf = codec.Block("Bf")
 
 
 @codec.open_flag(8)
@@ -33,8 +43,8 @@ class BuiltInTest(Data):
 
     Flags of the tests that run all the time.
 
-    Supported by 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-GQ7-GNSS/INS:
-    firmware > 1.0.10.
+    Confirmed on 3DM-CV7-AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 8 more. On the
+    3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     The field is long; stream it at a low rate or poll it. A fault that has passed before the next
     message is still reported, because its flag stays set until it is sent. Each stream and each
@@ -48,24 +58,28 @@ class BuiltInTest(Data):
     __match_args__ = ("result",)
 
     SET = 0xA0
-    SETS = (0xA0,)
     DESCRIPTOR = 0x01
     NAME = "system_data.built_in_test"
-    ROLE = "data"
-    _LAYOUT = (("result", "BBBBBBBBBBBBBBBB", tuple),)
+    _SIZE = 16
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
     byte.
 
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of
-      `types.Cv7InertialContinuousBuiltInTest`.
+    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
+      and -INS: values of `types.Cv7InertialContinuousBuiltInTest`.
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
     def __init__(self, result: Sequence[int]) -> None:
         self.result = codec.several(result)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.result = _16B.unpack(raw, at)
+        return at + 16
+
+    def _write(self) -> bytes:
+        return _16B.write("result*16", *codec.exactly("result", self.result, 16))
 
 
 class TimeSyncStatus(Data):
@@ -73,8 +87,8 @@ class TimeSyncStatus(Data):
 
     Synchronization of the device time with the pulse per second.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware >
-    1.0.10.
+    Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more. On the
+    3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
     """
@@ -83,11 +97,9 @@ class TimeSyncStatus(Data):
     __match_args__ = ("time_sync", "last_pps_received")
 
     SET = 0xA0
-    SETS = (0xA0,)
     DESCRIPTOR = 0x02
     NAME = "system_data.time_sync_status"
-    ROLE = "data"
-    _LAYOUT = (("time_sync", "B", codec.truth), ("last_pps_received", "B", None))
+    _SIZE = 2
 
     time_sync: bool
     """True while the lock is valid; false if the PPS is disabled or no pulse is found."""
@@ -98,13 +110,23 @@ class TimeSyncStatus(Data):
         self.time_sync = time_sync
         self.last_pps_received = last_pps_received
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2B.unpack(raw, at)
+        self.time_sync = codec.TRUTH[v[0]]
+        self.last_pps_received = v[1]
+        return at + 2
+
+    def _write(self) -> bytes:
+        return _2B.write("time_sync last_pps_received", self.time_sync, self.last_pps_received)
+
 
 class GpioState(Data):
     """GPIO state (0xA0,0x03).
 
     Levels of all user GPIO pins.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more. On the 3DM-GQ7-GNSS/INS:
+    firmware > 1.0.10.
 
     A pulse that is shorter than the period at which the field is sent is missed. The pins are
     sampled within one base period of this set. Levels are guaranteed to be valid only for pins that
@@ -118,17 +140,22 @@ class GpioState(Data):
     __match_args__ = ("states",)
 
     SET = 0xA0
-    SETS = (0xA0,)
     DESCRIPTOR = 0x03
     NAME = "system_data.gpio_state"
-    ROLE = "data"
-    _LAYOUT = (("states", "B", GpioPinStates),)
+    _SIZE = 1
 
     states: GpioPinStates
     """One bit for each pin."""
 
     def __init__(self, states: GpioPinStates) -> None:
         self.states = states
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.states = codec.KNOWN[GpioPinStates][_B.unpack(raw, at)[0]]
+        return at + 1
+
+    def _write(self) -> bytes:
+        return _B.write("states", self.states)
 
 
 class GpioAnalogValue(Data):
@@ -147,11 +174,9 @@ class GpioAnalogValue(Data):
     __match_args__ = ("gpio_id", "value")
 
     SET = 0xA0
-    SETS = (0xA0,)
     DESCRIPTOR = 0x04
     NAME = "system_data.gpio_analog_value"
-    ROLE = "data"
-    _LAYOUT = (("gpio_id", "B", None), ("value", "f", None))
+    _SIZE = 5
 
     gpio_id: int
     """GPIO pin, counted from 1. Range: at least 1."""
@@ -161,6 +186,16 @@ class GpioAnalogValue(Data):
     def __init__(self, gpio_id: int, value: float) -> None:
         self.gpio_id = gpio_id
         self.value = value
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _Bf.unpack(raw, at)
+        if v[1] != v[1]:
+            v = _Bf.keep_nan_bits(v, raw, at)
+        self.gpio_id, self.value = v
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _Bf.write("gpio_id value", self.gpio_id, self.value)
 
 
 #: Descriptor -> its types; several if constants or the size of the data distinguish layouts.

@@ -11,8 +11,23 @@ from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any, NamedTuple, SupportsIndex, overload
 
-from . import codec, wire
+from . import codec
 from .field import Structure
+
+# Numbers that are read and written together, by their letters for `struct`.
+_2B = codec.Block("2B")
+
+_2d = codec.Block("2d")
+
+_3BH = codec.Block("3BH")
+
+_4B = codec.Block("4B")
+
+_BH = codec.Block("BH")
+
+_BHB = codec.Block("BHB")
+
+_H4B = codec.Block("H4B")
 
 
 @codec.open_flag(32)
@@ -27,11 +42,11 @@ class Gx5BuiltInTest(IntFlag):
     IMU_COMM_FAULT = 1 << 8
     """No communication with the inertial sensor. Bit 8."""
     MAG_FAULT = 1 << 9
-    """Magnetometer fault, on devices that have one. Bit 9. Concerns `sensor.ScaledMag`."""
+    """Magnetometer fault, on devices that have one. Bit 9. Affects `sensor.ScaledMag`."""
     PRESSURE_SENSOR_FAULT = 1 << 10
-    """Pressure sensor fault, on devices that have one. Bit 10. Concerns `sensor.ScaledPressure`."""
+    """Pressure sensor fault, on devices that have one. Bit 10. Affects `sensor.ScaledPressure`."""
     SOLUTION_FAULT = 1 << 24
-    """Fault of the estimation filter solution. Bit 24. Concerns `filter.Reset`."""
+    """Fault of the estimation filter solution. Bit 24. Affects `filter.Reset`."""
 
 
 @codec.open_flag(32)
@@ -50,19 +65,19 @@ class Cv7BuiltInTest(IntFlag):
     BUFFER_OVERRUN = 1 << 3
     """A data buffer was full, usually because too much data is streamed. Bit 3."""
     ACCEL_FAULT = 1 << 12
-    """The accelerometer is damaged or does not work. Bit 12. Concerns `sensor.ScaledAccel`."""
+    """The accelerometer is damaged or does not work. Bit 12. Affects `sensor.ScaledAccel`."""
     GYRO_FAULT = 1 << 13
-    """The gyroscope is damaged or does not work. Bit 13. Concerns `sensor.ScaledGyro`."""
+    """The gyroscope is damaged or does not work. Bit 13. Affects `sensor.ScaledGyro`."""
     MAG_FAULT = 1 << 14
-    """The magnetometer is damaged or does not work. Bit 14. Concerns `sensor.ScaledMag`."""
+    """The magnetometer is damaged or does not work. Bit 14. Affects `sensor.ScaledMag`."""
     PRESSURE_SENSOR_FAULT = 1 << 15
-    """The pressure sensor is damaged or does not work. Bit 15. Concerns `sensor.ScaledPressure`."""
+    """The pressure sensor is damaged or does not work. Bit 15. Affects `sensor.ScaledPressure`."""
     CALIBRATION_ERROR = 1 << 18
     """At least one calibration table of the sensors is invalid. Bit 18."""
     GENERAL_IMU_FAULT = 1 << 19
     """A fault of the inertial sensor subsystem that no other bit covers. Bit 19."""
     FILTER_SOLUTION_FAULT = 1 << 22
-    """The filter output is invalid (not a number); reset the filter. Bit 22. Concerns
+    """The filter output is invalid (not a number); reset the filter. Bit 22. Affects
     `filter.Reset`.
     """
     GENERAL_FILTER_FAULT = 1 << 23
@@ -110,56 +125,56 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     GNSS_MAIN_PROCESS_FAULT = 1 << 24
     """The main GNSS process did not run in time. Bit 24."""
     GNSS_RECEIVER_1_STALL = 1 << 25
-    """No data from internal receiver 1 in time. Bit 25. Concerns `gnss_data.FixInfo`."""
+    """No data from internal receiver 1 in time. Bit 25. Affects `gnss_data.FixInfo`."""
     GNSS_RECEIVER_2_STALL = 1 << 26
-    """No data from internal receiver 2 in time. Bit 26. Concerns `gnss_data.FixInfo`."""
+    """No data from internal receiver 2 in time. Bit 26. Affects `gnss_data.FixInfo`."""
     IMU_COMM_FAULT = 1 << 33
     """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
     """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`."""
+    """Accelerometer calibration fault. Bit 36. Affects `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`."""
+    """Gyroscope calibration fault. Bit 37. Affects `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`."""
+    """Magnetometer calibration fault. Bit 38. Affects `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
+    """The accelerometer failed to initialize. Bit 40. Affects `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
+    """The acceleration along an axis is near or outside the selected range. Bit 41. Affects
     `sensor.ScaledAccel`.
     """
     ACCEL_SELF_TEST_FAIL = 1 << 42
     """The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42.
-    Concerns `sensor.ScaledAccel`.
+    Affects `sensor.ScaledAccel`.
     """
     GYRO_GENERAL_FAULT = 1 << 44
-    """The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`."""
+    """The gyroscope failed to initialize. Bit 44. Affects `sensor.ScaledGyro`."""
     GYRO_OVER_RANGE = 1 << 45
-    """The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
+    """The angular rate about an axis is near or outside the selected range. Bit 45. Affects
     `sensor.ScaledGyro`.
     """
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
-    Concerns `sensor.ScaledGyro`.
+    """The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46. Affects
+    `sensor.ScaledGyro`.
     """
     MAG_GENERAL_FAULT = 1 << 48
-    """The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`."""
+    """The magnetometer failed to initialize. Bit 48. Affects `sensor.ScaledMag`."""
     MAG_OVER_RANGE = 1 << 49
-    """The magnetic field along an axis is near or outside the supported range. Bit 49. Concerns
+    """The magnetic field along an axis is near or outside the supported range. Bit 49. Affects
     `sensor.ScaledMag`.
     """
     MAG_SELF_TEST_FAIL = 1 << 50
     """The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
-    Concerns `sensor.ScaledMag`.
+    Affects `sensor.ScaledMag`.
     """
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`."""
+    """The pressure sensor failed to initialize. Bit 52. Affects `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`."""
+    """The pressure is outside the supported range. Bit 53. Affects `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
     """The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54.
-    Concerns `sensor.ScaledPressure`.
+    Affects `sensor.ScaledPressure`.
     """
     FACTORY_BITS_INVALID = 1 << 56
     """The device has lost its factory configuration. Bit 56."""
@@ -168,15 +183,15 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     FILTER_TIMING_UNDERRUN = 1 << 67
     """Filter processes are skipped. Bit 67."""
     RECEIVER_1_FAULT = 1 << 105
-    """No communication with internal receiver 1. Bit 105. Concerns `gnss_data.FixInfo`."""
+    """No communication with internal receiver 1. Bit 105. Affects `gnss_data.FixInfo`."""
     RECEIVER_1_NO_SOLUTION = 1 << 108
-    """Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108. Concerns
+    """Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108. Affects
     `gnss_data.FixInfo`.
     """
     RECEIVER_2_FAULT = 1 << 110
-    """No communication with internal receiver 2. Bit 110. Concerns `gnss_data.FixInfo`."""
+    """No communication with internal receiver 2. Bit 110. Affects `gnss_data.FixInfo`."""
     RECEIVER_2_NO_SOLUTION = 1 << 113
-    """Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113. Concerns
+    """Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113. Affects
     `gnss_data.FixInfo`.
     """
 
@@ -184,9 +199,9 @@ class Cv7ContinuousBuiltInTest(IntFlag):
 @codec.open_flag(128)
 class Cv7InertialContinuousBuiltInTest(IntFlag):
     """Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver:
-    bits 0-31 system, 32-63 inertial sensors, 64-95 navigation. Uncertain: The meaning of the bits.
-    The sources list only numbers and names; the descriptions are those of the 3DM-CV7-GNSS/INS
-    where the names are the same.
+    bits 0-31 system, 32-63 inertial sensors, 64-95 navigation. Uncertain: The sources list only the
+    numbers and names of the bits; the descriptions are those of the 3DM-CV7-GNSS/INS where the
+    names are the same.
 
     - ros-driver: Built-in test of the CV7
     - mscl: Continuous built-in test
@@ -225,48 +240,48 @@ class Cv7InertialContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`."""
+    """Accelerometer calibration fault. Bit 36. Affects `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`."""
+    """Gyroscope calibration fault. Bit 37. Affects `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`."""
+    """Magnetometer calibration fault. Bit 38. Affects `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
+    """The accelerometer failed to initialize. Bit 40. Affects `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
+    """The acceleration along an axis is near or outside the selected range. Bit 41. Affects
     `sensor.ScaledAccel`.
     """
     ACCEL_SELF_TEST_FAIL = 1 << 42
     """The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42.
-    Concerns `sensor.ScaledAccel`.
+    Affects `sensor.ScaledAccel`.
     """
     GYRO_GENERAL_FAULT = 1 << 44
-    """The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`."""
+    """The gyroscope failed to initialize. Bit 44. Affects `sensor.ScaledGyro`."""
     GYRO_OVER_RANGE = 1 << 45
-    """The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
+    """The angular rate about an axis is near or outside the selected range. Bit 45. Affects
     `sensor.ScaledGyro`.
     """
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
-    Concerns `sensor.ScaledGyro`.
+    """The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46. Affects
+    `sensor.ScaledGyro`.
     """
     MAG_GENERAL_FAULT = 1 << 48
-    """The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`."""
+    """The magnetometer failed to initialize. Bit 48. Affects `sensor.ScaledMag`."""
     MAG_OVER_RANGE = 1 << 49
-    """The magnetic field along an axis is near or outside the supported range. Bit 49. Concerns
+    """The magnetic field along an axis is near or outside the supported range. Bit 49. Affects
     `sensor.ScaledMag`.
     """
     MAG_SELF_TEST_FAIL = 1 << 50
     """The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
-    Concerns `sensor.ScaledMag`.
+    Affects `sensor.ScaledMag`.
     """
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`."""
+    """The pressure sensor failed to initialize. Bit 52. Affects `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`."""
+    """The pressure is outside the supported range. Bit 53. Affects `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
     """The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54.
-    Concerns `sensor.ScaledPressure`.
+    Affects `sensor.ScaledPressure`.
     """
     FACTORY_BITS_INVALID = 1 << 56
     """The device has lost its factory configuration. Bit 56."""
@@ -281,9 +296,8 @@ class Cv7InertialContinuousBuiltInTest(IntFlag):
 @codec.open_flag(128)
 class Gq7ContinuousBuiltInTest(IntFlag):
     """Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial
-    sensors, 64-95 navigation, 96-127 GNSS. Uncertain: The meaning of the bits. The sources list
-    only numbers and names; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are
-    the same.
+    sensors, 64-95 navigation, 96-127 GNSS. Uncertain: The sources list only the numbers and names
+    of the bits; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
 
     - ros-driver: Built-in test of the GQ7
     - mscl: Continuous built-in test
@@ -312,48 +326,48 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`."""
+    """Accelerometer calibration fault. Bit 36. Affects `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`."""
+    """Gyroscope calibration fault. Bit 37. Affects `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`."""
+    """Magnetometer calibration fault. Bit 38. Affects `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
+    """The accelerometer failed to initialize. Bit 40. Affects `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
+    """The acceleration along an axis is near or outside the selected range. Bit 41. Affects
     `sensor.ScaledAccel`.
     """
     ACCEL_SELF_TEST_FAIL = 1 << 42
     """The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42.
-    Concerns `sensor.ScaledAccel`.
+    Affects `sensor.ScaledAccel`.
     """
     GYRO_GENERAL_FAULT = 1 << 44
-    """The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`."""
+    """The gyroscope failed to initialize. Bit 44. Affects `sensor.ScaledGyro`."""
     GYRO_OVER_RANGE = 1 << 45
-    """The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
+    """The angular rate about an axis is near or outside the selected range. Bit 45. Affects
     `sensor.ScaledGyro`.
     """
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
-    Concerns `sensor.ScaledGyro`.
+    """The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46. Affects
+    `sensor.ScaledGyro`.
     """
     MAG_GENERAL_FAULT = 1 << 48
-    """The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`."""
+    """The magnetometer failed to initialize. Bit 48. Affects `sensor.ScaledMag`."""
     MAG_OVER_RANGE = 1 << 49
-    """The magnetic field along an axis is near or outside the supported range. Bit 49. Concerns
+    """The magnetic field along an axis is near or outside the supported range. Bit 49. Affects
     `sensor.ScaledMag`.
     """
     MAG_SELF_TEST_FAIL = 1 << 50
     """The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
-    Concerns `sensor.ScaledMag`.
+    Affects `sensor.ScaledMag`.
     """
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`."""
+    """The pressure sensor failed to initialize. Bit 52. Affects `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`."""
+    """The pressure is outside the supported range. Bit 53. Affects `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
     """The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54.
-    Concerns `sensor.ScaledPressure`.
+    Affects `sensor.ScaledPressure`.
     """
     FILTER_CLOCK_FAULT = 1 << 64
     """The filter clock failed. Bit 64."""
@@ -372,33 +386,33 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     GNSS_COMM_ERROR = 0x1C000000000000000000000000
     """GNSS processor communication errors. Bits 98 to 100."""
     GPS_TIME_FAULT = 1 << 101
-    """GPS time fault. Bit 101. Concerns `gnss_data.GpsTime`."""
+    """GPS time fault. Bit 101. Affects `gnss_data.GpsTime`."""
     GNSS_TIMING_OVERRUN = 1 << 102
     """A GNSS processor cycle exceeded its time slot. Bit 102."""
     RECEIVER_1_POWER_FAULT = 1 << 104
-    """Receiver 1 power supply fault. Bit 104. Concerns `gnss_data.FixInfo`."""
+    """Receiver 1 power supply fault. Bit 104. Affects `gnss_data.FixInfo`."""
     RECEIVER_1_FAULT = 1 << 105
-    """No communication with internal receiver 1. Bit 105. Concerns `gnss_data.FixInfo`."""
+    """No communication with internal receiver 1. Bit 105. Affects `gnss_data.FixInfo`."""
     ANTENNA_1_SHORTED = 1 << 106
-    """Antenna 1 is shorted. Bit 106. Concerns `gnss_data.HardwareStatus`."""
+    """Antenna 1 is shorted. Bit 106. Affects `gnss_data.HardwareStatus`."""
     ANTENNA_1_OPEN = 1 << 107
-    """Antenna 1 is not connected. Bit 107. Concerns `gnss_data.HardwareStatus`."""
+    """Antenna 1 is not connected. Bit 107. Affects `gnss_data.HardwareStatus`."""
     RECEIVER_1_SOLUTION_FAULT = 1 << 108
-    """Receiver 1 has no solution. Bit 108. Concerns `gnss_data.FixInfo`."""
+    """Receiver 1 has no solution. Bit 108. Affects `gnss_data.FixInfo`."""
     RECEIVER_2_POWER_FAULT = 1 << 109
-    """Receiver 2 power supply fault. Bit 109. Concerns `gnss_data.FixInfo`."""
+    """Receiver 2 power supply fault. Bit 109. Affects `gnss_data.FixInfo`."""
     RECEIVER_2_FAULT = 1 << 110
-    """No communication with internal receiver 2. Bit 110. Concerns `gnss_data.FixInfo`."""
+    """No communication with internal receiver 2. Bit 110. Affects `gnss_data.FixInfo`."""
     ANTENNA_2_SHORTED = 1 << 111
-    """Antenna 2 is shorted. Bit 111. Concerns `gnss_data.HardwareStatus`."""
+    """Antenna 2 is shorted. Bit 111. Affects `gnss_data.HardwareStatus`."""
     ANTENNA_2_OPEN = 1 << 112
-    """Antenna 2 is not connected. Bit 112. Concerns `gnss_data.HardwareStatus`."""
+    """Antenna 2 is not connected. Bit 112. Affects `gnss_data.HardwareStatus`."""
     RECEIVER_2_SOLUTION_FAULT = 1 << 113
-    """Receiver 2 has no solution. Bit 113. Concerns `gnss_data.FixInfo`."""
+    """Receiver 2 has no solution. Bit 113. Affects `gnss_data.FixInfo`."""
     RTCM_COMM_FAULT = 1 << 114
-    """RTCM communication fault. Bit 114. Concerns `gnss_data.RtkCorrectionsStatus`."""
+    """RTCM communication fault. Bit 114. Affects `gnss_data.RtkCorrectionsStatus`."""
     RTK_DONGLE_FAULT = 1 << 115
-    """RTK modem fault. Bit 115. Concerns `rtk.GetStatusFlags`."""
+    """RTK modem fault. Bit 115. Affects `rtk.GetStatusFlags`."""
 
     @property
     def imu_ipc_fault(self) -> int:
@@ -459,7 +473,7 @@ class EventTriggerType(codec.OpenEnum):
     """
 
     NONE = 0
-    """The slot is free. It is never active and cannot be enabled."""
+    """The instance is not in use: it is never active and cannot be enabled."""
     GPIO = 1
     """Watches a GPIO pin."""
     THRESHOLD = 2
@@ -476,7 +490,7 @@ class EventActionType(codec.OpenEnum):
     """
 
     NONE = 0
-    """The slot is free."""
+    """The instance is not in use."""
     GPIO = 1
     """Controls a GPIO pin."""
     MESSAGE = 2
@@ -577,7 +591,7 @@ class EventTriggerGpio(Structure):
     __slots__ = ("pin", "mode")
     __match_args__ = ("pin", "mode")
 
-    _LAYOUT = (("pin", "B", None), ("mode", "B", EventTriggerGpioMode))
+    _SIZE = 2
 
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
@@ -587,6 +601,15 @@ class EventTriggerGpio(Structure):
     def __init__(self, pin: int, mode: EventTriggerGpioMode) -> None:
         self.pin = pin
         self.mode = mode
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2B.unpack(raw, at)
+        self.pin = v[0]
+        self.mode = codec.KNOWN[EventTriggerGpioMode][v[1]]
+        return at + 2
+
+    def _write(self) -> bytes:
+        return _2B.write("pin mode", self.pin, self.mode)
 
 
 class EventThresholdWindow(Structure):
@@ -599,7 +622,7 @@ class EventThresholdWindow(Structure):
     __slots__ = ("low_threshold", "high_threshold")
     __match_args__ = ("low_threshold", "high_threshold")
 
-    _LAYOUT = (("low_threshold", "d", None), ("high_threshold", "d", None))
+    _SIZE = 16
 
     low_threshold: float
     """Lower threshold, in the unit of the watched value. The SDK calls it the first threshold."""
@@ -613,6 +636,13 @@ class EventThresholdWindow(Structure):
         self.low_threshold = low_threshold
         self.high_threshold = high_threshold
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.low_threshold, self.high_threshold = _2d.unpack(raw, at)
+        return at + 16
+
+    def _write(self) -> bytes:
+        return _2d.write("low_threshold high_threshold", self.low_threshold, self.high_threshold)
+
 
 class EventThresholdInterval(Structure):
     """A threshold inside a repeating interval.
@@ -624,7 +654,7 @@ class EventThresholdInterval(Structure):
     __slots__ = ("interval_threshold", "interval")
     __match_args__ = ("interval_threshold", "interval")
 
-    _LAYOUT = (("interval_threshold", "d", None), ("interval", "d", None))
+    _SIZE = 16
 
     interval_threshold: float
     """The trigger is active while the remainder is at most this, in the unit of the watched value.
@@ -640,6 +670,13 @@ class EventThresholdInterval(Structure):
         self.interval_threshold = interval_threshold
         self.interval = interval
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.interval_threshold, self.interval = _2d.unpack(raw, at)
+        return at + 16
+
+    def _write(self) -> bytes:
+        return _2d.write("interval_threshold interval", self.interval_threshold, self.interval)
+
 
 class EventTriggerThreshold(Structure):
     """A trigger on one value of a data field. The value is converted to double before it is
@@ -650,24 +687,6 @@ class EventTriggerThreshold(Structure):
 
     __slots__ = ("descriptor_set", "field_descriptor", "parameter_id", "type", "thresholds")
     __match_args__ = ("descriptor_set", "field_descriptor", "parameter_id", "type", "thresholds")
-
-    _LAYOUT = (
-        ("descriptor_set", "B", None),
-        ("field_descriptor", "B", None),
-        ("parameter_id", "B", None),
-        ("type", "B", EventThresholdType),
-        (
-            "thresholds",
-            "",
-            wire.Union(
-                "type",
-                {
-                    1: ("window", "", EventThresholdWindow),
-                    2: ("interval", "", EventThresholdInterval),
-                },
-            ),
-        ),
-    )
 
     descriptor_set: int
     """Data descriptor set of the watched value."""
@@ -700,6 +719,38 @@ class EventTriggerThreshold(Structure):
         self.type = type
         self.thresholds = thresholds
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _4B.read(raw, at)
+        self.descriptor_set = v[0]
+        self.field_descriptor = v[1]
+        self.parameter_id = v[2]
+        self.type = codec.KNOWN[EventThresholdType][v[3]]
+        at += 4
+        self.thresholds = None
+        if self.type == 1:
+            self.thresholds, at = EventThresholdWindow._decoded(raw, at)
+        if self.type == 2:
+            self.thresholds, at = EventThresholdInterval._decoded(raw, at)
+        return at
+
+    def _write(self) -> bytes:
+        out = _4B.write(
+            "descriptor_set field_descriptor parameter_id type",
+            self.descriptor_set,
+            self.field_descriptor,
+            self.parameter_id,
+            self.type,
+        )
+        if self.type == 1:
+            codec.check_selected("thresholds", self.thresholds, self.type, EventThresholdWindow)
+            out += codec.structure("thresholds", self.thresholds, EventThresholdWindow)
+        elif self.type == 2:
+            codec.check_selected("thresholds", self.thresholds, self.type, EventThresholdInterval)
+            out += codec.structure("thresholds", self.thresholds, EventThresholdInterval)
+        else:
+            codec.check_unselected("thresholds", self.thresholds, self.type)
+        return out
+
 
 class EventTriggerCombination(Structure):
     """A trigger that combines up to four others.
@@ -711,7 +762,7 @@ class EventTriggerCombination(Structure):
     __slots__ = ("logic_table", "input_triggers")
     __match_args__ = ("logic_table", "input_triggers")
 
-    _LAYOUT = (("logic_table", "H", None), ("input_triggers", "BBBB", tuple))
+    _SIZE = 6
 
     logic_table: int
     """Bit n is the output for n = a + 2b + 4c + 8d, where a to d are the states (0 or 1) of the
@@ -726,6 +777,19 @@ class EventTriggerCombination(Structure):
         self.logic_table = logic_table
         self.input_triggers = codec.several(input_triggers)
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _H4B.unpack(raw, at)
+        self.logic_table = v[0]
+        self.input_triggers = v[1:5]
+        return at + 6
+
+    def _write(self) -> bytes:
+        return _H4B.write(
+            "logic_table input_triggers*4",
+            self.logic_table,
+            *codec.exactly("input_triggers", self.input_triggers, 4),
+        )
+
 
 class EventActionGpio(Structure):
     """An action on a GPIO pin, which needs the gpio feature and an output behavior.
@@ -736,7 +800,7 @@ class EventActionGpio(Structure):
     __slots__ = ("pin", "mode")
     __match_args__ = ("pin", "mode")
 
-    _LAYOUT = (("pin", "B", None), ("mode", "B", EventActionGpioMode))
+    _SIZE = 2
 
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
@@ -747,6 +811,15 @@ class EventActionGpio(Structure):
         self.pin = pin
         self.mode = mode
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _2B.unpack(raw, at)
+        self.pin = v[0]
+        self.mode = codec.KNOWN[EventActionGpioMode][v[1]]
+        return at + 2
+
+    def _write(self) -> bytes:
+        return _2B.write("pin mode", self.pin, self.mode)
+
 
 class EventActionMessage(Structure):
     """An action that sends data packets.
@@ -756,13 +829,6 @@ class EventActionMessage(Structure):
 
     __slots__ = ("descriptor_set", "decimation", "descriptors")
     __match_args__ = ("descriptor_set", "decimation", "descriptors")
-
-    _LAYOUT = (
-        ("descriptor_set", "B", None),
-        ("decimation", "H", None),
-        ("num_fields", "B", wire.Counts("descriptors", 249)),
-        ("descriptors", "B", wire.Items(None, "num_fields", 249)),
-    )
 
     descriptor_set: int
     """Data descriptor set of the packet."""
@@ -780,6 +846,29 @@ class EventActionMessage(Structure):
         self.descriptor_set = descriptor_set
         self.decimation = decimation
         self.descriptors = codec.several(descriptors)
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _BHB.read(raw, at)
+        self.descriptor_set = v[0]
+        self.decimation = v[1]
+        n_num_fields = v[2]
+        at += 4
+        n = codec.counted(raw, at, n_num_fields, 1, 249)
+        self.descriptors = codec.read_numbers("B", raw, at, n)
+        at += n
+        return at
+
+    def _write(self) -> bytes:
+        out = _BHB.write(
+            "descriptor_set decimation num_fields",
+            self.descriptor_set,
+            self.decimation,
+            codec.count("descriptors", self.descriptors, 249),
+        )
+        out += codec.write_numbers(
+            "descriptors", "B", codec.at_most("descriptors", self.descriptors, 249)
+        )
+        return out
 
 
 class GnssConstellation(codec.OpenEnum):
@@ -1123,12 +1212,7 @@ class NmeaMessage(Structure):
     __slots__ = ("message_id", "talker_id", "source_descriptor_set", "decimation")
     __match_args__ = ("message_id", "talker_id", "source_descriptor_set", "decimation")
 
-    _LAYOUT = (
-        ("message_id", "B", NmeaMessageId),
-        ("talker_id", "B", NmeaTalkerId),
-        ("source_descriptor_set", "B", None),
-        ("decimation", "H", None),
-    )
+    _SIZE = 5
 
     message_id: NmeaMessageId
     """The sentence."""
@@ -1151,6 +1235,23 @@ class NmeaMessage(Structure):
         self.source_descriptor_set = source_descriptor_set
         self.decimation = decimation
 
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        v = _3BH.unpack(raw, at)
+        self.message_id = codec.KNOWN[NmeaMessageId][v[0]]
+        self.talker_id = codec.KNOWN[NmeaTalkerId][v[1]]
+        self.source_descriptor_set = v[2]
+        self.decimation = v[3]
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _3BH.write(
+            "message_id talker_id source_descriptor_set decimation",
+            self.message_id,
+            self.talker_id,
+            self.source_descriptor_set,
+            self.decimation,
+        )
+
 
 class CommInterface(codec.OpenEnum):
     """A port of a device.
@@ -1162,7 +1263,7 @@ class CommInterface(codec.OpenEnum):
     ALL = 0
     """All ports."""
     MAIN = 1
-    """The main port: USB while it is connected, else the main UART."""
+    """The main port: USB while a host has it open (DTR), else the main UART."""
     UART_1 = 17
     """The first port that is a UART or can be one."""
     UART_2 = 18
@@ -1178,11 +1279,10 @@ class CommInterface(codec.OpenEnum):
 @codec.open_flag(32)
 class RtkStatusFlags(IntFlag):
     """State of the modem and of the corrections. Other models send `RtkStatusFlagsLegacy`.
-    Uncertain: Which model sends which of the two forms. The SDK states only that it depends on the
-    model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the legacy form,
-    1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK
-    lists only the names, from which the descriptions are inferred. The meaning of the values is not
-    known.
+    Uncertain: The SDK states only that the form depends on the model number. Uncertain: Other
+    software of the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the legacy
+    form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only the names, from
+    which the descriptions are inferred. The meaning of the values is not known.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -1192,8 +1292,8 @@ class RtkStatusFlags(IntFlag):
     CONNECTION_TYPE = 0xF0
     """Kind of cellular connection. Bits 4 to 7."""
     RSSI = 0xFF00
-    """Received signal strength. Bits 8 to 15. Uncertain: The unit and the sign; other software of
-    the vendor treats it as negative.
+    """Received signal strength. Bits 8 to 15. Uncertain: No source states the unit and the sign;
+    other software of the vendor treats it as negative.
     """
     SIGNAL_QUALITY = 0xF0000
     """Quality of the modem's radio signal. Bits 16 to 19."""
@@ -1275,10 +1375,10 @@ class RtkStatusFlags(IntFlag):
 
 @codec.open_flag(32)
 class RtkStatusFlagsLegacy(IntFlag):
-    """State of the modem and of the corrections, in its older form. Uncertain: Which model sends
-    which of the two forms; see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but
-    also puts the last four numbers there. Uncertain: The SDK lists only the names, from which the
-    descriptions are inferred. The meaning of the values is not known.
+    """State of the modem and of the corrections, in its older form. Uncertain: The form depends on
+    the model; see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but also puts the
+    last four numbers there. Uncertain: The SDK lists only the names, from which the descriptions
+    are inferred. The meaning of the values is not known.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -1502,16 +1602,23 @@ class DescriptorRate(Structure):
     __slots__ = ("descriptor", "decimation")
     __match_args__ = ("descriptor", "decimation")
 
-    _LAYOUT = (("descriptor", "B", None), ("decimation", "H", None))
+    _SIZE = 3
 
     descriptor: int
     """Field descriptor."""
     decimation: int
-    """Base rate divided by the desired rate."""
+    """Base rate divided by the desired rate. Range: at least 1."""
 
     def __init__(self, descriptor: int, decimation: int) -> None:
         self.descriptor = descriptor
         self.decimation = decimation
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.descriptor, self.decimation = _BH.unpack(raw, at)
+        return at + 3
+
+    def _write(self) -> bytes:
+        return _BH.write("descriptor decimation", self.descriptor, self.decimation)
 
 
 @codec.open_flag(16)

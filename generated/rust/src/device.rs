@@ -42,27 +42,33 @@
 use core::fmt;
 
 use crate::client::{
-    after, has_passed, Answer, Client, CommandError, Event, Request, RequestError, Ticket,
+    after, has_passed, Client, CommandError, Event, Reason, Request, RequestError, Ticket,
 };
 use crate::field::Command;
 use crate::packet::{Packet, MAX_PACKET};
 use crate::parser::Parser;
 
+mod all;
 #[cfg(feature = "embedded-io-async")]
 mod asynchronous;
 #[cfg(feature = "embedded-io")]
 mod embedded;
 #[cfg(feature = "open")]
 mod line;
+#[cfg(feature = "tokio")]
+mod line_async;
 #[cfg(feature = "std")]
 mod standard;
 
+pub use all::Commands;
 #[cfg(feature = "embedded-io-async")]
 pub use asynchronous::AsyncDevice;
 #[cfg(feature = "embedded-io")]
 pub use embedded::{EmbeddedError, EmbeddedPort};
 #[cfg(feature = "open")]
 pub use line::Line;
+#[cfg(feature = "tokio")]
+pub use line_async::{AsyncLine, CommandHalf, DataHalf, TokioDevice};
 #[cfg(feature = "std")]
 pub use standard::StdPort;
 
@@ -172,7 +178,21 @@ impl<E: fmt::Display> fmt::Display for DeviceError<E> {
 }
 
 #[cfg(any(feature = "core-error", feature = "std"))]
-impl<E: fmt::Debug + fmt::Display> crate::error::Error for DeviceError<E> {}
+impl<E: fmt::Debug + fmt::Display> crate::error::Error for DeviceError<E> {
+    fn source(&self) -> Option<&(dyn crate::error::Error + 'static)> {
+        match self {
+            Self::Command(error) => error.source(),
+            _ => None, // the text has all
+        }
+    }
+}
+
+/// The error of a port of the standard library that is closed.
+#[cfg(feature = "std")]
+fn closed() -> std::io::Error {
+    let text = "the other end has closed the connection";
+    std::io::Error::new(std::io::ErrorKind::UnexpectedEof, text)
+}
 
 /// The number of bytes that a device reads at a time from its port.
 const CHUNK: usize = 256;
@@ -275,12 +295,13 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
 
     /// Takes the outcome of a command that no longer waits.
     fn result<C: Command, E>(&mut self, ticket: &Ticket<C>) -> Result<C::Response, DeviceError<E>> {
-        Ok(self.client.take(ticket).unwrap_or(Answer::TimedOut).into_result()?)
+        let timed_out = Err(CommandError::of::<C>(Reason::TimedOut));
+        Ok(self.client.take(ticket).unwrap_or(timed_out)?)
     }
 
     /// Like `result`, but the answer is kept.
-    fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
-        self.client.known(ticket).unwrap_or(Answer::TimedOut)
+    fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Result<C::Response, CommandError> {
+        all::response(ticket, &self.client)
     }
 }
 
@@ -424,6 +445,32 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         self.core.result(&ticket)
     }
 
+    /// Sends several commands of one descriptor set in one packet, and returns their responses.
+    ///
+    /// ```
+    /// # #[cfg(feature = "mip_3dm")] mod example {
+    /// use mip_protocol::device::{Device, DeviceError, Port};
+    /// use mip_protocol::{mip_3dm::{GetBaseRate, PpsSourceControl}, sensor};
+    ///
+    /// fn ask<P: Port>(device: &mut Device<P>) -> Result<u16, DeviceError<P::Error>> {
+    ///     let commands = (&GetBaseRate::new(sensor::SET), &PpsSourceControl::read());
+    ///     let (base_rate, _) = device.request_all(commands)?;
+    ///     Ok(base_rate.rate)
+    /// }
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Device::request`]; of several rejected commands, it is the error of the first.
+    pub fn request_all<C: Commands>(
+        &mut self,
+        commands: C,
+    ) -> Result<C::Responses, DeviceError<P::Error>> {
+        let tickets = self.send_all(C::SET, |request| commands.add(request))?;
+        Ok(C::responses(&tickets, &self.core.client)?)
+    }
+
     /// Sends several commands of one descriptor set in one packet, and waits for all replies.
     ///
     /// The closure adds the commands, and returns any value, usually their tickets. If it adds
@@ -448,9 +495,13 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(tickets)
     }
 
-    /// Returns the answer to a command of [`Device::send_all`], until the next command is sent. For
-    /// an earlier command, it returns [`Answer::TimedOut`].
-    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
+    /// Returns the response to a command of [`Device::send_all`], until the next command is sent.
+    ///
+    /// # Errors
+    ///
+    /// The device rejected or did not answer the command; or it was sent before the last call
+    /// ([`Reason::Forgotten`]).
+    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Result<C::Response, CommandError> {
         self.core.answer(ticket)
     }
 
@@ -515,6 +566,17 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         self.core.client.clear();
         self.discard();
         Ok(heard)
+    }
+
+    /// Changes the baud rate of the port; returns `false` if that is not possible.
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn set_baud(&mut self, rate: u32) -> Result<bool, DeviceError<P::Error>> {
+        self.port.set_baud(rate).map_err(DeviceError::Port)
+    }
+
+    /// Returns the baud rate, if the port has one.
+    pub fn baud(&self) -> Option<u32> {
+        self.port.baud()
     }
 
     /// Discards the data that was kept.

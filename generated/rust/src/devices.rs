@@ -3,8 +3,11 @@
 use crate::protocol::{AckCode, FunctionSelector};
 
 mod known;
+mod lists;
+mod rejected;
 
 pub use known::*;
+pub use rejected::{Known, Rejected, Rejection};
 
 /// A device profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,10 +30,12 @@ pub struct Profile {
     /// Statements on what is unknown about it. If there are any, it may support more than is
     /// listed.
     pub incomplete: &'static [&'static str],
-    /// The commands and data fields that it certainly or probably supports.
+    /// The commands and data fields that it supports, or is believed to support.
     pub fields: &'static [Supported],
     /// The commands and data fields that it is known not to support.
     pub refuses: &'static [Supported],
+    /// The data sets of which it is known to support no field.
+    pub absent_sets: &'static [AbsentSet],
     /// The firmware that some of these fields require.
     pub firmware: &'static [Firmware],
     /// Base rates of data sets.
@@ -50,8 +55,10 @@ pub struct Profile {
 pub enum Support {
     /// It does.
     Yes,
-    /// It probably does.
-    Probable,
+    /// An example, a program or a list of others names this very model.
+    Likely,
+    /// Its family or a nearly identical device has it.
+    Assumed,
     /// It does not.
     No,
     /// No source mentions it, and the profile is incomplete.
@@ -66,9 +73,21 @@ pub struct Evidence {
     pub answer: Support,
     /// The reason for the answer.
     pub why: &'static str,
+    /// What the device lacks: "has no magnetometer"; empty if no hardware is concerned.
+    pub absence: &'static str,
 }
 
-/// A field that a device certainly or probably supports, or does not support.
+/// A data set of which a device supports no field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct AbsentSet {
+    /// The descriptor set.
+    pub set: u8,
+    /// Why that is believed.
+    pub evidence: &'static Evidence,
+}
+
+/// A field that a device supports, is believed to support, or does not support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Supported {
@@ -175,10 +194,19 @@ impl Profile {
     /// complete profile does not list, this is [`Support::No`].
     ///
     /// A shared field belongs to every data set.
+    ///
+    /// ```
+    /// use mip_protocol::devices::{Profile, Support};
+    ///
+    /// # if Profile::by_id("3dm-cv7-ar").is_none() { return }
+    /// let device = Profile::by_id("3dm-cv7-ar").unwrap();
+    /// assert_eq!(device.support(0x80, 0x04), Support::Yes);
+    /// assert_eq!(device.support(0x91, 0x03), Support::No); // it has no GNSS receiver
+    /// ```
     #[must_use]
     pub fn support(&self, set: u8, descriptor: u8) -> Support {
-        match self.field(set, descriptor) {
-            Some(field) => field.evidence.answer,
+        match self.evidence(set, descriptor) {
+            Some(evidence) => evidence.answer,
             None if self.incomplete.is_empty() => Support::No,
             None => Support::Unknown,
         }
@@ -187,17 +215,31 @@ impl Profile {
     /// Returns the profile's entry for a field in packets of this set, with its evidence.
     #[must_use]
     pub fn field(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
-        let matches = |f: &&Supported| f.set == set || (f.set == 0xFF && set >= 0x80);
-        let mut said = self.fields.iter().chain(self.refuses);
-        said.find(|f| f.descriptor == descriptor && matches(f))
+        let shared = if set < 0x80 { set } else { 0xFF };
+        self.stated(set, descriptor).or_else(|| self.stated(shared, descriptor))
     }
 
-    /// Does the device certainly or probably support this field, in any set in which it occurs? For
+    fn stated(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
+        let mut stated = self.fields.iter().chain(self.refuses);
+        stated.find(|f| (f.set, f.descriptor) == (set, descriptor))
+    }
+
+    /// Returns the reason to believe that the device supports a field in packets of this set, or
+    /// does not; also of a set of which it supports no field.
+    #[must_use]
+    pub fn evidence(&self, set: u8, descriptor: u8) -> Option<&'static Evidence> {
+        let field = self.stated(set, descriptor).map(|field| field.evidence);
+        let absent = self.absent_sets.iter().find(|absent| absent.set == set);
+        let of_set = field.or_else(|| absent.map(|absent| absent.evidence));
+        of_set.or_else(|| self.field(set, descriptor).map(|field| field.evidence))
+    }
+
+    /// Does the device support this field, certainly or as is believed, in any set in which it occurs? For
     /// a single set, use [`Profile::support`].
     #[must_use]
     pub fn has<T: crate::Field>(&self) -> bool {
         let found = |set: &u8| self.support(*set, T::DESCRIPTOR);
-        T::SETS.iter().map(found).any(|x| matches!(x, Support::Yes | Support::Probable))
+        T::SETS.iter().map(found).any(|x| !matches!(x, Support::No | Support::Unknown))
     }
 
     /// Returns the firmware versions that support a field; `None` if all do, or if that is unknown.

@@ -111,16 +111,32 @@ pub trait Command: OneSet {
 }
 
 /// A command with the function `FUNCTION`, made by one of the command's constructors. It is usually
-/// written [`Read<C>`](crate::protocol::Read), [`Write<C>`](crate::protocol::Write) and so on. Its
+/// written [`ReadCall<C>`](crate::protocol::ReadCall), [`WriteCall<C>`](crate::protocol::WriteCall) and so on. Its
 /// type determines the response.
 ///
-/// It can be sent and searched like any field: `field.get::<Read<PpsSourceControl>>()` is `None`
+/// It can be sent and searched like any field: `field.get::<ReadCall<PpsSourceControl>>()` is `Ok(None)`
 /// for other functions. Its values can be read like the command's; to change them, convert it with
 /// [`Call::into_command`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(transparent))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Call<C, const FUNCTION: u8>(C);
+
+/// Commands with other functions are errors.
+#[cfg(feature = "serde")]
+impl<'de, C, const FUNCTION: u8> serde::Deserialize<'de> for Call<C, FUNCTION>
+where
+    C: Field + serde::Deserialize<'de>,
+{
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        use serde::de::Error as _;
+        let (command, mut data) =
+            (C::deserialize(deserializer)?, [0; crate::packet::MAX_FIELD_DATA]);
+        let size = command.encode(&mut data).map_err(D::Error::custom)?;
+        Self::decode(data.get(..size).unwrap_or_default()).map_err(D::Error::custom)?;
+        Ok(Self(command))
+    }
+}
 
 impl<C, const FUNCTION: u8> Call<C, FUNCTION> {
     /// The function.
@@ -214,16 +230,16 @@ impl<C: Takes<FUNCTION>, const FUNCTION: u8> Command for Call<C, FUNCTION> {
     }
 }
 
-/// Recognizes a response: returns whether it can be decoded, and `None` for other fields.
-pub type ResponseCheck = fn(&RawField<'_>) -> Option<bool>;
+/// Recognizes a response: returns the error if it cannot be decoded, and `None` for other fields.
+pub type ResponseCheck = fn(&RawField<'_>) -> Option<Result<(), DecodeError>>;
 
 /// Checks for one type of response.
 #[must_use]
-pub fn check<R: Field>(field: &RawField<'_>) -> Option<bool> {
+pub fn check<R: Field>(field: &RawField<'_>) -> Option<Result<(), DecodeError>> {
     if R::FIXED && R::CONSTANTS.is_empty() {
-        return field.is::<R>().then_some(field.data.len() >= R::SIZE);
+        return field.is::<R>().then(|| view::enough::<R>(field.data));
     }
-    R::from_field(field).map(|found| found.is_ok())
+    R::from_field(field).map(|found| found.map(|_| ()))
 }
 
 /// A field that answers the command `C`.
@@ -360,17 +376,23 @@ impl<'a> RawField<'a> {
     }
 
     /// Decodes the field if it is of this type.
+    ///
+    /// # Errors
+    ///
+    /// The data is invalid.
     #[inline]
-    #[must_use]
-    pub fn get<T: Field>(&self) -> Option<Result<T, DecodeError>> {
-        self.is::<T>().then(|| T::decode(self.data))
+    pub fn get<T: Field>(&self) -> Result<Option<T>, DecodeError> {
+        self.is::<T>().then(|| T::decode(self.data)).transpose()
     }
 
     /// Returns a view of the field, to read values in place, if it is of this type.
+    ///
+    /// # Errors
+    ///
+    /// The data is too short.
     #[inline]
-    #[must_use]
-    pub fn view<T: Field + Viewed>(&self) -> Option<Result<View<'a, T>, DecodeError>> {
-        self.is::<T>().then(|| view::open(self.data))
+    pub fn view<T: Field + Viewed>(&self) -> Result<Option<View<'a, T>>, DecodeError> {
+        self.is::<T>().then(|| view::open(self.data)).transpose()
     }
 }
 
@@ -414,13 +436,13 @@ macro_rules! dispatch {
     };
     (@ $field:ident $($type:ident)::+ ($value:pat), $body:expr, $($rest:tt)*) => {
         match $field.get::<$($type)::+>() {
-            ::core::option::Option::Some(::core::result::Result::Ok($value)) => {
+            ::core::result::Result::Ok(::core::option::Option::Some($value)) => {
                 ::core::result::Result::Ok($body)
             }
-            ::core::option::Option::Some(::core::result::Result::Err(error)) => {
-                ::core::result::Result::Err(error)
+            ::core::result::Result::Ok(::core::option::Option::None) => {
+                $crate::dispatch!(@ $field $($rest)*)
             }
-            ::core::option::Option::None => $crate::dispatch!(@ $field $($rest)*),
+            ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
         }
     };
 }

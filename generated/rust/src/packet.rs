@@ -257,35 +257,100 @@ impl<'a> Packet<'a> {
     /// A field of this type that extends past the payload is an error
     /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), even if the part in the packet could be
     /// decoded.
+    ///
+    /// ```
+    /// use mip_protocol::{protocol::Acknowledge, Packet};
+    ///
+    /// let packet = Packet::new(b"\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A")?;
+    /// if let Some(reply) = packet.find::<Acknowledge>()? {
+    ///     assert_eq!(reply.command, 1);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The data is invalid.
     #[inline]
-    #[must_use]
-    pub fn find<T: Field>(&self) -> Option<Result<T, DecodeError>> {
-        self.search::<T>().map(|found| found.and_then(|field| T::decode(field.data)))
+    pub fn find<T: Field>(&self) -> Result<Option<T>, DecodeError> {
+        self.search::<T>()?.map(|field| T::decode(field.data)).transpose()
     }
 
     /// Like [`Packet::find`], but returns a view, to read values in place.
+    ///
+    /// # Errors
+    ///
+    /// The data is too short.
     #[inline]
-    #[must_use]
-    pub fn view<T: Field + Viewed>(&self) -> Option<Result<View<'a, T>, DecodeError>> {
-        self.search::<T>().map(|found| found.and_then(|field| view::open(field.data)))
+    pub fn view<T: Field + Viewed>(&self) -> Result<Option<View<'a, T>>, DecodeError> {
+        self.search::<T>()?.map(|field| view::open(field.data)).transpose()
+    }
+
+    /// Decodes all fields of this type, in order. One that extends past the payload is an error, as
+    /// for [`Packet::find`].
+    ///
+    /// ```
+    /// use mip_protocol::{protocol::Acknowledge, Packet};
+    ///
+    /// let bytes = [
+    ///     0x75, 0x65, 0x01, 0x08, 0x04, 0xF1, 0x01, 0x00, 0x04, 0xF1, 0x02, 0x04, 0xD4, 0xCD,
+    /// ];
+    /// let packet = Packet::new(&bytes)?;
+    /// for reply in packet.find_all::<Acknowledge>() {
+    ///     println!("{:?}", reply?);
+    /// }
+    /// assert_eq!(packet.find_all::<Acknowledge>().count(), 2);
+    /// assert_eq!(packet.into_iter().count(), 2); // and `for field in &packet`
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn find_all<T: Field + 'a>(&self) -> impl Iterator<Item = Result<T, DecodeError>> + 'a {
+        let mut fields = if T::occurs_in(self.set()) { self.fields() } else { Fields::NONE };
+        core::iter::from_fn(move || {
+            while let Some(field) = fields.sound() {
+                if field.descriptor == T::DESCRIPTOR && field.has_layout_of::<T>() {
+                    return Some(T::decode(field.data));
+                }
+            }
+            let cut = fields.cut(T::DESCRIPTOR, &T::SIZES, T::CONSTANTS, T::NAME);
+            fields.end();
+            cut.map(Err)
+        })
     }
 
     /// Returns the first field of this type, not yet decoded.
     #[inline]
-    fn search<T: Field>(&self) -> Option<Result<RawField<'a>, DecodeError>> {
+    fn search<T: Field>(&self) -> Result<Option<RawField<'a>>, DecodeError> {
         let mut fields = self.fields();
         if !T::occurs_in(fields.set) {
-            return None;
+            return Ok(None);
         }
         while let Some(field) = fields.sound() {
             if field.descriptor == T::DESCRIPTOR && field.has_layout_of::<T>() {
-                return Some(Ok(field));
+                return Ok(Some(field));
             }
         }
         if fields.payload.is_empty() {
-            return None;
+            return Ok(None);
         }
-        fields.cut(T::DESCRIPTOR, &T::SIZES, T::CONSTANTS, T::NAME).map(Err)
+        fields.cut(T::DESCRIPTOR, &T::SIZES, T::CONSTANTS, T::NAME).map_or(Ok(None), Err)
+    }
+}
+
+impl<'a> IntoIterator for Packet<'a> {
+    type Item = Result<RawField<'a>, FieldLengthError>;
+    type IntoIter = Fields<'a>;
+
+    fn into_iter(self) -> Fields<'a> {
+        self.fields()
+    }
+}
+
+impl<'a> IntoIterator for &Packet<'a> {
+    type Item = Result<RawField<'a>, FieldLengthError>;
+    type IntoIter = Fields<'a>;
+
+    fn into_iter(self) -> Fields<'a> {
+        self.fields()
     }
 }
 

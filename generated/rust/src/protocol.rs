@@ -12,17 +12,17 @@ pub const SYNC: [u8; 2] = [0x75, 0x65];
 pub const BARRIER: [u8; 2] = [0x01, 0x01];
 
 /// A command that has the function [`WRITE`](FunctionSelector::WRITE).
-pub type Write<C> = crate::Call<C, { FunctionSelector::WRITE.0 }>;
+pub type WriteCall<C> = crate::Call<C, { FunctionSelector::WRITE.0 }>;
 /// A command that has the function [`READ`](FunctionSelector::READ).
-pub type Read<C> = crate::Call<C, { FunctionSelector::READ.0 }>;
+pub type ReadCall<C> = crate::Call<C, { FunctionSelector::READ.0 }>;
 /// A command that has the function [`SAVE`](FunctionSelector::SAVE).
-pub type Save<C> = crate::Call<C, { FunctionSelector::SAVE.0 }>;
+pub type SaveCall<C> = crate::Call<C, { FunctionSelector::SAVE.0 }>;
 /// A command that has the function [`LOAD`](FunctionSelector::LOAD).
-pub type Load<C> = crate::Call<C, { FunctionSelector::LOAD.0 }>;
+pub type LoadCall<C> = crate::Call<C, { FunctionSelector::LOAD.0 }>;
 /// A command that has the function [`DEFAULT`](FunctionSelector::DEFAULT).
-pub type LoadDefault<C> = crate::Call<C, { FunctionSelector::DEFAULT.0 }>;
+pub type LoadDefaultCall<C> = crate::Call<C, { FunctionSelector::DEFAULT.0 }>;
 /// A command that has the function [`APPLY`](FunctionSelector::APPLY).
-pub type Apply<C> = crate::Call<C, { FunctionSelector::APPLY.0 }>;
+pub type ApplyCall<C> = crate::Call<C, { FunctionSelector::APPLY.0 }>;
 
 record! {
     /// Acknowledge (0x00,0xF1).

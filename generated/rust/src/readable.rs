@@ -114,6 +114,8 @@ impl<'de, T: Readable + Item, const N: usize> Visitor<'de> for Items<T, N> {
 
 // --------------------------------------------------------------------------- floats
 
+struct Float<F>(PhantomData<F>);
+
 macro_rules! floats {
     ($($float:ident $bits:ident $visit:ident $write:ident $digits:literal;)*) => {$(
         impl Readable for $float {
@@ -131,43 +133,40 @@ macro_rules! floats {
                 if !deserializer.is_human_readable() {
                     return $float::deserialize(deserializer);
                 }
+                deserializer.deserialize_any(Float::<$float>(PhantomData))
+            }
+        }
 
-                struct Float;
+        impl Visitor<'_> for Float<$float> {
+            type Value = $float;
 
-                impl Visitor<'_> for Float {
-                    type Value = $float;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(concat!("a number, inf, -inf, NaN or NaN(0x…) with ", $digits, " digits"))
+            }
 
-                    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                        f.write_str(concat!("a number, inf, -inf, NaN or NaN(0x…) with ", $digits, " digits"))
-                    }
+            fn visit_f32<E: Error>(self, value: f32) -> Result<$float, E> {
+                Ok(value.into())
+            }
 
-                    fn visit_f32<E: Error>(self, value: f32) -> Result<$float, E> {
-                        Ok(value as $float)
-                    }
+            fn visit_f64<E: Error>(self, value: f64) -> Result<$float, E> {
+                Ok(value as $float)
+            }
 
-                    fn visit_f64<E: Error>(self, value: f64) -> Result<$float, E> {
-                        Ok(value as $float)
-                    }
+            fn visit_u64<E: Error>(self, value: u64) -> Result<$float, E> {
+                Ok(value as $float)
+            }
 
-                    fn visit_u64<E: Error>(self, value: u64) -> Result<$float, E> {
-                        Ok(value as $float)
-                    }
+            fn visit_i64<E: Error>(self, value: i64) -> Result<$float, E> {
+                Ok(value as $float)
+            }
 
-                    fn visit_i64<E: Error>(self, value: i64) -> Result<$float, E> {
-                        Ok(value as $float)
-                    }
-
-                    fn visit_str<E: Error>(self, text: &str) -> Result<$float, E> {
-                        let bits = text.strip_prefix("NaN(0x").and_then(|text| text.strip_suffix(')'));
-                        let value = match bits {
-                            Some(bits) => $bits::from_str_radix(bits, 16).ok().map($float::from_bits),
-                            None => text.parse().ok(),
-                        };
-                        value.ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
-                    }
-                }
-
-                deserializer.deserialize_any(Float)
+            fn visit_str<E: Error>(self, text: &str) -> Result<$float, E> {
+                let bits = text.strip_prefix("NaN(0x").and_then(|text| text.strip_suffix(')'));
+                let value = match bits {
+                    Some(bits) => $bits::from_str_radix(bits, 16).ok().map($float::from_bits),
+                    None => text.parse().ok(),
+                };
+                value.ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
             }
         }
     )*};
@@ -325,5 +324,125 @@ impl<T: Flags> Visitor<'_> for Bitfield<T> {
             .try_for_each(|word| Self::add_word(&mut storage, word))
             .map(|()| T::of_storage(storage))
             .ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
+    }
+}
+
+// --------------------------------------------------------------------------- fields of any type
+
+#[cfg(feature = "registry")]
+mod any {
+    use core::fmt;
+
+    use serde::de::{DeserializeSeed, EnumAccess, Error, SeqAccess, Unexpected, Visitor};
+    use serde::ser::Error as _;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use crate::field::RawField;
+    use crate::packet::MAX_FIELD_DATA;
+    use crate::registry::{AnyField, FieldInfo};
+    use crate::List;
+
+    impl Serialize for AnyField {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            if serializer.is_human_readable() {
+                return self.write_named(serializer);
+            }
+            let mut data = [0; MAX_FIELD_DATA];
+            let size = self.encode(&mut data).map_err(S::Error::custom)?;
+            let set = self.info().sets.first().copied().unwrap_or_default();
+            let data = Data(data.iter().copied().take(size).collect());
+            (set, self.info().descriptor, data).serialize(serializer)
+        }
+    }
+
+    impl<'de> Deserialize<'de> for AnyField {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            if deserializer.is_human_readable() {
+                return deserializer.deserialize_enum("AnyField", &[], Named);
+            }
+            let (set, descriptor, Data(data)) = Deserialize::deserialize(deserializer)?;
+            let field = RawField { set, descriptor, data: &data };
+            let unknown =
+                || D::Error::custom(format_args!("unknown field {set:#x},{descriptor:#x}"));
+            Self::decode(&field).map_err(D::Error::custom)?.ok_or_else(unknown)
+        }
+    }
+
+    /// The bytes of a field.
+    struct Data(List<u8, MAX_FIELD_DATA>);
+
+    impl Serialize for Data {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            serializer.serialize_bytes(&self.0)
+        }
+    }
+
+    impl<'de> Deserialize<'de> for Data {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            deserializer.deserialize_bytes(Bytes)
+        }
+    }
+
+    struct Bytes;
+
+    impl<'de> Visitor<'de> for Bytes {
+        type Value = Data;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "at most {MAX_FIELD_DATA} bytes")
+        }
+
+        fn visit_bytes<E: Error>(self, bytes: &[u8]) -> Result<Data, E> {
+            List::from_slice(bytes).map(Data).map_err(E::custom)
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut bytes: A) -> Result<Data, A::Error> {
+            let mut list = List::new();
+            while let Some(byte) = bytes.next_element()? {
+                list.push(byte).map_err(A::Error::custom)?;
+            }
+            Ok(Data(list))
+        }
+    }
+
+    struct Named;
+
+    impl<'de> Visitor<'de> for Named {
+        type Value = AnyField;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a field by its name")
+        }
+
+        fn visit_enum<A: EnumAccess<'de>>(self, access: A) -> Result<AnyField, A::Error> {
+            let (info, value) = access.variant_seed(Name)?;
+            AnyField::read_named(info.name, value)
+        }
+    }
+
+    struct Name;
+
+    impl<'de> DeserializeSeed<'de> for Name {
+        type Value = &'static FieldInfo;
+
+        fn deserialize<D: Deserializer<'de>>(
+            self,
+            deserializer: D,
+        ) -> Result<Self::Value, D::Error> {
+            deserializer.deserialize_identifier(self)
+        }
+    }
+
+    impl Visitor<'_> for Name {
+        type Value = &'static FieldInfo;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("the name of a field")
+        }
+
+        fn visit_str<E: Error>(self, name: &str) -> Result<Self::Value, E> {
+            let unknown = || E::invalid_value(Unexpected::Str(name), &self);
+            FieldInfo::by_name(name).ok_or_else(unknown)
+        }
     }
 }

@@ -316,17 +316,35 @@ impl AnyField {
     ///
     /// [`AnyField::decode_with_trailing`] also returns the descriptor set, and how many bytes are
     /// left over.
+    ///
+    /// ```
+    /// use mip_protocol::{AnyField, Packet};
+    ///
+    /// let packet = Packet::new(b"\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A")?;
+    /// for field in &packet {
+    ///     if let Some(value) = &AnyField::decode(&field?)? {
+    ///         println!("{}: {value:?}", value.info().name);
+    ///     }
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The data is invalid.
     #[inline]
-    #[must_use]
-    pub fn decode(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
+    pub fn decode(field: &RawField<'_>) -> Result<Option<Self>, DecodeError> {
         visit(field, Decode)
     }
 
     /// Decodes a field, and counts the bytes left over, because newer firmware may append some;
     /// returns `None` if the field is unknown.
+    ///
+    /// # Errors
+    ///
+    /// The data is invalid.
     #[inline]
-    #[must_use]
-    pub fn decode_with_trailing(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
+    pub fn decode_with_trailing(field: &RawField<'_>) -> Result<Option<Decoded>, DecodeError> {
         visit(field, DecodeWithTrailing)
     }
 }
@@ -335,32 +353,32 @@ struct Decode;
 
 impl Visitor for Decode {
     // The caller's whole result, so that each type writes its value directly to its destination.
-    type Output = Option<Result<AnyField, DecodeError>>;
+    type Output = Result<Option<AnyField>, DecodeError>;
 
     #[inline]
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
         let mut reader = Reader::new(field.data);
         match T::decode_from(&mut reader) {
-            Ok(value) => Some(Ok(value.into_any())),
+            Ok(value) => Ok(Some(value.into_any())),
             Err(_) => wrong(reader, T::NAME),
         }
     }
 
     fn unknown(self, _: &RawField<'_>) -> Self::Output {
-        None
+        Ok(None)
     }
 }
 
 struct DecodeWithTrailing;
 
 impl Visitor for DecodeWithTrailing {
-    type Output = Option<Result<Decoded, DecodeError>>;
+    type Output = Result<Option<Decoded>, DecodeError>;
 
     #[inline]
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
         let mut reader = Reader::new(field.data);
         match T::decode_from(&mut reader) {
-            Ok(value) => Some(Ok(Decoded {
+            Ok(value) => Ok(Some(Decoded {
                 set: field.set,
                 field: value.into_any(),
                 left_over: reader.remaining(),
@@ -370,15 +388,15 @@ impl Visitor for DecodeWithTrailing {
     }
 
     fn unknown(self, _: &RawField<'_>) -> Self::Output {
-        None
+        Ok(None)
     }
 }
 
 /// Creates the result of both visitors after an error, compiled once for all types.
 #[cold]
 #[inline(never)]
-fn wrong<T>(reader: Reader<'_>, field: &'static str) -> Option<Result<T, DecodeError>> {
-    Some(Err(reader.error(field)))
+fn wrong<T>(reader: Reader<'_>, field: &'static str) -> Result<Option<T>, DecodeError> {
+    Err(reader.error(field))
 }
 
 struct Describe;

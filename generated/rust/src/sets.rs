@@ -32,3 +32,5 @@ pub mod system;
 pub mod system_data;
 #[cfg(all(feature = "base", feature = "mip_3dm", feature = "open"))]
 pub use session::open;
+#[cfg(all(feature = "base", feature = "mip_3dm", feature = "tokio"))]
+pub use session::open_async;

@@ -29,15 +29,15 @@ bitfield! {
         /// No communication with the inertial sensor. Bit 8.
         IMU_COMM_FAULT: bool = 8,
             imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
-        /// Magnetometer fault, on devices that have one. Bit 9. Concerns
+        /// Magnetometer fault, on devices that have one. Bit 9. Affects
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_FAULT: bool = 9,
             mag_fault, set_mag_fault, with_mag_fault;
-        /// Pressure sensor fault, on devices that have one. Bit 10. Concerns
+        /// Pressure sensor fault, on devices that have one. Bit 10. Affects
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_FAULT: bool = 10,
             pressure_sensor_fault, set_pressure_sensor_fault, with_pressure_sensor_fault;
-        /// Fault of the estimation filter solution. Bit 24. Concerns
+        /// Fault of the estimation filter solution. Bit 24. Affects
         /// [`filter::Reset`](crate::filter::Reset).
         SOLUTION_FAULT: bool = 24,
             solution_fault, set_solution_fault, with_solution_fault;
@@ -61,19 +61,19 @@ bitfield! {
         /// A data buffer was full, usually because too much data is streamed. Bit 3.
         BUFFER_OVERRUN: bool = 3,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
-        /// The accelerometer is damaged or does not work. Bit 12. Concerns
+        /// The accelerometer is damaged or does not work. Bit 12. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_FAULT: bool = 12,
             accel_fault, set_accel_fault, with_accel_fault;
-        /// The gyroscope is damaged or does not work. Bit 13. Concerns
+        /// The gyroscope is damaged or does not work. Bit 13. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_FAULT: bool = 13,
             gyro_fault, set_gyro_fault, with_gyro_fault;
-        /// The magnetometer is damaged or does not work. Bit 14. Concerns
+        /// The magnetometer is damaged or does not work. Bit 14. Affects
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_FAULT: bool = 14,
             mag_fault, set_mag_fault, with_mag_fault;
-        /// The pressure sensor is damaged or does not work. Bit 15. Concerns
+        /// The pressure sensor is damaged or does not work. Bit 15. Affects
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_FAULT: bool = 15,
             pressure_sensor_fault, set_pressure_sensor_fault, with_pressure_sensor_fault;
@@ -83,7 +83,7 @@ bitfield! {
         /// A fault of the inertial sensor subsystem that no other bit covers. Bit 19.
         GENERAL_IMU_FAULT: bool = 19,
             general_imu_fault, set_general_imu_fault, with_general_imu_fault;
-        /// The filter output is invalid (not a number); reset the filter. Bit 22. Concerns
+        /// The filter output is invalid (not a number); reset the filter. Bit 22. Affects
         /// [`filter::Reset`](crate::filter::Reset).
         FILTER_SOLUTION_FAULT: bool = 22,
             filter_solution_fault, set_filter_solution_fault, with_filter_solution_fault;
@@ -147,11 +147,11 @@ bitfield! {
         /// The main GNSS process did not run in time. Bit 24.
         GNSS_MAIN_PROCESS_FAULT: bool = 24,
             gnss_main_process_fault, set_gnss_main_process_fault, with_gnss_main_process_fault;
-        /// No data from internal receiver 1 in time. Bit 25. Concerns
+        /// No data from internal receiver 1 in time. Bit 25. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         GNSS_RECEIVER_1_STALL: bool = 25,
             gnss_receiver_1_stall, set_gnss_receiver_1_stall, with_gnss_receiver_1_stall;
-        /// No data from internal receiver 2 in time. Bit 26. Concerns
+        /// No data from internal receiver 2 in time. Bit 26. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         GNSS_RECEIVER_2_STALL: bool = 26,
             gnss_receiver_2_stall, set_gnss_receiver_2_stall, with_gnss_receiver_2_stall;
@@ -161,64 +161,64 @@ bitfield! {
         /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Accelerometer calibration fault. Bit 36. Concerns
+        /// Accelerometer calibration fault. Bit 36. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Gyroscope calibration fault. Bit 37. Concerns
+        /// Gyroscope calibration fault. Bit 37. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Magnetometer calibration fault. Bit 38. Concerns
+        /// Magnetometer calibration fault. Bit 38. Affects
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// The accelerometer failed to initialize. Bit 40. Concerns
+        /// The accelerometer failed to initialize. Bit 40. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
+        /// The acceleration along an axis is near or outside the selected range. Bit 41. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
         /// The accelerometer self-test failed; the commanded built-in test updates this bit. Bit
-        /// 42. Concerns [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
+        /// 42. Affects [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// The gyroscope failed to initialize. Bit 44. Concerns
+        /// The gyroscope failed to initialize. Bit 44. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
+        /// The angular rate about an axis is near or outside the selected range. Bit 45. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
         /// The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
-        /// Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+        /// Affects [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// The magnetometer failed to initialize. Bit 48. Concerns
+        /// The magnetometer failed to initialize. Bit 48. Affects
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// The magnetic field along an axis is near or outside the supported range. Bit 49.
-        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetic field along an axis is near or outside the supported range. Bit 49. Affects
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
         /// The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
-        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// Affects [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// The pressure sensor failed to initialize. Bit 52. Concerns
+        /// The pressure sensor failed to initialize. Bit 52. Affects
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure is outside the supported range. Bit 53. Concerns
+        /// The pressure is outside the supported range. Bit 53. Affects
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
         /// The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit
-        /// 54. Concerns [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
+        /// 54. Affects [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// The device has lost its factory configuration. Bit 56.
@@ -230,20 +230,20 @@ bitfield! {
         /// Filter processes are skipped. Bit 67.
         FILTER_TIMING_UNDERRUN: bool = 67,
             filter_timing_underrun, set_filter_timing_underrun, with_filter_timing_underrun;
-        /// No communication with internal receiver 1. Bit 105. Concerns
+        /// No communication with internal receiver 1. Bit 105. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_FAULT: bool = 105,
             receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
         /// Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108.
-        /// Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
+        /// Affects [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_NO_SOLUTION: bool = 108,
             receiver_1_no_solution, set_receiver_1_no_solution, with_receiver_1_no_solution;
-        /// No communication with internal receiver 2. Bit 110. Concerns
+        /// No communication with internal receiver 2. Bit 110. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_FAULT: bool = 110,
             receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
         /// Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113.
-        /// Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
+        /// Affects [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_NO_SOLUTION: bool = 113,
             receiver_2_no_solution, set_receiver_2_no_solution, with_receiver_2_no_solution;
     }
@@ -253,8 +253,8 @@ bitfield! {
     /// Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver:
     /// bits 0-31 system, 32-63 inertial sensors, 64-95 navigation.
     ///
-    /// Uncertain: The meaning of the bits. The sources list only numbers and names; the
-    /// descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
+    /// Uncertain: The sources list only the numbers and names of the bits; the descriptions are
+    /// those of the 3DM-CV7-GNSS/INS where the names are the same.
     ///
     /// Source: ros-driver: Built-in test of the CV7; mscl: Continuous built-in test.
     Cv7InertialContinuousBuiltInTest: [u8; 16] {
@@ -306,64 +306,64 @@ bitfield! {
         /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Accelerometer calibration fault. Bit 36. Concerns
+        /// Accelerometer calibration fault. Bit 36. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Gyroscope calibration fault. Bit 37. Concerns
+        /// Gyroscope calibration fault. Bit 37. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Magnetometer calibration fault. Bit 38. Concerns
+        /// Magnetometer calibration fault. Bit 38. Affects
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// The accelerometer failed to initialize. Bit 40. Concerns
+        /// The accelerometer failed to initialize. Bit 40. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
+        /// The acceleration along an axis is near or outside the selected range. Bit 41. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
         /// The accelerometer self-test failed; the commanded built-in test updates this bit. Bit
-        /// 42. Concerns [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
+        /// 42. Affects [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// The gyroscope failed to initialize. Bit 44. Concerns
+        /// The gyroscope failed to initialize. Bit 44. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
+        /// The angular rate about an axis is near or outside the selected range. Bit 45. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
         /// The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
-        /// Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+        /// Affects [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// The magnetometer failed to initialize. Bit 48. Concerns
+        /// The magnetometer failed to initialize. Bit 48. Affects
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// The magnetic field along an axis is near or outside the supported range. Bit 49.
-        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetic field along an axis is near or outside the supported range. Bit 49. Affects
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
         /// The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
-        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// Affects [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// The pressure sensor failed to initialize. Bit 52. Concerns
+        /// The pressure sensor failed to initialize. Bit 52. Affects
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure is outside the supported range. Bit 53. Concerns
+        /// The pressure is outside the supported range. Bit 53. Affects
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
         /// The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit
-        /// 54. Concerns [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
+        /// 54. Affects [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// The device has lost its factory configuration. Bit 56.
@@ -385,8 +385,8 @@ bitfield! {
     /// Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial
     /// sensors, 64-95 navigation, 96-127 GNSS.
     ///
-    /// Uncertain: The meaning of the bits. The sources list only numbers and names; the
-    /// descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
+    /// Uncertain: The sources list only the numbers and names of the bits; the descriptions are
+    /// those of the 3DM-CV7-GNSS/INS where the names are the same.
     ///
     /// Source: ros-driver: Built-in test of the GQ7; mscl: Continuous built-in test.
     Gq7ContinuousBuiltInTest: [u8; 16] {
@@ -423,64 +423,64 @@ bitfield! {
         /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Accelerometer calibration fault. Bit 36. Concerns
+        /// Accelerometer calibration fault. Bit 36. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Gyroscope calibration fault. Bit 37. Concerns
+        /// Gyroscope calibration fault. Bit 37. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Magnetometer calibration fault. Bit 38. Concerns
+        /// Magnetometer calibration fault. Bit 38. Affects
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// The accelerometer failed to initialize. Bit 40. Concerns
+        /// The accelerometer failed to initialize. Bit 40. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
+        /// The acceleration along an axis is near or outside the selected range. Bit 41. Affects
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
         /// The accelerometer self-test failed; the commanded built-in test updates this bit. Bit
-        /// 42. Concerns [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
+        /// 42. Affects [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// The gyroscope failed to initialize. Bit 44. Concerns
+        /// The gyroscope failed to initialize. Bit 44. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
+        /// The angular rate about an axis is near or outside the selected range. Bit 45. Affects
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
         /// The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
-        /// Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+        /// Affects [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// The magnetometer failed to initialize. Bit 48. Concerns
+        /// The magnetometer failed to initialize. Bit 48. Affects
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// The magnetic field along an axis is near or outside the supported range. Bit 49.
-        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetic field along an axis is near or outside the supported range. Bit 49. Affects
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
         /// The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
-        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// Affects [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// The pressure sensor failed to initialize. Bit 52. Concerns
+        /// The pressure sensor failed to initialize. Bit 52. Affects
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure is outside the supported range. Bit 53. Concerns
+        /// The pressure is outside the supported range. Bit 53. Affects
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
         /// The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit
-        /// 54. Concerns [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
+        /// 54. Affects [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// The filter clock failed. Bit 64.
@@ -507,57 +507,57 @@ bitfield! {
         /// GNSS processor communication errors. Bits 98 to 100.
         GNSS_COMM_ERROR: u8 = 98..=100,
             gnss_comm_error, set_gnss_comm_error, with_gnss_comm_error;
-        /// GPS time fault. Bit 101. Concerns [`gnss_data::GpsTime`](crate::gnss_data::GpsTime).
+        /// GPS time fault. Bit 101. Affects [`gnss_data::GpsTime`](crate::gnss_data::GpsTime).
         GPS_TIME_FAULT: bool = 101,
             gps_time_fault, set_gps_time_fault, with_gps_time_fault;
         /// A GNSS processor cycle exceeded its time slot. Bit 102.
         GNSS_TIMING_OVERRUN: bool = 102,
             gnss_timing_overrun, set_gnss_timing_overrun, with_gnss_timing_overrun;
-        /// Receiver 1 power supply fault. Bit 104. Concerns
+        /// Receiver 1 power supply fault. Bit 104. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_POWER_FAULT: bool = 104,
             receiver_1_power_fault, set_receiver_1_power_fault, with_receiver_1_power_fault;
-        /// No communication with internal receiver 1. Bit 105. Concerns
+        /// No communication with internal receiver 1. Bit 105. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_FAULT: bool = 105,
             receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
-        /// Antenna 1 is shorted. Bit 106. Concerns
+        /// Antenna 1 is shorted. Bit 106. Affects
         /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_1_SHORTED: bool = 106,
             antenna_1_shorted, set_antenna_1_shorted, with_antenna_1_shorted;
-        /// Antenna 1 is not connected. Bit 107. Concerns
+        /// Antenna 1 is not connected. Bit 107. Affects
         /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_1_OPEN: bool = 107,
             antenna_1_open, set_antenna_1_open, with_antenna_1_open;
-        /// Receiver 1 has no solution. Bit 108. Concerns
+        /// Receiver 1 has no solution. Bit 108. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_SOLUTION_FAULT: bool = 108,
             receiver_1_solution_fault, set_receiver_1_solution_fault, with_receiver_1_solution_fault;
-        /// Receiver 2 power supply fault. Bit 109. Concerns
+        /// Receiver 2 power supply fault. Bit 109. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_POWER_FAULT: bool = 109,
             receiver_2_power_fault, set_receiver_2_power_fault, with_receiver_2_power_fault;
-        /// No communication with internal receiver 2. Bit 110. Concerns
+        /// No communication with internal receiver 2. Bit 110. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_FAULT: bool = 110,
             receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
-        /// Antenna 2 is shorted. Bit 111. Concerns
+        /// Antenna 2 is shorted. Bit 111. Affects
         /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_2_SHORTED: bool = 111,
             antenna_2_shorted, set_antenna_2_shorted, with_antenna_2_shorted;
-        /// Antenna 2 is not connected. Bit 112. Concerns
+        /// Antenna 2 is not connected. Bit 112. Affects
         /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_2_OPEN: bool = 112,
             antenna_2_open, set_antenna_2_open, with_antenna_2_open;
-        /// Receiver 2 has no solution. Bit 113. Concerns
+        /// Receiver 2 has no solution. Bit 113. Affects
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_SOLUTION_FAULT: bool = 113,
             receiver_2_solution_fault, set_receiver_2_solution_fault, with_receiver_2_solution_fault;
-        /// RTCM communication fault. Bit 114. Concerns
+        /// RTCM communication fault. Bit 114. Affects
         /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus).
         RTCM_COMM_FAULT: bool = 114,
             rtcm_comm_fault, set_rtcm_comm_fault, with_rtcm_comm_fault;
-        /// RTK modem fault. Bit 115. Concerns [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags).
+        /// RTK modem fault. Bit 115. Affects [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags).
         RTK_DONGLE_FAULT: bool = 115,
             rtk_dongle_fault, set_rtk_dongle_fault, with_rtk_dongle_fault;
     }
@@ -569,7 +569,7 @@ open_enum! {
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E); 3dm-cv7-gnss-ins: Types
     /// of triggers.
     EventTriggerType: u8 {
-        /// The slot is free. It is never active and cannot be enabled.
+        /// The instance is not in use: it is never active and cannot be enabled.
         NONE = 0, "none";
         /// Watches a GPIO pin.
         GPIO = 1, "gpio";
@@ -586,7 +586,7 @@ open_enum! {
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Types of
     /// actions.
     EventActionType: u8 {
-        /// The slot is free.
+        /// The instance is not in use.
         NONE = 0, "none";
         /// Controls a GPIO pin.
         GPIO = 1, "gpio";
@@ -1344,7 +1344,7 @@ open_enum! {
     CommInterface: u8 {
         /// All ports.
         ALL = 0, "all";
-        /// The main port: USB while it is connected, else the main UART.
+        /// The main port: USB while a host has it open (DTR), else the main UART.
         MAIN = 1, "main";
         /// The first port that is a UART or can be one.
         UART_1 = 17, "uart_1";
@@ -1362,11 +1362,10 @@ open_enum! {
 bitfield! {
     /// State of the modem and of the corrections. Other models send [`RtkStatusFlagsLegacy`].
     ///
-    /// Uncertain: Which model sends which of the two forms. The SDK states only that it depends on
-    /// the model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the
-    /// legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`.
-    /// Uncertain: The SDK lists only the names, from which the descriptions are inferred. The
-    /// meaning of the values is not known.
+    /// Uncertain: The SDK states only that the form depends on the model number. Uncertain: Other
+    /// software of the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the
+    /// legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only the
+    /// names, from which the descriptions are inferred. The meaning of the values is not known.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     RtkStatusFlags: u32 {
@@ -1376,8 +1375,8 @@ bitfield! {
         /// Kind of cellular connection. Bits 4 to 7.
         CONNECTION_TYPE: u8 = 4..=7,
             connection_type, set_connection_type, with_connection_type;
-        /// Received signal strength. Bits 8 to 15. Uncertain: The unit and the sign; other software
-        /// of the vendor treats it as negative.
+        /// Received signal strength. Bits 8 to 15. Uncertain: No source states the unit and the
+        /// sign; other software of the vendor treats it as negative.
         RSSI: u8 = 8..=15,
             rssi, set_rssi, with_rssi;
         /// Quality of the modem's radio signal. Bits 16 to 19.
@@ -1410,10 +1409,10 @@ bitfield! {
 bitfield! {
     /// State of the modem and of the corrections, in its older form.
     ///
-    /// Uncertain: Which model sends which of the two forms; see [`RtkStatusFlags`]. Uncertain: The
-    /// SDK calls bits 20-31 reserved, but also puts the last four numbers there. Uncertain: The SDK
-    /// lists only the names, from which the descriptions are inferred. The meaning of the values is
-    /// not known.
+    /// Uncertain: The form depends on the model; see [`RtkStatusFlags`]. Uncertain: The SDK calls
+    /// bits 20-31 reserved, but also puts the last four numbers there. Uncertain: The SDK lists
+    /// only the names, from which the descriptions are inferred. The meaning of the values is not
+    /// known.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     RtkStatusFlagsLegacy: u32 {
@@ -1565,6 +1564,8 @@ record! {
         /// Field descriptor.
         pub descriptor: u8,
         /// Base rate divided by the desired rate.
+        ///
+        /// Range: at least 1.
         pub decimation: u16,
     }
 }
@@ -1626,8 +1627,14 @@ bitfield! {
     }
 }
 
-/// On the [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
-/// [`Gx5SensorGpsTimestampFlags`].
+/// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+/// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+/// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25), [-45](crate::devices::CX5_45),
+/// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+/// [-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+/// [-45](crate::devices::GX5_45): values of [`Gx5SensorGpsTimestampFlags`] (inferred: the
+/// 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
+/// [-35](crate::devices::GX5_35): values of [`Gx5SensorGpsTimestampFlags`].
 #[rustfmt::skip]
 impl From<SensorGpsTimestampFlags> for Gx5SensorGpsTimestampFlags {
     fn from(value: SensorGpsTimestampFlags) -> Self {

@@ -21,10 +21,10 @@ pub trait Viewed: Wire {}
 ///
 /// let bytes = [0x75, 0x65, 0x01, 0x04, 0x04, 0xF1, 0x01, 0x00, 0xD5, 0x6A];
 /// let packet = Packet::new(&bytes)?;
-/// if let Some(Ok(reply)) = packet.view::<Acknowledge>() {
+/// if let Some(reply) = packet.view::<Acknowledge>()? {
 ///     assert_eq!(reply.command(), 1);
 /// }
-/// # Ok::<(), mip_protocol::PacketError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct View<'a, T> {
     data: &'a [u8],
@@ -36,11 +36,17 @@ pub struct View<'a, T> {
 /// Creates a view of a field's bytes, if there are enough.
 #[inline]
 pub(crate) fn open<T: Field + Viewed>(data: &[u8]) -> Result<View<'_, T>, DecodeError> {
+    enough::<T>(data).map(|()| View { data, of: PhantomData })
+}
+
+/// Are there enough bytes for a field of a fixed size?
+#[inline]
+pub(crate) fn enough<T: Field>(data: &[u8]) -> Result<(), DecodeError> {
     if data.len() < T::SIZE {
         let kind = DecodeErrorKind::Truncated;
         return Err(DecodeError::new(kind, T::NAME, T::SIZE, data.len()));
     }
-    Ok(View { data, of: PhantomData })
+    Ok(())
 }
 
 /// Reads the value at this offset.

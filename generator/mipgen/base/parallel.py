@@ -66,22 +66,22 @@ def _forked(function: Callable[[Item], Result], items: Sequence[Item], count: in
 
 
 def _start(function: Callable[[Item], Result], items: Sequence[Item], queue: int) -> tuple[int, int]:
-    here, there = os.pipe()
+    reader, writer = os.pipe()
     sys.stdout.flush()
     sys.stderr.flush()
     child = os.fork()
     if child:
-        os.close(there)
-        return child, here
+        os.close(writer)
+        return child, reader
     status = 1
     try:
-        os.close(here)
+        os.close(reader)
         gc.disable()
         answers = {}
         while number := os.read(queue, _NUMBER):
             i = int.from_bytes(number, "big")
             answers[i] = _answer(function, items[i])
-        with os.fdopen(there, "wb") as pipe:
+        with os.fdopen(writer, "wb") as pipe:
             pickle.dump(answers, pipe)
         status = 0
     finally:

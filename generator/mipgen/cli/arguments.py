@@ -52,11 +52,11 @@ COMPLETION = """\
 
 
 def main(arguments: list[str] | None = None) -> int:
-    known = parser()
-    options = known.parse_args(arguments)
+    program = parser()
+    options = program.parse_args(arguments)
     try:
         try:
-            return _run(known, options)
+            return _run(program, options)
         finally:
             sys.stdout.flush()
     except Failure as failure:
@@ -76,9 +76,9 @@ def main(arguments: list[str] | None = None) -> int:
         return 1
 
 
-def _run(known: argparse.ArgumentParser, options: argparse.Namespace) -> int:
+def _run(program: argparse.ArgumentParser, options: argparse.Namespace) -> int:
     if options.run is None:
-        known.print_help()
+        program.print_help()
         return 0
     from . import commands
 
@@ -160,26 +160,6 @@ def parser() -> argparse.ArgumentParser:
     _out(check)
     _plugins(_targets(check))
 
-    audit = command("audit", "audit", "list where the specification differs from manuals and other sources")
-    _spec(audit)
-    audit.add_argument(
-        "--manual", action="append", default=[], metavar="ID=FILE", help="a manual as plain text; may be repeated"
-    )
-    audit.add_argument(
-        "--sdk",
-        type=folder,
-        metavar="FOLDER",
-        help="working copy of the vendor's SDK, or folder with witness.yaml, models.yaml or devices.yaml",
-    )
-    audit.add_argument(
-        "--witness", type=folder, metavar="FOLDER", help="compare with facts extracted from other sources: spec/witness"
-    )
-    audit.add_argument(
-        "--extract",
-        action="store_true",
-        help="write the facts of each --manual and of --sdk to witness/ of the specification: ID.yaml, sdk.yaml",
-    )
-
     targets = command("targets", "targets", "list the targets")
     targets.add_argument("--names", action="store_true", help="print only their names")
     _target_path(targets)
@@ -209,7 +189,7 @@ def _spec(command: argparse.ArgumentParser) -> None:
 def _part(command: argparse.ArgumentParser) -> None:
     group = command.add_argument_group("a part of the specification, with everything that it needs")
     for name, metavar, text in (
-        ("device", "ID", "only what this device supports, certainly or probably"),
+        ("device", "ID", "only what this device supports, or is believed to support"),
         ("set", "SET", "only this descriptor set, by name or number: sensor, 0x80"),
         ("field", "NAME", "only this field, for example 3dm.message_format"),
     ):

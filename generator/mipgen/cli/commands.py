@@ -21,7 +21,6 @@ PARTS = ("devices", "sets", "fields")
 EXIT_STATUS = {"same": 0, "compatible": 3, "source": 4, "wire": 5}
 
 if TYPE_CHECKING:
-    from mipgen.audit.witnesses import Report as WitnessReport
     from mipgen.compare.changes import Report
     from mipgen.compare.ignored import Entry
     from mipgen.emit.build import Output
@@ -31,9 +30,9 @@ if TYPE_CHECKING:
 
 def validate(options: Namespace) -> int:
     sources, key = _asked(options)
-    known = stamp.remembered(key, None)
-    if known is not None:
-        print(known["summary"])
+    remembered = stamp.remembered(key, None)
+    if remembered is not None:
+        print(remembered["summary"])
         return 0
     from mipgen.emit import build
 
@@ -46,10 +45,10 @@ def validate(options: Namespace) -> int:
 
 def generate(options: Namespace) -> int:
     sources, key = _asked(options)
-    known = stamp.remembered(key, options.out)
-    if known is not None:
-        print(known["summary"])
-        rows = [(name, made["title"], len(made["files"]), 0) for name, made in known["targets"].items()]
+    remembered = stamp.remembered(key, options.out)
+    if remembered is not None:
+        print(remembered["summary"])
+        rows = [(name, made["title"], len(made["files"]), 0) for name, made in remembered["targets"].items()]
     else:
         from mipgen.emit import build
 
@@ -92,12 +91,12 @@ def check(options: Namespace) -> int:
 
 def _given(options: Namespace) -> str:
     """Returns the options of this run, to repeat them in another command."""
-    given = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
-    given += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
-    given += [("--target", options.targets or ()), ("--target-path", options.target_path)]
-    given += [("--plugin", options.plugins)]
+    arguments = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
+    arguments += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
+    arguments += [("--target", options.targets or ()), ("--target-path", options.target_path)]
+    arguments += [("--plugin", options.plugins)]
     certain = " --certain" if getattr(options, "certain", False) else ""
-    return "".join(f" {option} {shlex.quote(str(value))}" for option, values in given for value in values) + certain
+    return "".join(f" {option} {shlex.quote(str(value))}" for option, values in arguments for value in values) + certain
 
 
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:
@@ -182,8 +181,8 @@ def _load(options: Namespace) -> tuple[Model, str]:
     if not asked:
         return whole, _summary(whole)
     part = subset.select(whole, asked)
-    known = [describe.known(d) for d in whole.devices if d.id in asked.devices]
-    return part, "\n".join([*known, subset.left_out(whole, part), _summary(part)])
+    summaries = [describe.summary(d) for d in whole.devices if d.id in asked.devices]
+    return part, "\n".join([*summaries, subset.left_out(whole, part), _summary(part)])
 
 
 def _summary(model: Model) -> str:
@@ -199,8 +198,8 @@ def _summary(model: Model) -> str:
     )
 
 
-def _count(number: int, one: str, several: str = "") -> str:
-    return f"{number} {one if number == 1 else several or one + 's'}"
+def _count(number: int, singular: str, plural: str = "") -> str:
+    return f"{number} {singular if number == 1 else plural or singular + 's'}"
 
 
 def _remember(options: Namespace, key: str | None, summary: str, outputs: list[Output]) -> None:
@@ -217,12 +216,12 @@ def diff(options: Namespace) -> int:
         return _since_release(options, listed)
     if options.old is None:
         raise Failure("specify what to compare with: a folder, a revision, or --release")
-    given = [name for name in (options.old, options.new) if name is not None]
+    sides = [name for name in (options.old, options.new) if name is not None]
     # To compare two folders, no specification is needed here.
-    spec, *overlays = _specs(options) if options.spec or not all(map(_is_spec, given)) or len(given) < 2 else [Path()]
+    spec, *overlays = _specs(options) if options.spec or not all(map(_is_spec, sides)) or len(sides) < 2 else [Path()]
     old, _ = _of_another_time(options.old, spec)
-    new, there = (_of_this_time(spec, overlays), "") if options.new is None else _of_another_time(options.new, spec)
-    report = ignored.without(changes.compare(old, new).moved(there, f"{spec}/"), listed)
+    new, folder = (_of_this_time(spec, overlays), "") if options.new is None else _of_another_time(options.new, spec)
+    report = ignored.without(changes.compare(old, new).moved(folder, f"{spec}/"), listed)
     _print(options, report, options.old)
     return EXIT_STATUS[report.verdict]
 
@@ -283,13 +282,13 @@ def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
     from mipgen.resolve.load import load_model
 
     with revisions.folder(name, spec) as folder:
-        there = "" if _is_spec(name) else f"{shown(folder)}/"
+        prefix = "" if _is_spec(name) else f"{shown(folder)}/"
         try:
-            return load_model(folder), there
+            return load_model(folder), prefix
         except SpecError as error:
             problems = [str(p) for p in error.problems]
-            if there:
-                problems = [line.replace(there, f"{name}:{spec}/", 1) for line in problems]
+            if prefix:
+                problems = [line.replace(prefix, f"{name}:{spec}/", 1) for line in problems]
             raise Unreadable(name, problems) from None
 
 
@@ -302,79 +301,6 @@ class Unreadable(Failure):
 
     def __str__(self) -> str:
         return "\n".join([*self.lines, super().__str__()])
-
-
-def audit(options: Namespace) -> int:
-    from mipgen.audit import witnesses
-
-    if not options.manual and options.sdk is None and options.witness is None:
-        raise Failure("nothing to compare with; specify --witness FOLDER, --manual ID=FILE or --sdk FOLDER")
-    model, _ = _load(options)
-    lines = _audit_manuals(options, model)
-    compared = None
-    if options.sdk is not None:
-        found, compared = _audit_sdk(options, model)
-        lines += found
-    if options.witness is not None and compared is None:
-        if not options.witness.is_dir():
-            raise Failure(f"'{options.witness}': no such folder; write --witness FOLDER")
-        compared = witnesses.audit(model, options.witness)
-        print(compared.summary())
-    lines += compared.lines() if compared else []
-    print("".join(f"{line}\n" for line in lines), end="")
-    if lines and options.witness is not None:
-        print("correct the specification, or list an intended difference, with its reason, in accepted.yaml")
-    print(f"{len(lines)} findings")
-    return 1 if lines else 0
-
-
-def _audit_manuals(options: Namespace, model: Model) -> list[str]:
-    from mipgen.audit import manuals, tables
-    from mipgen.read.problems import nearest
-
-    known = [x.id for x in model.protocol.manuals]
-    lines: list[str] = []
-    for argument in options.manual:
-        manual, _, file = argument.partition("=")
-        if manual not in known:
-            raise Failure(f"unknown manual '{manual}'{nearest(manual, known)}")
-        if not Path(file).is_file():
-            raise Failure(f"'{argument}': no such file; write --manual {manual}=FILE")
-        if options.extract:
-            _extract(options, manual, tables.extract(manual, Path(file)), f"--manual {manual}=FILE")
-        else:
-            lines += map(str, manuals.audit(model, manual, Path(file)))
-    return lines
-
-
-def _audit_sdk(options: Namespace, model: Model) -> tuple[list[str], WitnessReport | None]:
-    """Compares the devices that an SDK names, and its layouts, unless they are to be written."""
-    from mipgen.audit import devices, sdk, witnesses
-
-    if not options.sdk.is_dir():
-        raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
-    lines = [str(finding) for finding in devices.audit(model, options.sdk)]
-    copy = sdk.is_working_copy(options.sdk)
-    if not copy and not (options.sdk / devices.WITNESS).is_file():
-        return lines, None
-    revision = sdk.extract(options.sdk) if copy else witnesses.read(options.sdk / devices.WITNESS)
-    if copy and options.extract:
-        _extract(options, sdk.NAME, revision, "--sdk FOLDER")
-        return lines, None
-    return lines, witnesses.audit(model, options.witness or _specs(options)[0] / "witness", revision, sdk.NAME)
-
-
-def _extract(options: Namespace, name: str, facts: dict[str, Any], arguments: str) -> None:
-    """Writes extracted facts as a witness of the specification."""
-    from mipgen.audit import tables
-
-    made = _specs(options)[0] / "witness" / f"{name}.yaml"
-    try:
-        made.parent.mkdir(exist_ok=True)
-        made.write_text(tables.dump(facts, f"mipgen audit {arguments} --extract"), "utf-8", newline="\n")
-    except OSError as error:
-        raise Failure(f"cannot be written: {_reason(error)}", str(made)) from None
-    print(f"{made}: {_count(len(facts['layouts']), 'layout')}")
 
 
 # --------------------------------------------------------------------------- others

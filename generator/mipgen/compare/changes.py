@@ -236,7 +236,9 @@ def _field(old: m.Field, new: m.Field, devices: frozenset[str]) -> Iterator[Chan
     a, b = m.letters(old.functions), m.letters(new.functions)
     if a != b:
         fewer = set(a) - set(b)
-        yield Change("source" if fewer else "compatible", "functions", name, f"functions {_said(b)}, were {_said(a)}")
+        yield Change(
+            "source" if fewer else "compatible", "functions", name, f"functions {_worded(b)}, were {_worded(a)}"
+        )
     if old.responses != new.responses:
         lost = [r for r in old.responses if r not in new.responses]
         yield Change(
@@ -261,7 +263,7 @@ def _field(old: m.Field, new: m.Field, devices: frozenset[str]) -> Iterator[Chan
 
 
 def _texts(f: m.Field) -> tuple[object, ...]:
-    return (f.title, f.description, f.notes, f.advanced, f.timeout, f.max_rate)
+    return (f.title, f.description, f.notes, f.advanced, f.timeout)
 
 
 def _wire(record: m.Field | m.Struct) -> tuple[object, ...]:
@@ -321,9 +323,9 @@ def _parameters(
             "valid": (a.valid, b.valid),
         }
         yield from _differences("wire", subject, meaning)
-        known: Verdict = "wire" if a.at_rest or a.positive else "compatible"
+        verdict: Verdict = "wire" if a.at_rest or a.positive else "compatible"
         yield from _differences(
-            known, subject, {"at rest": (a.at_rest, b.at_rest), "positive": (a.positive, b.positive)}, "sign"
+            verdict, subject, {"at rest": (a.at_rest, b.at_rest), "positive": (a.positive, b.positive)}, "sign"
         )
         harmless = {
             "range": ((a.minimum, a.maximum), (b.minimum, b.maximum)),
@@ -386,10 +388,10 @@ def _differences(
     """Yields a change for each pair that differs; its class is `kind`, or else the name of the pair."""
     for what, (old, new) in pairs.items():
         if old != new:
-            yield Change(verdict, kind or what, subject, f"{what} {_said(new)}, was {_said(old)}")
+            yield Change(verdict, kind or what, subject, f"{what} {_worded(new)}, was {_worded(old)}")
 
 
-def _said(value: object) -> str:
+def _worded(value: object) -> str:
     if value is None or value in ((), ""):
         return "none"
     if isinstance(value, (tuple, list)):
@@ -426,12 +428,15 @@ def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:
                 name, {(b.first, b.last): b.name for b in old.bits}, {(b.first, b.last): b.name for b in new.bits}
             )
             yield from _shortened(name, old.bits, new.bits)
-            before = {b.name: b.concerns for b in old.bits}
+            before = {b.name: b for b in old.bits}
             for b in new.bits:
                 if b.name in before:
-                    yield from _differences(
-                        "compatible", f"{name}.{b.name}", {"concerns": (before[b.name], b.concerns)}
-                    )
+                    was = before[b.name]
+                    changed: dict[str, tuple[object, object]] = {
+                        "concerns": (was.concerns, b.concerns),
+                        "when": (was.when, b.when),
+                    }
+                    yield from _differences("compatible", f"{name}.{b.name}", changed)
         case m.Struct(), m.Struct():
             if _wire(old) == _wire(new):  # otherwise the fields report it
                 yield from _parameters(name, old.parameters, new.parameters)
@@ -512,13 +517,14 @@ def _profiles(old: m.Device, new: m.Device) -> list[str]:
 
 
 def _profile(d: m.Device) -> dict[str, object]:
-    said = tuple(
+    groups = tuple(
         (s.set, s.field.descriptor, m.letters(s.functions), s.evidence.kind, s.firmware, s.deprecated)
         for s in (*d.supports, *d.refuses)
     )
     return {
         "identity": (d.title, d.description, d.also, d.model_number, d.generation, d.manual),
-        "fields": said,
+        "fields": groups,
+        "absent sets": tuple((s.number, e.needs) for e in d.evidence for s in e.sets),
         "base rates": tuple((r.set.number, r.hertz) for r in d.base_rates),
         "ports": d.ports,
         "limits": d.limits,
@@ -580,7 +586,7 @@ def _plain(x: Any) -> object:
         case m.Set() | m.Family():
             return x.name
         case list() | tuple():
-            return [_plain(one) for one in x]
+            return [_plain(item) for item in x]
         case dict():
             return {key: _plain(value) for key, value in x.items()}
     if is_dataclass(x):

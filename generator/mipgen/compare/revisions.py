@@ -36,13 +36,13 @@ def folder(name: str, spec: Path) -> Iterator[Path]:
     archive = _run(
         top, ("archive", "--format=tar", f"{commit.strip()}:{place}"), f"the revision '{name}' has no folder {place}"
     )
-    with TemporaryDirectory() as there:
+    with TemporaryDirectory() as folder:
         with tarfile.open(fileobj=io.BytesIO(archive)) as files:
             if hasattr(tarfile, "data_filter"):
-                files.extractall(there, filter="data")
+                files.extractall(folder, filter="data")
             else:  # no filter, as in Python 3.11.2; the archive is trusted, because Git has just made it
-                files.extractall(there)
-        yield Path(there)
+                files.extractall(folder)
+        yield Path(folder)
 
 
 def last_release(spec: Path) -> str | None:

@@ -25,18 +25,18 @@ class Output:
 
 def check_names(model: Model, sources: Sequence[Source]) -> None:
     """Raises SpecError if two things in the model get the same name in a language, or a name is too long."""
-    found = parallel.each(lambda source: unfit(model, source), sources)
-    _raise([problem for problems in found for problem in problems])
+    problems = parallel.each(lambda source: name_problems(model, source), sources)
+    _raise([problem for each in problems for problem in each])
 
 
 def make(model: Model, sources: Sequence[Source]) -> list[Output]:
     """Makes the output of each target, in its own process; then those of plugins, which run in this process."""
 
-    def several(group: Sequence[Source]) -> list[Output]:
-        return [one(source) for source in group]
+    def make_each(group: Sequence[Source]) -> list[Output]:
+        return [make_one(source) for source in group]
 
-    def one(source: Source) -> Output:
-        problems = unfit(model, source)
+    def make_one(source: Source) -> Output:
+        problems = name_problems(model, source)
         files = {} if problems else render.render(source, model)
         target = source.load()
         rename = target.renaming(model.protocol.package)
@@ -44,13 +44,13 @@ def make(model: Model, sources: Sequence[Source]) -> list[Output]:
 
     from . import templating  # noqa: F401 (imports Jinja and targets once, instead of in each process)
 
-    ours = [source for source in sources if source.program is None]
+    in_python = [source for source in sources if source.program is None]
     groups: dict[str, list[Source]] = {}
-    for source in sorted(ours, key=lambda source: not source.load().slow):
+    for source in sorted(in_python, key=lambda source: not source.load().slow):
         groups.setdefault(source.load().beside or source.name, []).append(source)
-    made = {output.name: output for outputs in parallel.each(several, list(groups.values())) for output in outputs}
+    made = {output.name: output for outputs in parallel.each(make_each, list(groups.values())) for output in outputs}
     _raise([problem for output in made.values() for problem in output.problems])
-    if len(ours) < len(sources):
+    if len(in_python) < len(sources):
         from . import plugins
 
         document = render.render(discovery.built_in("json"), model)["mip.json"]
@@ -61,7 +61,7 @@ def make(model: Model, sources: Sequence[Source]) -> list[Output]:
     return [made[source.name] for source in sources]
 
 
-def unfit(model: Model, source: Source) -> list[Problem]:
+def name_problems(model: Model, source: Source) -> list[Problem]:
     """Returns the problems of the names and paths that a target makes."""
     problems = Problems()
     target = source.load()

@@ -78,15 +78,15 @@ def names() -> list[str]:
 
 def sources(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str, Source]:
     """Returns all targets by name, in order; earlier folders take precedence."""
-    known = {name: built_in(name) for name in names()}
+    targets = {name: built_in(name) for name in names()}
     for path in reversed(paths):
         for folder in _folders(path):
             name, module = folder.name, folder / MODULE
-            before = known.get(name)
+            before = targets.get(name)
             if before is None and not module.is_file():
-                near = _nearest(name, known)
+                near = _nearest(name, targets)
                 raise Failure(f"{MODULE} is missing, and there is no target '{name}'{near}", str(folder))
-            known[name] = Source(
+            targets[name] = Source(
                 name,
                 (folder, *(before.folders if before else ())),
                 (folder / RUNTIME, *(before.runtimes if before else ())),
@@ -96,12 +96,12 @@ def sources(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str
         from .plugins import parse
 
         name, program = parse(plugin)
-        if name in known:
+        if name in targets:
             raise Failure(
                 f"a target '{name}' already exists; choose another name: --plugin NAME=PROGRAM", f"plugin {plugin}"
             )
-        known[name] = Source(name, (), (), program=program)
-    return dict(sorted(known.items()))
+        targets[name] = Source(name, (), (), program=program)
+    return dict(sorted(targets.items()))
 
 
 def built_in(name: str) -> Source:
@@ -111,11 +111,11 @@ def built_in(name: str) -> Source:
 
 def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> list[Source]:
     """Returns the selected targets, or all; plugins are always included."""
-    known = sources(paths, plugins)
+    targets = sources(paths, plugins)
     for name in wanted or ():
-        if name not in known:
-            raise Failure(f"unknown target '{name}'{_nearest(name, known)}")
-    return [source for name, source in known.items() if not wanted or name in wanted or source.program]
+        if name not in targets:
+            raise Failure(f"unknown target '{name}'{_nearest(name, targets)}")
+    return [source for name, source in targets.items() if not wanted or name in wanted or source.program]
 
 
 def _folders(path: Path) -> Iterator[Path]:
@@ -127,7 +127,7 @@ def _folders(path: Path) -> Iterator[Path]:
     yield from folders
 
 
-def _nearest(name: str, known: Iterable[str]) -> str:
+def _nearest(name: str, targets: Iterable[str]) -> str:
     from mipgen.read.problems import nearest  # imports the model, which is not needed if nothing has changed
 
-    return nearest(name, known)
+    return nearest(name, targets)

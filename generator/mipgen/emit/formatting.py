@@ -94,9 +94,9 @@ def formatted(formatter: Formatter, made: Mapping[str, bytes]) -> dict[str, byte
         raise FormatError(f"{formatter.package} needs {formatter.style} in the output, which defines the style")
     how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), made[formatter.style])
     keys = {path: cache.key(how, path, data) for path, data in made.items() if path.endswith(formatter.suffixes)}
-    known = {path: cache.get("formatted", name) for path, name in keys.items()}
-    done = {path: text for path, text in known.items() if text is not None}
-    wanted = sorted(known.keys() - done.keys())
+    cached = {path: cache.get("formatted", name) for path, name in keys.items()}
+    done = {path: text for path, text in cached.items() if text is not None}
+    wanted = sorted(cached.keys() - done.keys())
     if wanted:
         new = _run(formatter, {path: made[path] for path in (formatter.style, *keys)}, wanted)
         cache.put("formatted", {keys[path]: text for path, text in new.items()})
@@ -117,7 +117,7 @@ def _run(formatter: Formatter, made: Mapping[str, bytes], wanted: list[str]) -> 
         for step in formatter.steps:
             if _ran(formatter, step, wanted, folder).returncode != 0:
                 failed = {path: _ran(formatter, step, [path], folder) for path in wanted}
-                texts = [f"{path}: {_said(done)}" for path, done in failed.items() if done.returncode != 0]
+                texts = [f"{path}: {_message(done)}" for path, done in failed.items() if done.returncode != 0]
                 raise FormatError("\n".join([f"{formatter.package} cannot format the generated files:", *texts]))
         return {path: formatter.joined((folder / path).read_bytes(), final[path]) for path in wanted}
 
@@ -130,5 +130,5 @@ def _ran(
     )
 
 
-def _said(done: subprocess.CompletedProcess[str]) -> str:
+def _message(done: subprocess.CompletedProcess[str]) -> str:
     return (done.stdout + done.stderr).strip() or "it cannot be parsed; is a bracket missing?"

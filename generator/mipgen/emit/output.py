@@ -62,7 +62,7 @@ def manifest(paths: Iterable[str]) -> bytes:
 def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
     """Compares a folder with its intended content."""
     ours = _ours(folder)
-    known = ours | made.keys()
+    paths = ours | made.keys()
     parents = ((p, folder / p) for p in sorted(_parents(made)))
     differences = [Difference(p, "foreign") for p, path in parents if os.path.lexists(path) and not path.is_dir()]
     for p in sorted(made):
@@ -71,8 +71,8 @@ def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
             differences.append(Difference(p, "missing"))
         elif not path.is_file() or path.read_bytes() != made[p]:
             differences.append(Difference(p, "changed" if p in ours and _plain(path) else "foreign"))
-    for p in sorted(_present(folder, known) - made.keys()):
-        stale = _PART.sub("", p) in known and _plain(folder / p)
+    for p in sorted(_present(folder, paths) - made.keys()):
+        stale = _PART.sub("", p) in paths and _plain(folder / p)
         differences.append(Difference(p, "stale" if stale else "untracked"))
     return differences
 
@@ -129,10 +129,10 @@ def _parents(paths: Iterable[str]) -> set[str]:
     return folders
 
 
-def _present(folder: Path, known: Iterable[str]) -> set[str]:
+def _present(folder: Path, written: Iterable[str]) -> set[str]:
     """Returns the files of a folder, except in build folders that contain no known file."""
     paths: set[str] = set()
-    wanted = _parents(known)
+    wanted = _parents(written)
     for place, folders, files in os.walk(folder):
         under = "".join(f"{part}/" for part in Path(place).relative_to(folder).parts)
         folders[:] = [f for f in folders if under + f in wanted or not (f in _BUILT or f.endswith(".egg-info"))]

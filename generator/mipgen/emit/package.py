@@ -3,6 +3,8 @@
 Templates and runtimes are written for the package `mip`, so that they are ordinary source. The output of a
 specification with another `package` is the same with the names of that package: `probe_parser_init` instead of
 `mip_parser_init`, `probe_protocol` for `mip_protocol`. `resolve` prevents conflicts with names of the specification.
+
+`tests/packages` builds and links two packages side by side.
 """
 
 from __future__ import annotations

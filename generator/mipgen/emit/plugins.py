@@ -65,12 +65,12 @@ def _output(program: str, document: bytes, place: str) -> bytes:
         raise Failure(f"{program} cannot be run: {error.strerror}", place) from None
     with process:
         try:
-            written, said = process.communicate(document)
+            written, messages = process.communicate(document)
         except BaseException:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
             raise
-    text = said.decode("utf-8", "replace").rstrip()
+    text = messages.decode("utf-8", "replace").rstrip()
     if process.returncode != 0:
         raise Failure(f"{program} ended with status {process.returncode}{':' if text else ''}\n{text}".rstrip(), place)
     if text:

@@ -48,7 +48,7 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     if isinstance(source, str):
         source = discovery.sources()[source]
     target, place = source.load(), f"target {source.name}"
-    templates = Templates(source, target.filters(model), {"model": model, "version": model.protocol.version})
+    templates = Templates(source, target.filters, {"model": model, "version": model.protocol.version})
     made = {"LICENSE": (resources.root() / "LICENSE").read_bytes(), **target.runtime(_runtime(source), model)}
     rename = target.renaming(model.protocol.package)
     if rename is not None:  # paths also contain the name

@@ -49,8 +49,8 @@ def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
     data = None if name is None else cache.get("made", name)
     if data is None:
         return None
-    known: dict[str, Any] = json.loads(data)
-    for target, made in known["targets"].items():
+    stored: dict[str, Any] = json.loads(data)
+    for target, made in stored["targets"].items():
         folder = (out or Path()) / target
         try:
             for path, wanted in made["files"].items():
@@ -61,7 +61,7 @@ def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
             return None
         if output.unfinished(made["files"], folder):
             return None
-    return known
+    return stored
 
 
 def _digest(data: bytes) -> str:

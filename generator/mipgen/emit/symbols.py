@@ -17,7 +17,7 @@ class Symbols:
     others: tuple[str, ...]
 
 
-def things(model: m.Model) -> Iterator[m.Type | m.Field]:
+def types_and_fields(model: m.Model) -> Iterator[m.Type | m.Field]:
     """Yields types and fields, first those of the protocol, then set by set."""
     protocol = (model.protocol.function_selector, *model.types, model.protocol.acknowledge)
     for group in (protocol, *((*x.types, *x.fields) for x in model.families)):
@@ -33,26 +33,28 @@ def records(model: m.Model) -> list[Record]:
     return [*model.fields, *(t for t in model.all_types if isinstance(t, m.Struct))]
 
 
-def parameters(model: m.Model) -> list[str]:
+def parameter_names(model: m.Model) -> list[str]:
     """Returns the names of all parameters, including those in unions."""
     every = (q for r in records(model) for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q)
     return sorted({q.name for q in every})
 
 
-def constants(model: m.Model) -> list[str]:
+def constant_names(model: m.Model) -> list[str]:
     """Returns the names of all values and bits."""
-    return sorted({x.name for t in (model.protocol.function_selector, *model.all_types) for x in parts(t)})
+    return sorted({x.name for t in (model.protocol.function_selector, *model.all_types) for x in named_parts(t)})
 
 
-def tags(model: m.Model) -> list[str]:
+def tag_names(model: m.Model) -> list[str]:
     """Returns the names of the values that select an alternative of a union."""
     return sorted({c.tag.name for r in records(model) for p in r.parameters for c in p.cases})
 
 
-def parts(t: m.Type) -> Iterable[m.EnumValue | m.Bits]:
+def named_parts(t: m.Type) -> Iterable[m.EnumValue | m.Bits]:
     return t.values if isinstance(t, m.Enum) else t.bits if isinstance(t, m.Bitfield) else ()
 
 
-def others(names: Iterable[str], of: Callable[[str], str], usual: Callable[[str], str] = str) -> dict[str, str]:
+def unusual_names(
+    names: Iterable[str], spelling: Callable[[str], str], usual: Callable[[str], str] = str
+) -> dict[str, str]:
     """Returns the names whose spelling in a language differs from the usual one."""
-    return {name: of(name) for name in names if of(name) != usual(name)}
+    return {name: spelling(name) for name in names if spelling(name) != usual(name)}

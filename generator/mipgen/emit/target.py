@@ -1,11 +1,15 @@
-"""The interface for authors of targets: a `Target`, the files that it makes, and the names that it defines."""
+"""The interface for authors of targets: a `Target`, the files that it makes, and the names that it defines.
+
+docs/new-language.md describes it, and `tests/readme/test_docs_pages.py` follows that page. `conformance` states
+what the target's driver in `tests/conformance` can do.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import MISSING, dataclass, field, fields
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .formatting import Formatter
 from .naming import Grammar, Identifier
@@ -18,6 +22,9 @@ __all__ = ["OPERATIONS", "File", "Grammar", "Identifier", "Target", "WrongTarget
 
 #: Operations that the driver of a target may offer.
 OPERATIONS = ("parse", "decode", "encode", "client", "live")
+
+
+Filters: TypeAlias = "Mapping[str, Callable[..., Any]]"
 
 
 class WrongTarget(ValueError):
@@ -33,10 +40,6 @@ class File:
     template: str
     context: Mapping[str, Any] = field(default_factory=dict)
     of: Family | Set | Field | Struct | Device | Guide | None = None
-
-
-def _no_filters(_: Model) -> Mapping[str, Callable[..., Any]]:
-    return {}
 
 
 def _all(files: Mapping[str, bytes], _: Model) -> Mapping[str, bytes]:
@@ -55,8 +58,8 @@ class Target:
     title: str
     #: Yields the files to make.
     files: Callable[[Model], Iterable[File]]
-    #: The filters of its templates, by name: names in the case of the language, literals, comments.
-    filters: Callable[[Model], Mapping[str, Callable[..., Any]]] = _no_filters
+    #: The filters of its templates, by name: functions that write literals and comments.
+    filters: Filters = field(default_factory=dict)
     #: Selects the files to copy, by path; by default all.
     runtime: Callable[[Mapping[str, bytes], Model], Mapping[str, bytes]] = _all
     #: Yields every name that the output defines, with its scope, so that impossible names are found before anything
@@ -80,22 +83,22 @@ class Target:
     #: The program that runs or builds the driver, if it needs one: "node". It is tested where that is installed.
     program: str = ""
 
-    def __new__(cls, *positional: object, **given: object) -> Target:
+    def __new__(cls, *positional: object, **named: object) -> Target:
         """Reports unknown attributes in words, before Python raises its own error."""
-        known = {f.name: f.default is MISSING for f in fields(cls)}
-        for name in given:
-            if name not in known:
-                raise WrongTarget(f"a Target has no attribute '{name}'; it may have {', '.join(known)}")
-        missing = [name for name, needed in known.items() if needed and name not in given]
+        needed = {f.name: f.default is MISSING and f.default_factory is MISSING for f in fields(cls)}
+        for name in named:
+            if name not in needed:
+                raise WrongTarget(f"a Target has no attribute '{name}'; it may have {', '.join(needed)}")
+        missing = [name for name, is_needed in needed.items() if is_needed and name not in named]
         if missing or positional:
             raise WrongTarget("a Target needs title and files, by name: Target(title=..., files=..., ...)")
         return object.__new__(cls)
 
     def __post_init__(self) -> None:
-        for name, (right, what) in _RIGHT.items():
+        for name, (is_valid, requirement) in _REQUIREMENTS.items():
             value = getattr(self, name)
-            if not right(value):
-                raise WrongTarget(f"{name} must be {what}, not {value!r}")
+            if not is_valid(value):
+                raise WrongTarget(f"{name} must be {requirement}, not {value!r}")
 
     def renaming(self, package: str) -> Callable[[str], str] | None:
         """Returns a function that puts the names of a package into a text; None if nothing is to be renamed."""
@@ -120,10 +123,10 @@ def _operations(value: object) -> bool:
 _FUNCTION = "a function that takes the model"
 
 #: The requirement of each attribute: as a test, and in words.
-_RIGHT: dict[str, tuple[Callable[[object], bool], str]] = {
+_REQUIREMENTS: dict[str, tuple[Callable[[object], bool], str]] = {
     "title": (lambda value: isinstance(value, str) and bool(re.fullmatch(r"\S.*", value)), "a line of text"),
     "files": (callable, _FUNCTION),
-    "filters": (callable, _FUNCTION),
+    "filters": (lambda value: isinstance(value, Mapping), "a mapping of functions by name"),
     "runtime": (callable, "a function that takes the files and the model"),
     "identifiers": (callable, _FUNCTION),
     "grammar": (_optional(Grammar), "a Grammar"),

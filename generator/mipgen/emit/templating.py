@@ -26,7 +26,7 @@ Filters = Mapping[str, Callable[..., Any]]
 
 
 class Templates:
-    def __init__(self, source: Source, filters: Filters, known: Mapping[str, Any]) -> None:
+    def __init__(self, source: Source, filters: Filters, variables: Mapping[str, Any]) -> None:
         late = {name: _at_run_time(function) for name, function in filters.items()}
         self.source = source
         self.environment = jinja2.Environment(
@@ -36,7 +36,7 @@ class Templates:
             **SETTINGS,
         )
         self.environment.filters.update(late)
-        self.environment.globals.update(known)
+        self.environment.globals.update(variables)
 
     def render(self, template: str, context: Mapping[str, Any], path: str) -> str:
         """Renders the text of the file `path`."""

@@ -57,7 +57,7 @@ class Comments:
         ]
 
     def type(self, t: m.Type, model: m.Model) -> list[str]:
-        description = self._text(t.description, describe.type(t, model), self.names.home(t), model)
+        description = self._text(t.description, describe.type_facts(t, model), self.names.home(t), model)
         if isinstance(t, m.Vector):
             return [f"{description} Elements: {', '.join(t.elements)}."]
         return [description, _sources(t)]
@@ -79,9 +79,9 @@ class Comments:
     def _case(self, c: m.Case, union: m.Parameter, record: m.Record, model: m.Model) -> str:
         """Describes the content of a union for one value of its tag."""
         where, p = self.names.home(record), c.parameter
-        held = f"If {self.say(describe.case(c, union, record).value, where)}: `{self.alternative(p, record)}`."
+        text = f"If {self.say(describe.case(c, union, record).value, where)}: `{self.alternative(p, record)}`."
         facts = describe.parameter(p, record, model) if p else []
-        return f"{held} {self._text(p.description if p else '', facts, where, model)}".strip()
+        return f"{text} {self._text(p.description if p else '', facts, where, model)}".strip()
 
     def device(self, d: m.Device, model: m.Model) -> list[str]:
         return [self._text(d.description, describe.device(d, model), "devices", model), _sources(d)]

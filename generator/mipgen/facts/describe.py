@@ -2,6 +2,8 @@
 
 A fact has a topic, a value ("m/s") and a sentence ("Unit: m/s."). Both are texts: words and references. This module is
 the interface for targets; the module named after a part composes its facts.
+
+The tests of every target look for every fact.
 """
 
 from __future__ import annotations
@@ -9,11 +11,11 @@ from __future__ import annotations
 from mipgen import model as m
 
 from . import fields, parameters
-from .devices import device, evidence, known, lengths, why
+from .devices import device, evidence, lengths, summary, why
 from .fields import changed, condition, conditions
 from .measures import default, limits
 from .parameters import case
-from .parts import bits, bits_place, type, value
+from .parts import bits, bits_place, type_facts, value
 from .remarks import sources, uncertain
 from .texts import Fact, Ref, Text, Thing, fact, joined, measured, number, prose, quotation, say, topics
 from .variants import difference, usual, variants
@@ -36,7 +38,6 @@ __all__ = [
     "field",
     "in_code",
     "joined",
-    "known",
     "lengths",
     "limits",
     "measured",
@@ -46,8 +47,9 @@ __all__ = [
     "quotation",
     "say",
     "sources",
+    "summary",
     "topics",
-    "type",
+    "type_facts",
     "uncertain",
     "usual",
     "value",
@@ -85,14 +87,14 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
 
 
 #: Topics that need more lines than all others: only the reference, and the run-time metadata of bindings, contain them.
-_LONG = ("perhaps", "refused", "affected", "flags")
+_LONG = ("likely", "assumed", "refused", "affected", "flags")
 
 
 def in_code(f: m.Field, model: m.Model) -> list[Fact]:
     """Returns the facts for the comment of a field, besides its description."""
-    unsure = model.devices_of(f, certain=False) and not model.devices_of(f)
-    said = [fact("unsure", (), "No device is known for certain to support it.")] if unsure else []
-    return said + [x for x in field(f, model) if x.topic not in _LONG]
+    unsure = not model.devices_of(f) and any(model.devices_of(f, answer) for answer in m.SUPPORTED)
+    doubts = [fact("unsure", (), "No device is known for certain to support it.")] if unsure else []
+    return doubts + [x for x in field(f, model) if x.topic not in _LONG]
 
 
 def parameter(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:

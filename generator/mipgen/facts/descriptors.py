@@ -13,7 +13,8 @@ def set_of(p: m.Parameter, values: Mapping[str, Any], model: m.Model) -> int | N
     if p.fields_of in values:
         number = values[p.fields_of]
         return number if isinstance(number, int) else None
-    return next((s.number for s in model.sets if s.name == p.fields_of), None)
+    named = model.set_named(p.fields_of)
+    return named.number if named else None
 
 
 def meant(p: m.Parameter, value: int, set_number: int | None, model: m.Model) -> m.Set | m.Field | None:

@@ -6,7 +6,7 @@ from mipgen import model as m
 from mipgen.lower.lengths import computed_length
 
 from .remarks import uncertain
-from .texts import Fact, Text, device_ref, fact, joined, prose, say
+from .texts import Fact, Text, device_ref, fact, joined, prose, say, thing_ref
 
 #: Kind of evidence -> its statement; if it is about other devices, their names follow.
 _KINDS = {
@@ -18,6 +18,8 @@ _KINDS = {
     "family": "Supported by devices of the same generation",
     "sister": "Supported by nearly identical devices",
     "refused": "Rejected by the device",
+    "unlisted": "Not in the manual, whose list of the set is complete",
+    "hardware": "Requires hardware that the device lacks",
 }
 
 
@@ -33,23 +35,40 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
     other = model.device(d.like) if d.like else None
     if other is not None:
         facts.append(fact("like", (device_ref(other),), "Same as the {}, except as stated here."))
+    facts += hardware(d.hardware)
+    if d.complete:
+        sets = joined([(thing_ref(s),) for s in d.complete])
+        facts.append(fact("complete", sets, "Sets known completely from the manual: {}."))
     manual = next((x for x in model.protocol.manuals if x.id == d.manual), None)
-    known = (f"{manual.title}, {manual.document}",) if manual else ()
-    facts.append(fact("manual", known, "Manual: {}." if manual else "No manual is known."))
+    document = (f"{manual.title}, {manual.document}",) if manual else ()
+    facts.append(fact("manual", document, "Manual: {}." if manual else "No manual is known."))
     facts += [
         fact("incomplete", prose(text.rstrip("."), model), "This profile is incomplete: {}.") for text in d.incomplete
     ]
     return facts + uncertain(d, model)
 
 
+def hardware(has: m.Hardware) -> list[Fact]:
+    """Returns the facts about the hardware of a device, as far as it is known."""
+    facts = []
+    if has.sensors is not None:
+        facts.append(fact("sensors", (", ".join(s.replace("_", " ") for s in has.sensors) or "none",), "Sensors: {}."))
+    for several in m.COUNTED:
+        if (number := getattr(has, several)) is not None:
+            facts.append(fact(several, (str(number or "none"),), f"GNSS {several}: {{}}."))
+    return facts
+
+
 def evidence(e: m.Evidence, model: m.Model) -> Text:
     """Words the evidence that a device supports a field, or does not: its kind, its source, and the section."""
-    known = {x.id: x.title for x in model.protocol.manuals}
-    devices = [(device_ref(d),) for id in e.of if (d := model.device(id)) is not None]
+    if e.needs:
+        return (f"Requires {m.worded(e.needs)}, which the device lacks.",)
+    titles = {x.id: x.title for x in model.protocol.manuals}
+    devices = [(device_ref(d),) for device_id in e.of if (d := model.device(device_id)) is not None]
     of: Text = (", ", *joined(devices)) if devices else ()
     asked = [f"firmware {e.firmware}"] if e.firmware else []
     asked += [e.date] if e.date else []
-    cited = [f"{known.get(s.manual, s.manual)}: {s.section}" for s in e.sources]
+    cited = [f"{titles.get(s.manual, s.manual)}: {s.section}" for s in e.sources]
     where = f" ({'; '.join(asked + cited)})" if asked or cited else ""
     note: Text = (" ", *prose(e.note, model)) if e.note else ()
     return (_KINDS[e.kind], *of, f"{where}.", *note)
@@ -60,11 +79,12 @@ def why(e: m.Evidence, model: m.Model) -> str:
     return say(evidence(e, model), lambda ref: ref.words)
 
 
-def known(d: m.Device) -> str:
-    """Summarizes the knowledge about a device on one line: "3dm-gq7: 69 certain, 101 probable; there may be more"."""
-    counts = [(len(d.certain), "certain"), (len(d.probable), "probable"), (len(d.refuses), "refused")]
-    said = ", ".join(f"{n} {what}" for n, what in counts if n) or "nothing is known"
-    return f"{d.id}: {said}{'; there may be more' if d.incomplete else ''}"
+def summary(d: m.Device) -> str:
+    """Summarizes the knowledge about a device: "3dm-gq7: 69 certain, 27 likely, 74 assumed; there may be more"."""
+    counts = [(len(d.certain), "certain")]
+    counts += [(len(d.likely), "likely"), (len(d.assumed), "assumed"), (len(d.refuses), "not supported")]
+    parts = ", ".join(f"{n} {what}" for n, what in counts if n) or "nothing is known"
+    return f"{d.id}: {parts}{'; there may be more' if d.incomplete else ''}"
 
 
 def lengths(manual: m.Manual, model: m.Model) -> Text:

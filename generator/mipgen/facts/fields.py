@@ -13,6 +13,7 @@ from .texts import (
     Ref,
     Text,
     device_ref,
+    device_refs,
     fact,
     field_ref,
     functions,
@@ -77,7 +78,7 @@ def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 def _relations(f: m.Field, model: m.Model) -> Iterator[Fact]:
     """States the fields that a field changes, the fields that change it, and the flags that concern it."""
-    for certain, topic, word in ((True, "affects", "Changes"), (False, "may_affect", "Probably changes")):
+    for certain, topic, word in ((True, "affects", "Affects"), (False, "may_affect", "Probably affects")):
         things = model.affected(f, certain)
         if things:
             yield fact(topic, joined([(thing_ref(x),) for x in things]), f"{word} {{}}.")
@@ -89,35 +90,40 @@ def _relations(f: m.Field, model: m.Model) -> Iterator[Fact]:
             pairs = list(group)
             t = pairs[0][0]
             of_types.append((*joined([(Ref(b, b.name, t),) for _, b in pairs]), " of ", Ref(t, t.name)))
-        yield fact("flags", interleaved(of_types, "; "), "Flagged by {}.")
+        yield fact("flags", interleaved(of_types, "; "), "Status flags about it: {}.")
 
 
 def changed(thing: m.Field | m.Set, model: m.Model) -> Iterator[Fact]:
     """States the commands that change a data field, or all fields of a set."""
-    for certain, word in ((True, "Changed by"), (False, "Probably changed by")):
+    for certain, word in ((True, "affect"), (False, "probably affect")):
         commands = model.changed_by(thing, certain)
         if commands:
-            yield fact("affected", joined([(field_ref(c),) for c in commands]), f"{word} {{}}.")
+            yield fact("affected", joined([(field_ref(c),) for c in commands]), f"Settings that {word} it: {{}}.")
 
 
 def _limits(f: m.Field) -> Iterator[Fact]:
     if f.timeout:
         yield fact("timeout", (f"{number(f.timeout)} s",), "The device may take {} to reply.")
-    if f.max_rate:
-        yield fact("max_rate", (f"{number(f.max_rate)} Hz",), "Maximum rate: {}.")
 
 
 def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
     """States the devices that support a field, and their differences."""
-    certain, perhaps = model.devices_of(f), model.devices_of(f, certain=False)
+    certain, likely, assumed = (model.devices_of(f, answer) for answer in m.SUPPORTED)
+    others = len(likely) + len(assumed)
     if certain:
-        yield fact("devices", joined([(device_ref(d),) for d in certain]), "Supported by {}.")
-    if perhaps:
-        yield fact("perhaps", joined([(device_ref(d),) for d in perhaps]), "Probably supported by {}.")
+        text = "Supported by {}."
+        if others and len(certain) + others == len(model.devices):
+            text = "Supported by all devices; confirmed on {}."
+        elif others:
+            text = f"Confirmed on {{}}; likely or assumed on {others} more."
+        yield fact("devices", device_refs(certain), text)
+    for topic, devices in (("likely", likely), ("assumed", assumed)):
+        if devices:
+            yield fact(topic, device_refs(devices), f"{topic.capitalize()} on {{}}.")
     refusing = model.refusing(f)
     if refusing:
-        yield fact("refused", joined([(device_ref(d),) for d in refusing]), "Not supported by {}.")
-    if model.devices and f.role != m.RESPONSE and not certain and not perhaps:
+        yield fact("refused", device_refs(refusing), "Not supported by {}.")
+    if model.devices and f.role != m.RESPONSE and not certain and not others:
         yield fact("devices", (), "Not listed in any device profile.")
     yield from (_deprecation(d, s.deprecated, model) for d, s in model.supports(f) if s.deprecated)
     yield from (_firmware(d, s.firmware) for d, s in model.supports(f) if s.firmware)
@@ -153,8 +159,8 @@ def conditions(of: Sequence[m.Condition], command: m.Field) -> Text:
 
 def condition(c: m.Condition, command: m.Field) -> Text:
     p = next(p for p in command.parameters if p.name == c.parameter)
-    known = p.element.by_name(c.label) if isinstance(p.element, m.Enum) else None
-    value: str | Ref = Ref(known, known.name, p.element) if known and isinstance(p.element, m.Enum) else c.label
+    entry = p.element.by_name(c.label) if isinstance(p.element, m.Enum) else None
+    value: str | Ref = Ref(entry, entry.name, p.element) if entry and isinstance(p.element, m.Enum) else c.label
     return (Ref(p, p.name, command), " is ", value)
 
 

@@ -43,7 +43,7 @@ class Choice:
 
     type: m.Enum
     number: Whole
-    known: m.EnumValue | None
+    value: m.EnumValue | None
 
 
 @dataclass(frozen=True, slots=True)

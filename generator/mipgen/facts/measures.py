@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from math import pi
 
 from mipgen import model as m
 
@@ -46,7 +47,7 @@ Bound = float | int | None
 
 
 def limits(
-    low: Bound, high: Bound, above: Bound = None, below: Bound = None, text: Callable[[float | int], str] | None = None
+    low: Bound, high: Bound, above: Bound = None, below: Bound = None, say: Callable[[float | int], str] = number
 ) -> str:
     """Words bounds; `low` and `high` are inclusive, `above` and `below` exclusive.
 
@@ -54,8 +55,13 @@ def limits(
     ('1 to 2.5', 'at least 0', 'at most 10')
     >>> limits(None, 10, above=0), limits(None, None, below=1)
     ('greater than 0, at most 10', 'less than 1')
+    >>> limits(-pi, pi)
+    '-pi to pi'
     """
-    text = text or number
+
+    def text(bound: float | int) -> str:
+        return {pi: "pi", -pi: "-pi"}.get(bound) or say(bound)
+
     if low is not None and high is not None:
         return f"{text(low)} to {text(high)}"
     words = (("at least", low), ("greater than", above), ("at most", high), ("less than", below))
@@ -72,8 +78,8 @@ def default(value: object, p: m.Parameter) -> Text:
     if isinstance(value, bool):
         return (str(value).lower(),)
     if isinstance(value, str):
-        known = p.element.by_name(value) if isinstance(p.element, m.Enum) else None
-        return (Ref(known, value, p.element),) if known and isinstance(p.element, m.Enum) else (f'"{value}"',)
+        entry = p.element.by_name(value) if isinstance(p.element, m.Enum) else None
+        return (Ref(entry, value, p.element),) if entry and isinstance(p.element, m.Enum) else (f'"{value}"',)
     if isinstance(value, (list, tuple)):
         if isinstance(p.element, m.Bitfield) and all(isinstance(v, str) for v in value):
             bits = {b.name: b for b in p.element.bits}
@@ -98,5 +104,5 @@ def _bit(path: str, record: m.Record, device: str | None) -> Ref:
     flags = next(q for q in record.parameters if q.name == name)
     own = (v.type for v in flags.readings if v.by_device and v.key == device)
     e = next(own, None) or flags.element
-    known = next((b for b in e.bits if b.name == bit), None) if isinstance(e, m.Bitfield) else None
-    return Ref(known, path, e) if known and isinstance(e, m.Bitfield) else Ref(flags, path, record)
+    entry = next((b for b in e.bits if b.name == bit), None) if isinstance(e, m.Bitfield) else None
+    return Ref(entry, path, e) if entry and isinstance(e, m.Bitfield) else Ref(flags, path, record)

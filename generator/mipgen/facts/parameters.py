@@ -34,7 +34,7 @@ def facts(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
     if p.valid:
         facts.append(validity(p.valid, p, record))
     facts += _presence(p, record)
-    facts += [said for _, said in variants(p, record, model)]
+    facts += [difference for _, difference in variants(p, record, model)]
     return [*facts, *remarks(p, model)]
 
 
@@ -42,7 +42,7 @@ def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: m.Record, mod
     """Refers to the set to which a parameter's field descriptors belong; a partial specification may lack it."""
     if p.fields_of in beside:
         return Ref(beside[p.fields_of], p.fields_of, record)
-    data_set = next((s for s in model.sets if s.name == p.fields_of), None)
+    data_set = model.set_named(p.fields_of)
     return Ref(data_set, data_set.title) if data_set else p.fields_of
 
 

@@ -19,51 +19,51 @@ class Filled:
     """Consistent values for some parameters: given values, and simple ones for the rest."""
 
     parameters: tuple[m.Parameter, ...]
-    given: Mapping[str, Any]
+    stated: Mapping[str, Any]
     made_up: list[str]  # receives the paths of the rest
     path: str = ""
-    known: codec.Values = field(default_factory=dict)
+    complete: codec.Values = field(default_factory=dict)
 
     def values(self) -> codec.Values:
         for p in self.parameters:
             if p.constant is None:
-                self.known[p.name] = self.one(p)
+                self.complete[p.name] = self.value_of(p)
                 counter = next((q.name for q in self.parameters if q.counts == p.name), None)
                 if counter is not None:
-                    self.known[counter] = len(self.known[p.name])
-        return self.known
+                    self.complete[counter] = len(self.complete[p.name])
+        return self.complete
 
-    def one(self, p: m.Parameter) -> Any:
+    def value_of(self, p: m.Parameter) -> Any:
         if p.counts is not None:
             return 0  # its array determines it
         if p.reserved is not None:
             value = p.reserved if p.length is None else [p.reserved] * int(p.length)
             return codec.canonical(p, value, p.name)
         union = next((q for q in self.parameters if q.tag == p.name), None)
-        if union is not None and p.name not in self.given and p.typical is None:
+        if union is not None and p.name not in self.stated and p.typical is None:
             self.made_up.append(f"{self.path}{p.name}")
             return next((c for c in union.cases if c.parameter is not None), union.cases[0]).tag.value
         if p.union:
             return self.alternative(p, p.union)
-        given = self.given.get(p.name, p.typical)
-        return self.value(p, given, f"{self.path}{p.name}")
+        entry = self.stated.get(p.name, p.typical)
+        return self.value(p, entry, f"{self.path}{p.name}")
 
     def alternative(self, p: m.Parameter, union: m.Union) -> Any:
-        case = next((c for c in union.cases if c.tag.value == self.known[union.tag]), None)
+        case = next((c for c in union.cases if c.tag.value == self.complete[union.tag]), None)
         q = case.parameter if case else None
         if q is None:
             return {}
-        given = self.given.get(p.name, {})
-        return {q.name: self.value(q, given.get(q.name, q.typical), f"{self.path}{p.name}.{q.name}")}
+        entry = self.stated.get(p.name, {})
+        return {q.name: self.value(q, entry.get(q.name, q.typical), f"{self.path}{p.name}.{q.name}")}
 
-    def value(self, p: m.Parameter, given: Any, path: str) -> Any:
+    def value(self, p: m.Parameter, value: Any, path: str) -> Any:
         if p.struct:
-            return Filled(p.struct.parameters, given or {}, self.made_up, f"{path}.").values()
+            return Filled(p.struct.parameters, value or {}, self.made_up, f"{path}.").values()
         if p.several and p.item.struct:
-            items = given if given is not None else [{}] * _usual_count(p)
-            return [self.value(p.item, one, path) for one in items]
-        if given is not None:
-            return given
+            items = value if value is not None else [{}] * _usual_count(p)
+            return [self.value(p.item, item, path) for item in items]
+        if value is not None:
+            return value
         if p.default is not None:
             try:
                 return codec.canonical(p, lists(p.default), p.name)
@@ -102,8 +102,8 @@ def _scalar(p: m.Parameter) -> Any:
 def _element(p: m.Parameter, i: int, count: int) -> Any:
     """Returns an element of a vector of length 1, or of the identity matrix."""
     side = math.isqrt(count)
-    one = i % (side + 1) == 0 if count > 4 and side * side == count else i == 0
-    return _number(p.scalar, _within(p, 1 if one else 0))
+    is_diagonal = i % (side + 1) == 0 if count > 4 and side * side == count else i == 0
+    return _number(p.scalar, _within(p, 1 if is_diagonal else 0))
 
 
 def _within(p: m.Parameter, value: float) -> float:

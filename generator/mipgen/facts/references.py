@@ -19,10 +19,14 @@ from mipgen.read.problems import Problems, nearest
 
 #: Keys with texts for readers, and keys with quotations of a manual.
 PROSE = (
-    "description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text", "question",
+    "description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "reason", "text", "question",
     "answer", "why", "before", "on_event", "positive", "origin",
 )  # fmt: skip
 QUOTATIONS = ("printed", "right")
+
+#: Keys with lists of sentences. In a list in brackets, YAML takes a comma for the end of an item.
+SENTENCES = ("notes", "uncertain", "incomplete")
+_SENTENCE = re.compile(r"(?![a-z]).*[.!?`\"')]", re.DOTALL)
 
 DESCRIPTOR = re.compile(r"\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)")
 
@@ -52,16 +56,24 @@ class _Names:
                     self.inside(item)
         elif isinstance(node.value, dict):
             for key, entry in node.items():
+                if key in SENTENCES and isinstance(entry.value, list):
+                    self.sentences(entry)
                 if key in PROSE:
                     for text in _texts(entry):
                         self.prose(text)
                 elif key in QUOTATIONS:
                     for text in _texts(entry):
                         self.quotation(text, node)
-                if not isinstance(entry.value, str):
+                if not isinstance(entry.value, str) and key != "without":  # which lists names of notes
                     self.inside(entry)
 
     # ----------------------------------------------------------------------- texts
+
+    def sentences(self, node: Node) -> None:
+        for item in node:
+            if isinstance(item.value, str) and not _SENTENCE.fullmatch(item.value):
+                remedy = "begin with a capital letter and end with a full stop; if a comma ends it or the one before"
+                self.problem(item.position, f"'{item.value}' is not a sentence: {remedy}, put the whole text in quotes")
 
     def prose(self, node: Node) -> None:
         for name in _CODE.findall(node.value):
@@ -69,11 +81,11 @@ class _Names:
                 self.name(name, node.position)
         plain = _CODE.sub("", node.value)
         for match in DESCRIPTOR.finditer(plain):
-            known = [f"`{f.full_name}`" for f in self.fields(match)]
-            remedy = f"write {' or '.join(known)}" if known else "no field has this descriptor; describe it in words"
+            fields = [f"`{f.full_name}`" for f in self.fields(match)]
+            remedy = f"write {' or '.join(fields)}" if fields else "no field has this descriptor; describe it in words"
             self.problem(node.position, f"a text must name a field, not quote its descriptor {match[0]}; {remedy}")
         for match in _BARE.finditer(plain):
-            if "_" in match[0] or self.known(match[0]):
+            if "_" in match[0] or self.exists(match[0]):
                 self.problem(node.position, f"'{match[0]}' is a name; put it in backticks: `{match[0]}`")
 
         for title in self.titled(plain):
@@ -101,7 +113,7 @@ class _Names:
                 self.problem(node.position, f'no field has {match[0]}; add a claim: claims: [reference: "{subject}"]')
 
     def name(self, name: str, place: m.Position) -> None:
-        if self.known(name):
+        if self.exists(name):
             return
         if "." in name:
             self.problem(place, f"no field or type '{name}'{nearest(name, self.full_names)}")
@@ -115,7 +127,7 @@ class _Names:
     def fields(self, match: re.Match[str]) -> tuple[m.Field, ...]:
         return self.model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
 
-    def known(self, name: str) -> bool:
+    def exists(self, name: str) -> bool:
         """True for the name of a field, a type, or a descriptor without a layout."""
         return self.model.field(name) is not None or self.model.type(name) is not None or name in self.full_names
 

@@ -11,11 +11,18 @@ from .texts import Fact, fact, prose
 
 def remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
     """Yields facts in the author's words: notes and uncertainties."""
+    yield from needed(of.needs if isinstance(of, m.Field) else ())
     yield from (fact("note", prose(note, model), "{}") for note in of.notes)
     yield from uncertain(of, model)
 
 
-Doubtful = m.Field | m.Family | m.Set | m.Occurrence | m.Parameter | m.Type | m.EnumValue | m.Bits | m.Device
+def needed(needs: tuple[str, ...]) -> Iterator[Fact]:
+    """States the hardware that a field, a value or a bit requires."""
+    if needs:
+        yield fact("needs", (" and ".join(map(m.worded, needs)),), "Requires {}.")
+
+
+Doubtful = m.Field | m.Family | m.Set | m.Parameter | m.Type | m.EnumValue | m.Bits | m.Device
 
 
 def uncertain(of: Doubtful, model: m.Model) -> list[Fact]:

@@ -103,12 +103,12 @@ class SampleValues:
     def _shown(self, v: Value, p: m.Parameter) -> Any:
         if v.names or v.bits:
             return named(p, v)
-        given: Any = v.number if v.number is not None else v.text
+        value: Any = v.number if v.number is not None else v.text
         if v.quantity:
-            given = self._quantities.get(v.quantity)  # a missing quantity is reported elsewhere
-        if given is None:
+            value = self._quantities.get(v.quantity)  # a missing quantity is reported elsewhere
+        if value is None:
             return None
-        return shown(p, given, v.factor)
+        return shown(p, value, v.factor)
 
     def shown(self, f: m.Field) -> list[m.Call]:
         """Returns the forms of a command that show its use: the first one, and the first one that requests values."""
@@ -178,19 +178,19 @@ class GivenValues(SampleValues):
     """Supplies given values for one field instead of typical ones."""
 
     call: m.Call
-    given: codec.Values
+    stated: codec.Values
     host: str = ""  # what a program does after the reply
 
     def values(self, f: m.Field, call: m.Call) -> codec.Values:
-        return self.given
+        return self.stated
 
     def shown(self, f: m.Field) -> list[m.Call]:
         return [self.call]
 
 
-def title_of(f: m.Field, given: GivenValues) -> str:
+def title_of(f: m.Field, values: GivenValues) -> str:
     """Writes the comment beside a line of a program that sends a command."""
-    return f"{f.title}, {given.call.function.name}" if given.call.function else f.title
+    return f"{f.title}, {values.call.function.name}" if values.call.function else f.title
 
 
 def _same_form(p: m.Parameter, q: m.Parameter) -> bool:

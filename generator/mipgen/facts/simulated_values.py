@@ -9,31 +9,31 @@ from mipgen.lower import codec
 from mipgen.model.simulation import Value
 
 
-def shown(p: m.Parameter, given: Any, factor: float) -> Any:
+def shown(p: m.Parameter, quantity: Any, factor: float) -> Any:
     """Converts a quantity to a value of a parameter, in the form of the codec. Raises ValueError if it cannot.
 
     >>> p = m.Parameter("a", m.SCALARS["float"], None)
     >>> shown(p, 9.80665, 1 / 9.80665)
     '0x3f800000'
     """
-    names = (given,) if isinstance(given, str) else tuple(given) if isinstance(given, list) else ()
+    names = (quantity,) if isinstance(quantity, str) else tuple(quantity) if isinstance(quantity, list) else ()
     if names and all(isinstance(x, str) for x in names) and any(v.type for v in p.readings):
         return named(p, Value("", names=names)) or named(p, Value("", bits=names))
-    if isinstance(given, list) and p.kind == "array":
-        return codec.canonical(p, [_scaled(p, one, factor) for one in given], p.name)
+    if isinstance(quantity, list) and p.kind == "array":
+        return codec.canonical(p, [_scaled(p, number, factor) for number in quantity], p.name)
     if p.kind == "array" and p.count is not None:  # one number for all elements
-        return codec.canonical(p, [_scaled(p, given, factor)] * p.count, p.name)
-    return codec.canonical(p, _scaled(p, given, factor), p.name)
+        return codec.canonical(p, [_scaled(p, quantity, factor)] * p.count, p.name)
+    return codec.canonical(p, _scaled(p, quantity, factor), p.name)
 
 
-def _scaled(p: m.Parameter, given: Any, factor: float) -> Any:
+def _scaled(p: m.Parameter, quantity: Any, factor: float) -> Any:
     """Converts a quantity to the unit of a parameter, with as many digits as a reader would write."""
     scalar = p.leaf.scalar
-    if not isinstance(given, (int, float)) or p.leaf.kind != "scalar" or p.leaf.named:
-        return given
+    if not isinstance(quantity, (int, float)) or p.leaf.kind != "scalar" or p.leaf.named:
+        return quantity
     if scalar.kind != "float":
-        return round(given * factor)
-    return given if factor == 1 else float(f"{given * factor:.{6 if scalar.size == 4 else 10}g}")
+        return round(quantity * factor)
+    return quantity if factor == 1 else float(f"{quantity * factor:.{6 if scalar.size == 4 else 10}g}")
 
 
 def named(p: m.Parameter, v: Value) -> Any:
@@ -57,8 +57,8 @@ def mask(t: m.Bitfield, name: str) -> int | None:
     b = next((b for b in t.bits if b.name == bits), None)
     if b is None or not value:
         return b.mask if b else None
-    known = b.enum.by_name(value) if b.enum else None
-    return known.value << b.first if known else None
+    entry = b.enum.by_name(value) if b.enum else None
+    return entry.value << b.first if entry else None
 
 
 def parameter_at(parameters: tuple[m.Parameter, ...], path: str) -> m.Parameter | None:

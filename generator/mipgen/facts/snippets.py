@@ -1,4 +1,9 @@
-"""Short programs for documentation, in languages in which each command is a separate statement."""
+"""Short programs for documentation, in languages in which each command is a separate statement.
+
+The programs of C++ are in `targets/c/cpp_snippets`. tools/workbench/programs writes the same for any values.
+`tests/docs/test_reference_programs.py` compiles and runs each program, `tests/javascript/test_code.py` compares both
+sources.
+"""
 
 from __future__ import annotations
 
@@ -43,7 +48,7 @@ class Statements(ABC):
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
         """Composes a program that sends several commands; a NACK is an error of the language."""
         program, lines = self.program(), []
-        for number, (f, given) in enumerate(steps, 1):
-            lines += [f"{self.remark} {number}: {title_of(f, given)}", *program.sent(f, given)]
-            lines += [f"{self.remark} {given.host}"] if given.host else []
+        for number, (f, values) in enumerate(steps, 1):
+            lines += [f"{self.remark} {number}: {title_of(f, values)}", *program.sent(f, values)]
+            lines += [f"{self.remark} {values.host}"] if values.host else []
         return program.text(lines)

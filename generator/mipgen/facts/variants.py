@@ -8,7 +8,7 @@ from dataclasses import replace
 from mipgen import model as m
 
 from .measures import measures, numeral, validity
-from .texts import Fact, Ref, Text, device_ref, interleaved, joined, prose
+from .texts import Fact, Ref, Text, device_refs, interleaved, joined, prose
 
 
 def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tuple[m.Variant, ...], Fact]]:
@@ -23,9 +23,9 @@ def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tup
             same.append(v)
     facts = []
     for group in groups:
-        said = difference(group[0], p, record, model)
-        sentence = (*_condition(group, record, model), ": ", *said, ".")
-        facts.append((tuple(group), Fact("variant", said, sentence)))
+        text = difference(group[0], p, record, model)
+        sentence = (*_condition(group, record, model), ": ", *text, ".")
+        facts.append((tuple(group), Fact("variant", text, sentence)))
     return facts
 
 
@@ -51,14 +51,15 @@ def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -
         parts.append(_validity(v.valid, v.key if v.by_device else None, p, record))
     if v.deprecated is not None:
         parts.append(("deprecated" if v.deprecated else "not deprecated",))
-    said = interleaved(parts, "; ")
+    text = interleaved(parts, "; ")
     if within is not None:
-        said = (Ref(p, p.name, within), " has " if parts else ": ", *said)
+        text = (Ref(p, p.name, within), " has " if parts else ": ", *text)
     if v.description:
-        said = (*said, *([". "] if parts else []), *prose(v.description.rstrip("."), model))
+        text = (*text, *([". "] if parts else []), *prose(v.description.rstrip("."), model))
     if v.inferred:
-        said = (*said, ". Inferred: ", *prose(v.inferred.rstrip("."), model))
-    return said
+        why = v.inferred.rstrip(".")
+        text = (*text, " (inferred: ", *prose(why[:1].lower() + why[1:], model), ")")
+    return text
 
 
 def usual(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
@@ -99,8 +100,8 @@ def _condition(group: Sequence[m.Variant], record: m.Record, model: m.Model) -> 
     """Words the condition of variants: "On the 3DM-GX5-15", "If mode is fast"."""
     v = group[0]
     if v.by_device:
-        devices = [(x.key, model.device(x.key)) for x in group]
-        return ("On the ", *joined([(device_ref(d) if d else key,) for key, d in devices]))
+        devices = [d for x in group if (d := model.device(x.key)) is not None]  # a partial specification may lack them
+        return ("On the ", *(device_refs(devices) or joined([(x.key,) for x in group])))
     p = next(q for q in record.parameters if q.name == v.by)
     assert isinstance(p.element, m.Enum)
     value = p.element.by_name(v.key)

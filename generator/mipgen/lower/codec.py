@@ -61,8 +61,8 @@ def split(model: m.Model, packet: bytes) -> list[tuple[int, bytes]]:
     if len(packet) < 6 or len(packet) != packet[3] + 6 or packet[2] in m.NO_SETS:
         raise CodecError("length", f"its {len(packet)} bytes are not a whole packet")
     if checksum(packet[:-2]) != packet[-2:]:
-        printed, right = (x.hex().upper() for x in (packet[-2:], checksum(packet[:-2])))
-        raise CodecError("checksum", f"its checksum is {printed}, but should be {right}")
+        printed, correct = (x.hex().upper() for x in (packet[-2:], checksum(packet[:-2])))
+        raise CodecError("checksum", f"its checksum is {printed}, but should be {correct}")
     payload, fields = packet[4:-2], []
     while payload:
         length = payload[0]
@@ -84,9 +84,9 @@ def choose(candidates: tuple[m.Field, ...], data: bytes) -> m.Field | None:
     fitting = [
         f for f in candidates if all(constant.startswith(data[at : at + len(constant)]) for at, constant in f.signature)
     ]
-    held = [f for f in fitting if f.min_size <= len(data)]
-    if held:
-        return max(held, key=lambda f: f.min_size)
+    short_enough = [f for f in fitting if f.min_size <= len(data)]
+    if short_enough:
+        return max(short_enough, key=lambda f: f.min_size)
     return min(fitting, key=lambda f: f.min_size, default=None)
 
 
@@ -198,9 +198,9 @@ def _number(scalar: m.Scalar, raw: bytes) -> int | str:
 def encode(f: m.Field, values: Values) -> bytes:
     """Encodes a field in the shortest form that contains the given values."""
     out = bytearray()
-    known = {p.name for p in f.parameters if p.constant is None}
+    names = {p.name for p in f.parameters if p.constant is None}
     for name in values:
-        if name not in known:
+        if name not in names:
             raise CodecError("unknown", f"{f.full_name} has no parameter {name}")
     for p in f.always:
         _write(p, values, out)
@@ -233,9 +233,9 @@ def _write(p: m.Parameter, values: Values, out: bytearray) -> None:
 
 def _put(p: m.Parameter, value: Any, values: Values, out: bytearray) -> None:
     if p.struct:
-        known = {q.name for q in p.struct.parameters if q.constant is None}
+        names = {q.name for q in p.struct.parameters if q.constant is None}
         for name in value:
-            if name not in known:
+            if name not in names:
                 raise CodecError("unknown", f"{p.struct.name} has no parameter {name}")
         for q in p.struct.parameters:
             _write(q, value, out)
@@ -330,11 +330,11 @@ def canonical(p: m.Parameter, value: Any, where: str) -> Any:
 def canonical_record(parameters: Iterable[m.Parameter], values: Any, where: str) -> Values:
     if not isinstance(values, dict):
         raise ValueError(f"{where} must be a mapping of parameter names to values")
-    known = {p.name: p for p in parameters}
+    by_name = {p.name: p for p in parameters}
     for name in values:
-        if name not in known:
-            raise ValueError(f"{where} has no parameter '{name}'{nearest(name, known)}")
-    return {name: canonical(known[name], v, f"{where}.{name}") for name, v in values.items()}
+        if name not in by_name:
+            raise ValueError(f"{where} has no parameter '{name}'{nearest(name, by_name)}")
+    return {name: canonical(by_name[name], v, f"{where}.{name}") for name, v in values.items()}
 
 
 def _canonical_bytes(p: m.Parameter, value: Any, where: str) -> list[int]:
@@ -363,11 +363,11 @@ def _canonical_real(scalar: m.Scalar, value: Any, where: str) -> str:
 def _canonical_number(p: m.Parameter, value: Any, where: str) -> int:
     named = p.named
     if isinstance(value, str) and isinstance(named, m.Enum):
-        known = named.by_name(value)
-        if known is None:
+        entry = named.by_name(value)
+        if entry is None:
             near = nearest(value, [v.name for v in named.values])
             raise ValueError(f"{where}: '{named.name}' has no value '{value}'{near}")
-        return known.value
+        return entry.value
     if isinstance(value, list) and isinstance(named, m.Bitfield):
         bits = {b.name: b for b in named.bits}
         unknown = [n for n in value if not isinstance(n, str) or n not in bits]

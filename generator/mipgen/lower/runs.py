@@ -59,9 +59,9 @@ def _all(parameters: Sequence[m.Parameter], path: Path, offset: int) -> Iterator
 
 
 def _inside(p: m.Parameter, path: Path, offset: int) -> Iterator[Run]:
-    one = run(p, path, offset)
-    if one is not None:
-        yield one
+    inner = run(p, path, offset)
+    if inner is not None:
+        yield inner
     elif p.struct:
         yield from _all(p.struct.parameters, path, offset)
     else:

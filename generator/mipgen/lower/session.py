@@ -1,4 +1,9 @@
-"""The commands that find a device and start its data, as named in the specification, with their responses."""
+"""The commands that find a device and start its data, as named in the specification, with their responses.
+
+Each language uses them in its own way: C in connect.c.j2, Rust in session.rs.j2, Python in streaming.py, JavaScript
+in streaming.mjs. Tests on virtual devices of two generations: `test_c_first_day.py`, `test_rust_first_day.py`,
+`test_start.py`, `test_javascript.py`.
+"""
 
 from __future__ import annotations
 
@@ -39,6 +44,7 @@ class Session:
     entries: m.Parameter  # of `format`: an array of descriptors and decimations
     stream: m.Field
     older: tuple[Older, ...]
+    descriptors: tuple[m.Field, ...]  # list what the device has
 
     @property
     def commands(self) -> tuple[m.Field, ...]:
@@ -48,28 +54,30 @@ class Session:
 
 def session(model: m.Model) -> Session | None:
     """Resolves the session; None if the specification, or the selected part of it, lacks one of the commands."""
-    given = model.protocol.session
-    fields = [f for name in given.commands if (f := model.field(name))] if given else []
-    if given is None or len(fields) < len(given.commands):
+    names = model.protocol.session
+    fields = [f for name in names.commands if (f := model.field(name))] if names else []
+    if names is None or len(fields) < len(names.commands):
         return None
     ping, idle, resume, identify, base_rate, message_format, stream = fields
     entries = next(p for p in message_format.calls[0].required if p.kind == "array")
-    older = tuple(x for each in given.older if (x := _older(each, model)))
+    older = tuple(x for each in names.older if (x := _older(each, model)))
     rate = _rate(base_rate, model)
-    known = {rate for d in model.devices for port in d.ports for rate in port.baud_rates}
-    bauds = (given.baud, *sorted(known - {given.baud}, reverse=True))
+    rates = {rate for d in model.devices for port in d.ports for rate in port.baud_rates}
+    descriptors = tuple(f for name in names.descriptors if (f := model.field(name)))
+    bauds = (names.baud, *sorted(rates - {names.baud}, reverse=True))
     return Session(
-        bauds, given.model_numbers, ping, idle, resume, identify, rate, message_format, entries, stream, older
-    )
+        bauds, names.model_numbers, ping, idle, resume, identify, rate, message_format, entries, stream, older,
+        descriptors,
+    )  # fmt: skip
 
 
 def _older(older: m.Older, model: m.Model) -> Older | None:
     """Resolves the commands of older devices; None if a partial specification lacks the set or a command."""
-    number = next((s.number for s in model.sets if s.name == older.set), None)
+    data_set = model.set_named(older.set)
     base_rate, message_format = model.field(older.base_rate), model.field(older.format)
-    if number is None or base_rate is None or message_format is None:
+    if data_set is None or base_rate is None or message_format is None:
         return None
-    return Older(number, _rate(base_rate, model), message_format, older.stream)
+    return Older(data_set.number, _rate(base_rate, model), message_format, older.stream)
 
 
 def _rate(f: m.Field, model: m.Model) -> Rate:

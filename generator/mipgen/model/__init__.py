@@ -11,11 +11,14 @@ Guides and the simulation are in their own modules.
 from mipgen.read.position import Position
 
 from .devices import (
+    COUNTED,
     EVIDENCE,
+    SUPPORTED,
     Answer,
     Device,
     DeviceVariant,
     Evidence,
+    Hardware,
     Limit,
     NamedDevice,
     Note,
@@ -24,6 +27,7 @@ from .devices import (
     Rate,
     Support,
     strength,
+    worded,
 )
 from .evidence import Claim, Erratum, Example, ExampleField, Manual
 from .fields import (
@@ -60,6 +64,7 @@ from .types import (
     Function,
     Scalar,
     Source,
+    State,
     Struct,
     Type,
     Unit,
@@ -72,6 +77,7 @@ from .types import (
 __all__ = [
     "COMMAND",
     "COMMAND_SETS",
+    "COUNTED",
     "DATA",
     "DATA_SETS",
     "DEVICE",
@@ -84,6 +90,7 @@ __all__ = [
     "SCALARS",
     "SHARED_DESCRIPTORS",
     "SHARED_SET",
+    "SUPPORTED",
     "Answer",
     "Bitfield",
     "Bits",
@@ -106,6 +113,7 @@ __all__ = [
     "Field",
     "Function",
     "Group",
+    "Hardware",
     "Kind",
     "Limit",
     "Manual",
@@ -130,6 +138,7 @@ __all__ = [
     "Shape",
     "Shown",
     "Source",
+    "State",
     "Struct",
     "Support",
     "Type",
@@ -144,4 +153,5 @@ __all__ = [
     "strength",
     "structs",
     "unit_symbols",
+    "worded",
 ]

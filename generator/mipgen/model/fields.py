@@ -46,14 +46,14 @@ class Call:
     optional: tuple[Parameter, ...]  # may follow these: no function requires them
 
     @property
-    def given(self) -> tuple[Parameter, ...]:
+    def passed(self) -> tuple[Parameter, ...]:
         """The parameters without constants and reserved values, for a caller who provides counters and tags."""
         return tuple(p for p in self.required if p.constant is None and p.reserved is None)
 
     @property
     def values(self) -> tuple[Parameter, ...]:
         """The same without counters, for languages whose arrays know their length."""
-        return tuple(p for p in self.given if p.counts is None)
+        return tuple(p for p in self.passed if p.counts is None)
 
     @property
     def unions(self) -> dict[str, Parameter]:
@@ -96,6 +96,7 @@ class Set:
     family: str
     sources: tuple[Source, ...] = ()
     uncertain: tuple[str, ...] = ()
+    needs: tuple[str, ...] = ()  # the hardware that each of its fields requires
     position: Position | None = field(default=None, compare=False)
 
 
@@ -107,7 +108,6 @@ class Occurrence:
     set_name: str
     title: str
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
 
@@ -137,12 +137,12 @@ class Field:
     everywhere: range | None = None  # the sets of a field of every command set, or every data set
     affects: tuple[str, ...] = ()  # of a command: the data fields, or whole sets, that it changes
     may_affect: tuple[str, ...] = ()  # the same, inferred
-    max_rate: float | None = None
     timeout: float | None = None
     advanced: bool = False
     deprecated: str | None = None
     also: tuple[str, ...] = ()  # other names
     keywords: tuple[str, ...] = ()  # search words that its texts do not contain
+    needs: tuple[str, ...] = ()  # the hardware that it requires, besides what its set requires
     notes: tuple[str, ...] = ()
     uncertain: tuple[str, ...] = ()
     short: str | None = None

@@ -88,6 +88,12 @@ class Migration:
 
 
 @dataclass(frozen=True, slots=True)
+class Picture:
+    shows: str  # what it shows, for readers who do not see it
+    svg: str
+
+
+@dataclass(frozen=True, slots=True)
 class Question:
     """A question that people ask, or a symptom of a problem, with the answer."""
 
@@ -107,6 +113,7 @@ class Guide:
     question: str
     answer: str
     sequences: tuple[Sequence, ...]
+    picture: Picture | None = None
     lead: str = ""  # the question on the first page that leads to it
     before: tuple[str, ...] = ()  # prerequisites
     questions: tuple[Question, ...] = ()

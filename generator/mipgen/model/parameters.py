@@ -1,4 +1,9 @@
-"""Parameters: the named values of a field or a structure, in wire order, and how they vary."""
+"""Parameters: the named values of a field or a structure, in wire order, and how they vary.
+
+A parameter states both what it means and how it is encoded. If that changes, so do `lower` and the codec of each
+target: in C `targets/c/bytecode` and program.h, in Python `targets/python/codecs` and codec.py.
+`tests/conformance` compares all languages.
+"""
 
 from __future__ import annotations
 
@@ -119,6 +124,7 @@ class Parameter:
     notes: tuple[str, ...] = ()
     uncertain: tuple[str, ...] = ()
     most: int = field(default=0, compare=False)  # the maximum number of items in a field, if it varies
+    stated: int = field(default=0, compare=False)  # likewise, as the range of its counter states
     position: Position | None = field(default=None, compare=False)
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from datetime import date
 
 from mipgen.read.position import Position
 
@@ -40,6 +41,7 @@ class Word:
     conversions: tuple[Conversion, ...] = ()  # of a frame: to the frames of other software
     sources: tuple[Source, ...] = ()  # of a frame
     key: str = ""  # of a unit: what fields of the specification state
+    equals: tuple[str, float] | None = None  # of a unit: a number of another unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +63,11 @@ class Clock:
     epoch: str | None  # "1980-01-06"; None: it starts with the device
     timestamps: tuple[str, ...]  # full names of the data fields that contain its time
     position: Position | None = field(default=None, compare=False)
+
+    @property
+    def epoch_days(self) -> int | None:
+        """The days from 1970 to its epoch."""
+        return days(self.epoch) if self.epoch else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +95,7 @@ class Session:
     format: str
     stream: str
     older: tuple[Older, ...] = ()
+    descriptors: tuple[str, ...] = ()  # commands that list what the device has
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -126,6 +134,21 @@ class Protocol:
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
     session: Session | None = None
     barrier: tuple[int, int] = (0, 0)  # set and descriptor of the barrier's command; 0: none
-    url: str = ""  # the public repository
+    repository: str = ""  # its public address
     position: Position | None = field(default=None, compare=False)  # of the name of the package
     leap_seconds: tuple[tuple[str, int], ...] = ()  # day -> seconds that clocks with an epoch are ahead of UTC
+
+    @property
+    def max_packet(self) -> int:
+        """The most bytes of a packet, with header and checksum."""
+        return 4 + self.max_payload + 2
+
+    @property
+    def leaps(self) -> tuple[tuple[int, int], ...]:
+        """The leap seconds, each with the days from 1970."""
+        return tuple((days(day), ahead) for day, ahead in self.leap_seconds)
+
+
+def days(date_text: str) -> int:
+    """Returns the days from 1970 to a date."""
+    return (date.fromisoformat(date_text) - date(1970, 1, 1)).days

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, TypeVar
 
-from .devices import Device, NamedDevice, Support
+from .devices import SUPPORTED, Answer, Device, NamedDevice, Support
 from .evidence import Erratum, Example
 from .fields import MAX_FIELD_DATA, RESPONSE, Family, Field, Reply, Set
 from .guides import Guide
@@ -63,6 +63,9 @@ class Model:
     def set(self, number: int) -> Set | None:
         return self._sets.get(number)
 
+    def set_named(self, name: str) -> Set | None:
+        return self._sets_by_name.get(name)
+
     def family(self, name: str) -> Family | None:
         return self._families.get(name)
 
@@ -78,8 +81,8 @@ class Model:
     def set_of(self, full_name: str) -> int:
         """Returns the number of the set with which the name of a field begins."""
         first = full_name.partition(".")[0]
-        known = next((s.number for s in self.sets if s.name == first), None)
-        return known if known is not None else self._fields[full_name].set
+        named = self.set_named(first)
+        return named.number if named else self._fields[full_name].set
 
     def fields_in(self, s: Set) -> tuple[Field, ...]:
         """Returns the fields that occur in a set, without those that occur everywhere."""
@@ -118,13 +121,13 @@ class Model:
     def replies(self, command: Field) -> tuple[Reply, ...]:
         """Returns the responses to a command, and their conditions on the parameters of the command that owns a
         response; another command that has the same response is always answered with it."""
-        known = self._replies.get(command.full_name)
-        if known is None or known[0] is not command:
+        cached = self._replies.get(command.full_name)
+        if cached is None or cached[0] is not command:
             functions = tuple(f for f in command.functions if f.responds)
             layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
             replies = tuple(Reply(fields, functions, when) for when, fields in layouts.items())
-            known = self._replies[command.full_name] = command, replies
-        return known[1]
+            cached = self._replies[command.full_name] = command, replies
+        return cached[1]
 
     def answers(self, command: Field, device: str) -> tuple[Field, ...]:
         """Returns the responses that one device sends: of a response with several layouts, the device's own, or else
@@ -149,17 +152,28 @@ class Model:
         ids = self._refusing.get(f.full_name, ())
         return tuple(d for d in self.devices if d.id in ids)
 
-    def devices_of(self, f: Field, certain: bool = True, number: int | None = None) -> tuple[Device, ...]:
-        """Returns the devices that support a field, or those that only may support it, in one set or in any; a device
-        supports a response if it sends it."""
+    def devices_of(self, f: Field, answer: Answer = "yes", number: int | None = None) -> tuple[Device, ...]:
+        """Returns the devices with this answer to whether they support a field, in one set or in any; a device supports
+        a response if it sends it. If the answers differ, the strongest counts."""
+        if (f.full_name, number) not in self._answers:
+            self._answers[f.full_name, number] = self._strongest(f, number)
+        answers = self._answers[f.full_name, number]
+        return tuple(d for d in self.devices if answers.get(d.id) == answer)
+
+    @cached_property
+    def _answers(self) -> dict[tuple[str, int | None], dict[str, Answer]]:
+        return {}
+
+    def _strongest(self, f: Field, number: int | None) -> dict[str, Answer]:
         if f.role == RESPONSE:
             asked = [(c, d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
             supporting = [(d, s) for c, d, s in asked if f.full_name in {r.full_name for r in self.answers(c, d.id)}]
         else:
             supporting = list(self.supports(f, number))
-        known = {d.id for d, s in supporting if s.certain}
-        names = known if certain else {d.id for d, _ in supporting} - known
-        return tuple(d for d in self.devices if d.id in names)
+        answers: dict[str, Answer] = {}
+        for d, s in supporting:
+            answers[d.id] = min(answers.get(d.id, s.evidence.answer), s.evidence.answer, key=SUPPORTED.index)
+        return answers
 
     def affected(self, command: Field, certain: bool = True) -> tuple[Field | Set, ...]:
         """Returns the effects of a command: data fields, and sets all of whose fields may change. A part of a
@@ -184,8 +198,8 @@ class Model:
         functions = [x for _, s in self.supports(command) for x in s.functions]
         return tuple(x for x in command.functions if x in functions) or command.functions
 
-    def device(self, id: str) -> Device | None:
-        return next((d for d in self.devices if d.id == id), None)
+    def device(self, device_id: str) -> Device | None:
+        return next((d for d in self.devices if d.id == device_id), None)
 
     # ----------------------------------------------------------------------- indexes
 
@@ -201,6 +215,10 @@ class Model:
     @cached_property
     def _sets(self) -> dict[int, Set]:
         return {s.number: s for s in self.sets}
+
+    @cached_property
+    def _sets_by_name(self) -> dict[str, Set]:
+        return {s.name: s for s in reversed(self.sets)}  # the first one, if a name is repeated
 
     @cached_property
     def _fields(self) -> dict[str, Field]:

@@ -31,6 +31,11 @@ class Scalar:
     kind: Literal["unsigned", "signed", "float", "bool", "char"]
 
     @property
+    def width(self) -> int:
+        """The number of bits."""
+        return 8 * self.size
+
+    @property
     def memory(self) -> int:
         """The size in bytes of the smallest number of a machine that can hold it."""
         return 1 << (self.size - 1).bit_length()
@@ -72,6 +77,7 @@ class EnumValue:
     deprecated: bool = False
     uncertain: tuple[str, ...] = ()
     short: str | None = None
+    needs: tuple[str, ...] = ()  # the hardware that it requires
     position: Position | None = field(default=None, compare=False)
 
 
@@ -111,6 +117,16 @@ class Enum(_Type):
 
 
 @dataclass(frozen=True, slots=True)
+class State:
+    """The state in which a bit means something: values of a parameter of the same record."""
+
+    parameter: str
+    type: str  # the full name of the enumeration of the states
+    values: tuple[str, ...]
+    numbers: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Bits:
     """One flag (first == last) or one unsigned number inside a bitfield."""
 
@@ -123,7 +139,9 @@ class Bits:
     concerns: tuple[str, ...] = ()  # full names of the fields or commands that it is about
     uncertain: tuple[str, ...] = ()
     short: str | None = None
+    needs: tuple[str, ...] = ()  # the hardware that it requires
     position: Position | None = field(default=None, compare=False)
+    when: State | None = None  # None: in every state
 
     @property
     def width(self) -> int:
@@ -149,6 +167,10 @@ class Bitfield(_Type):
     kind: Literal["bitfield"] = "bitfield"
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
+
+    @property
+    def width(self) -> int:
+        return 8 * self.size
 
     @property
     def known_mask(self) -> int:

@@ -22,12 +22,17 @@ from .spelling import strange
 #: Words that other YAML parsers read as true and false.
 BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
 
+#: The version of the format of a specification; another version of the schemas has another.
+FORMAT = 1
+
 #: The files of a specification: kind of schema -> glob pattern relative to its folder.
 LAYOUT = {
     "protocol": "protocol.yaml",
     "manual": "manuals/*.yaml",
     "types": "types/*.yaml",
     "set": "sets/*.yaml",
+    "evidence": "evidence/*.yaml",
+    "packets": "packets/*.yaml",
     "device": "devices/*.yaml",
     "examples": "examples/*.yaml",
     "errata": "errata/*.yaml",
@@ -38,12 +43,14 @@ LAYOUT = {
 #: Facts from other sources, which are compared with the specification but are not part of it.
 WITNESSES = {"witness": "witness/*.yaml"}
 
-#: Other files in the same folder, recognized by a key: accepted differences, and rules for kinds of quantities.
-BESIDE = {"rules": "rules", "differences": "accepted"}
+#: Other files in the same folder, recognized by a key: rules for kinds of quantities, facts of devices, and accepted
+#: differences.
+BESIDE = {"rules": "rules", "models": "device_facts", "differences": "accepted"}
 
-#: Files that contain several devices or families, and the keys of their lists; `named` has devices known by name only.
-DEVICES = "devices"
-PARTS = {"device": "devices", "family": "families", "named": "named"}
+#: Files that contain several devices, families or manuals: the schema of such a file by the kind of the files beside
+#: it, and the keys of their lists; `named` has devices known by name only.
+SEVERAL = {"device": "devices", "manual": "manuals"}
+PARTS = {"device": "devices", "family": "families", "named": "named", "manual": "manuals"}
 
 #: The files of an overlay: the same, except that additions to the protocol are in `overlay.yaml`.
 OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
@@ -72,8 +79,8 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
     for kind, pattern in layout.items():
         for path in _visible(folder.glob(pattern)):
             name = path.relative_to(folder).as_posix()
-            known = _key(path, kind, over)
-            data = cache.get("nodes", known) if known else None
+            content_key = _key(path, kind, over)
+            data = cache.get("nodes", content_key) if content_key else None
             if data is not None:
                 of, root = pickle.loads(data)
             else:
@@ -81,14 +88,18 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
                 if root is None:
                     continue
                 of = _schema(kind, root, over)
+                if kind == "protocol" and root.scalar("format", FORMAT) != FORMAT:
+                    message = f"the format of this specification is unknown; this mipgen reads format {FORMAT}"
+                    problems.add(root["format"].position, message)
+                    continue
                 before = len(problems)
                 if not _valid(of, root, problems):
                     continue
-                if known and len(problems) == before:
-                    valid[known] = pickle.dumps((of, root), 5)
-            if of == DEVICES:
-                parts = ((one, entry) for one, many in PARTS.items() for entry in root.get(many) or ())
-                documents += [Document(one, name, entry) for one, entry in parts]
+                if content_key and len(problems) == before:
+                    valid[content_key] = pickle.dumps((of, root), 5)
+            if of in SEVERAL.values():
+                parts = ((part_kind, entry) for part_kind, many in PARTS.items() for entry in root.get(many) or ())
+                documents += [Document(part_kind, name, entry) for part_kind, entry in parts]
             else:
                 documents.append(Document(of, name, root))
     cache.put("nodes", valid)
@@ -118,13 +129,13 @@ def _key(path: Path, kind: str, over: bool) -> str:
 
 
 def _schema(kind: str, root: Node, over: bool) -> str:
-    """Returns the kind of schema for a file; extensions, and files with several devices, have their own."""
+    """Returns the kind of schema for a file; extensions, and files with several devices or manuals, have their own."""
     extension = f"{kind}_extension"
     if (over or extension in overlay.WITHIN) and "extend" in root and extension in overlay.EXTENSIONS:
         return extension
     if kind == "witness" and "layouts" not in root:
         return next((of for key, of in BESIDE.items() if key in root), BESIDE["differences"])
-    return DEVICES if kind == "device" and any(many in root for many in PARTS.values()) else kind
+    return SEVERAL[kind] if kind in SEVERAL and any(many in root for many in PARTS.values()) else kind
 
 
 def shown(path: Path) -> str:
@@ -141,11 +152,11 @@ def _visible(paths: Iterable[Path]) -> list[Path]:
 
 def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
     """Reports files in the wrong folder, which would be ignored silently."""
-    known = {path for pattern in (*layout.values(), *WITNESSES.values()) for path in spec.glob(pattern)}
+    read = {path for pattern in (*layout.values(), *WITNESSES.values()) for path in spec.glob(pattern)}
     read_ones = ", ".join(layout.values())
     made = {path.parent for path in spec.rglob(MANIFEST)}  # output, if the specification is a whole project
     for path in _visible(spec.rglob("*.*")):
-        if path.suffix.lower() not in (".yaml", ".yml") or path in known:
+        if path.suffix.lower() not in (".yaml", ".yml") or path in read:
             continue
         if not made.isdisjoint(path.parents):
             continue
@@ -175,7 +186,7 @@ def _validators() -> dict[str, Any]:
         for name, schema in schemas.files().items()
     }
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
-        (name, DRAFT7.create_resource(schema)) for name, schema in files.items()
+        (schema["$id"], DRAFT7.create_resource(schema)) for schema in files.values()
     )
     return {name.removesuffix(schemas.SUFFIX): validator(schema, registry=registry) for name, schema in files.items()}
 
@@ -205,10 +216,10 @@ def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
     if "propertyNames" in error.absolute_schema_path:
         yield [instance], f"the name '{instance}' must be {_form(schema) or rule}{strange(instance)}"
     elif error.validator == "additionalProperties":
-        known = schema.get("properties", {})
-        for key in sorted(set(instance) - set(known)):
+        properties = schema.get("properties", {})
+        for key in sorted(set(instance) - set(properties)):
             rest = "; if it ends the text before it, put the whole text in quotes"
-            yield [key], f"unknown key '{key}'{rest if instance[key] is None else nearest(key, known)}"
+            yield [key], f"unknown key '{key}'{rest if instance[key] is None else nearest(key, properties)}"
     elif error.validator == "required":
         for key in rule:
             if key not in instance:
@@ -231,8 +242,8 @@ def _fault_of_value(error: Any) -> str:
             wanted = _form(schema) or _kinds(kinds)
             return f" must be {wanted}, not {_shown(instance)}{_instead(instance, kinds)}"
         case "enum":
-            known = [str(x) for x in rule]
-            return f" must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
+            choices = [str(x) for x in rule]
+            return f" must be {' or '.join(choices)}, not {_shown(instance)}{close(str(instance), choices)}"
         case "const":
             return f" must be {_shown(rule)}, or be omitted, not {_shown(instance)}"
         case "pattern":

@@ -235,6 +235,12 @@ class _Reader:
         return Node(mapping, position, keys)
 
 
+def number(text: str) -> int | float:
+    """Converts a number as it is written in a specification."""
+    value: int | float = _scalar(text)
+    return value
+
+
 def _scalar(text: str) -> Any:
     """Converts a plain scalar: null, true and false as in YAML 1.2, numbers as in JSON or hexadecimal.
 

@@ -53,9 +53,9 @@ def _with_words(protocol: Document, overlay: Node, problems: Problems) -> Docume
 def _extended(documents: list[Document], extension: Document, problems: Problems) -> list[Document]:
     kind, key, parts = EXTENSIONS[extension.kind]
     name = extension.root["extend"]
-    known = [d.root[key].value for d in documents if d.kind == kind]
-    if name.value not in known:
-        problems.add(name.position, f"no {kind} '{name.value}' to extend{nearest(name.value, known)}")
+    names = [d.root[key].value for d in documents if d.kind == kind]
+    if name.value not in names:
+        problems.add(name.position, f"no {kind} '{name.value}' to extend{nearest(name.value, names)}")
         return documents
     return [
         replace(d, root=_with_parts(d.root, extension.root, parts, problems))
@@ -100,10 +100,10 @@ def _joined_rates(base: Node, more: Node, problems: Problems) -> Node:
 
 def _joined_ports(base: Node, more: Node, problems: Problems) -> Node:
     """Joins ports. A port may be repeated."""
-    known = {port["name"].value: port for port in base}
+    by_name = {port["name"].value: port for port in base}
     new = []
     for port in more:
-        earlier = known.get(port["name"].value)
+        earlier = by_name.get(port["name"].value)
         if earlier is None:
             new.append(port)
         elif earlier.plain() != port.plain():

@@ -75,18 +75,18 @@ def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:
     >>> nearest("zzz", [])
     ''
     """
-    known = _ordered(choices)
-    return close(word, known, guess) or spelling.strange(word, "".join(known)) + _listed(word, known)
+    words = _ordered(choices)
+    return close(word, words, guess) or spelling.strange(word, "".join(words)) + _listed(word, words)
 
 
 def close(word: str, choices: Iterable[str], guess: bool = True) -> str:
     """Returns the word that was probably meant; empty if there is none."""
-    known = _ordered(choices)
-    if usual := spelling.usual(word, known):
+    words = _ordered(choices)
+    if usual := spelling.usual(word, words):
         return f", did you mean '{usual}'?"
     straight = spelling.straight(word)
-    similar = [straight] if straight in known else difflib.get_close_matches(straight, known, n=1) if guess else []
-    return f"{spelling.strange(word, ''.join(known))}, did you mean '{similar[0]}'?" if similar else ""
+    similar = [straight] if straight in words else difflib.get_close_matches(straight, words, n=1) if guess else []
+    return f"{spelling.strange(word, ''.join(words))}, did you mean '{similar[0]}'?" if similar else ""
 
 
 def _ordered(choices: Iterable[str]) -> list[str]:
@@ -94,7 +94,7 @@ def _ordered(choices: Iterable[str]) -> list[str]:
     return sorted(choices) if isinstance(choices, (set, frozenset)) else list(dict.fromkeys(choices))
 
 
-def _listed(word: str, known: list[str]) -> str:
+def _listed(word: str, words: list[str]) -> str:
     """
     >>> many = [f"{s}.field_{i}" for s in ("base", "filter") for i in range(MANY)]
     >>> _listed("fliter.x", many)
@@ -102,14 +102,14 @@ def _listed(word: str, known: list[str]) -> str:
     >>> _listed("base.x", ["base.one", *many[-MANY:]])
     "; known in the set 'base': base.one"
     """
-    if not known:
+    if not words:
         return ""
-    if len(known) <= MANY:
-        return f"; known: {', '.join(known)}"
-    owners = list(dict.fromkeys(k.partition(".")[0] for k in known))
+    if len(words) <= MANY:
+        return f"; known: {', '.join(words)}"
+    owners = list(dict.fromkeys(k.partition(".")[0] for k in words))
     owner = word.partition(".")[0]
     if owner in owners and len(owners) > 1:
-        return f"; known in the set '{owner}': {', '.join(k for k in known if k.partition('.')[0] == owner)}"
-    if len(owners) < len(known):
+        return f"; known in the set '{owner}': {', '.join(k for k in words if k.partition('.')[0] == owner)}"
+    if len(owners) < len(words):
         return f"; known sets: {', '.join(owners)}"
-    return f"; known: {', '.join(known[:MANY])}, … ({len(known)} in all)"
+    return f"; known: {', '.join(words[:MANY])}, … ({len(words)} in all)"

@@ -100,12 +100,12 @@ def _enum(rule: Any, _: Any, __: str) -> Check:
 
 
 def _properties(rule: Any, _: Any, file: str) -> Check:
-    known = {key: _compiled(schema, file) for key, schema in rule.items()}
+    compiled = {key: _compiled(schema, file) for key, schema in rule.items()}
 
     def check(value: Any) -> bool:
         if isinstance(value, dict):
             for key, node in value.items():
-                if key in known and not known[key](node.value):
+                if key in compiled and not compiled[key](node.value):
                     return False
         return True
 
@@ -113,8 +113,8 @@ def _properties(rule: Any, _: Any, file: str) -> Check:
 
 
 def _other_properties(rule: Any, schema: Mapping[str, Any], file: str) -> Check:
-    known, other = frozenset(schema.get("properties", ())), _compiled(rule, file)
-    return lambda value: not isinstance(value, dict) or all(other(value[key].value) for key in value.keys() - known)
+    named, other = frozenset(schema.get("properties", ())), _compiled(rule, file)
+    return lambda value: not isinstance(value, dict) or all(other(value[key].value) for key in value.keys() - named)
 
 
 def _names(rule: Any, _: Any, file: str) -> Check:

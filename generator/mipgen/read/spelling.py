@@ -79,7 +79,7 @@ _STRAIGHT = str.maketrans(
 _USUAL = {spelling.casefold(): word for word, spellings in SYNONYMS.items() for spelling in spellings}
 
 
-def usual(word: str, known: Collection[str]) -> str | None:
+def usual(word: str, words: Collection[str]) -> str | None:
     """Returns the known word with the same meaning, if there is one.
 
     >>> usual("uint32_t", ["u16", "u32"]), usual("deg/sec", ["deg/s"]), usual("HZ", ["Hz"])
@@ -89,7 +89,7 @@ def usual(word: str, known: Collection[str]) -> str | None:
     """
     folded = word.casefold().strip()
     canonical = _USUAL.get(folded)
-    return canonical if canonical in known else next((k for k in known if k.casefold() == folded), None)
+    return canonical if canonical in words else next((k for k in words if k.casefold() == folded), None)
 
 
 def straight(text: str) -> str:

@@ -9,6 +9,7 @@ from pathlib import PurePath
 from mipgen import model as m
 from mipgen.facts.misprints import differences
 from mipgen.lower.lengths import computed_length, same
+from mipgen.lower.validity import NANOSECONDS
 from mipgen.read.problems import Problems, nearest
 
 RESPONSE_DESCRIPTORS = range(0x80, 0xF1)
@@ -34,10 +35,13 @@ OLDER = {
 }
 
 #: Command of a session -> the required content of its response.
-ANSWERS = {"identify": "the texts of `model_numbers`", "base_rate": "one parameter in Hz"}
+ANSWERS = {
+    "identify": "the texts of `model_numbers`",
+    "base_rate": "one parameter in Hz",
+    "descriptors": "an array of u16, `descriptors`",
+}
 
 #: The units of the parameters of a timestamp.
-TIME_UNITS = {"week", "s", "ms", "us", "ns"}
 
 
 def check_definitions(model: m.Model, problems: Problems) -> None:
@@ -61,7 +65,7 @@ def check_definitions(model: m.Model, problems: Problems) -> None:
 
 def check_evidence(model: m.Model, problems: Problems) -> None:
     """Runs the checks that need correct definitions."""
-    for check in (package, descriptions, units, printed_lengths, printed_bytes, references):
+    for check in (package, descriptions, units, states, printed_lengths, printed_bytes, references):
         check(model, problems)
 
 
@@ -195,8 +199,8 @@ def words(model: m.Model, problems: Problems) -> None:
         for match in unusual.finditer(name):
             if place is not None and not any(PurePath(place.file).is_relative_to(folder) for folder in folders):
                 continue
-            right = usual[match[1]]
-            problems.add(place, f"the name '{name}': the vocabulary uses '{right}' for '{match[1]}'; write '{right}'")
+            word = usual[match[1]]
+            problems.add(place, f"the name '{name}': the vocabulary uses '{word}' for '{match[1]}'; write '{word}'")
 
 
 def package(model: m.Model, problems: Problems) -> None:
@@ -212,20 +216,23 @@ def package(model: m.Model, problems: Problems) -> None:
 
 
 def clocks(model: m.Model, problems: Problems) -> None:
-    """Requires timestamps to be data fields that contain a time, of one clock each."""
+    """Requires timestamps to be data fields that contain a time, of one clock each, or of one with an epoch and one
+    without."""
     names = {f.name_in(o.set) for f in model.fields if f.role == m.DATA for o in f.occurrences}
-    seen: dict[str, str] = {}
+    seen: dict[tuple[str, bool], str] = {}
     for clock in model.protocol.clocks:
+        dated = clock.epoch is not None
         for name in clock.timestamps:
             f = model.field(name)
             if f is None or f.role != m.DATA:
                 problems.add(clock.position, f"no data field '{name}'{nearest(name, names)}")
-            elif name in seen:
-                problems.add(clock.position, f"'{name}' is already a timestamp of the clock '{seen[name]}'; remove one")
-            elif not any(set(p.units) & TIME_UNITS for p in f.parameters):
-                units = ", ".join(sorted(TIME_UNITS))
+            elif (name, dated) in seen:
+                other = seen[name, dated]
+                problems.add(clock.position, f"'{name}' is already a timestamp of the clock '{other}'; remove one")
+            elif not any(set(p.units) & NANOSECONDS.keys() for p in f.parameters):
+                units = ", ".join(sorted(NANOSECONDS))
                 problems.add(clock.position, f"'{name}' is not a timestamp: none of its parameters is in {units}")
-            seen.setdefault(name, clock.name)
+            seen.setdefault((name, dated), clock.name)
 
 
 def session(model: m.Model, problems: Problems) -> None:
@@ -235,6 +242,9 @@ def session(model: m.Model, problems: Problems) -> None:
         return
     for role, (types, words) in SESSION.items():
         if problem := _unfit(role, getattr(session, role), types, words, model, session):
+            problems.add(session.position, problem)
+    for name in session.descriptors:
+        if problem := _unfit("descriptors", name, (), "no parameters", model, session):
             problems.add(session.position, problem)
     sets = {s.name for s in model.sets if s.kind == "data"}
     for older in session.older:
@@ -265,6 +275,8 @@ def _answers(role: str, responses: tuple[m.Field, ...], session: m.Session) -> b
     (response,) = responses
     if role == "base_rate":
         return sum(p.units == ("Hz",) for p in response.parameters) == 1
+    if role == "descriptors":
+        return any((p.name, p.kind, p.leaf.scalar.name) == ("descriptors", "array", "u16") for p in response.parameters)
     texts = [_inside(response, path) for path in session.model_numbers]
     return all(p is not None and p.kind == "text" for p in texts)
 
@@ -322,7 +334,7 @@ def enumerations(model: m.Model, problems: Problems) -> None:
             continue
         seen: dict[int, str] = {}
         for v in t.values:
-            if v.value >> (8 * t.scalar.size):
+            if v.value >> t.scalar.width:
                 problems.add(v.position, f"'{t.name}': {v.name} = {v.value} does not fit in {t.scalar.name}")
             if v.value in seen:
                 problems.add(v.position, f"'{t.name}': {seen[v.value]} and {v.name} are both {v.value}; remove one")
@@ -398,6 +410,24 @@ def units(model: m.Model, problems: Problems) -> None:
             if isinstance(scalar, m.Scalar) and scalar.kind == "float" and not (p.units or p.any_unit or varies):
                 remedy = 'add one ("1" for a plain number, ~ if another value determines it or it is unknown)'
                 problems.add(p.position, f"'{p.name}' has no unit; {remedy}")
+
+
+def states(model: m.Model, problems: Problems) -> None:
+    """Requires beside each bitfield with states a parameter that has them."""
+    for record in (*(f.parameters for f in model.fields), *(t.parameters for t in m.structs(_all_types(model)))):
+        named = {p.name: {t.full_name for t in _types(p)} for p in record}
+        for t in (t for p in record for t in _types(p) if isinstance(t, m.Bitfield)):
+            for b in t.bits:
+                if b.when and b.when.type not in named.get(b.when.parameter, ()):
+                    wanted = f"'{t.name}' needs a parameter '{b.when.parameter}' of type '{b.when.type}' beside it"
+                    problems.add(b.position, f"'{b.name}': {wanted}; correct `when`")
+
+
+def _types(p: m.Parameter) -> Iterator[m.Enum | m.Bitfield]:
+    """Yields the type of a parameter, and those that it has on some devices or with some values."""
+    for t in (p.element, *(v.type for v in p.variants)):
+        if isinstance(t, (m.Enum, m.Bitfield)):
+            yield t
 
 
 # --------------------------------------------------------------------------- evidence

@@ -11,8 +11,9 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
 from . import inheritance, meaning
+from .hardware import check_able, check_needs, hardware, left, needs
 from .types import Types
-from .variation import variant
+from .variation import UNKNOWN, variant
 from .vocabulary import sentences, sources
 
 #: The keys that a profile must have unless it is declared incomplete.
@@ -27,18 +28,20 @@ def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Type
     numbers = (node["model_number"] for node in nodes if "model_number" in node)
     _unique(numbers, "two devices have the model number {}; correct one", problems)
     nodes = sorted(nodes, key=lambda node: str(node["device"].value))
+    check_needs((*nodes, *families), types.needed, problems)
     whole = inheritance.resolve(nodes, families, model, problems)
     variants = [(path, v) for node in whole for path, v in _variants(node, model, types, problems)]
     model = _with_variants(model, variants)
     made = tuple(_Device(node, model, types, problems).resolve() for node in whole)
     model = replace(model, devices=made)
+    _check_series(model, problems)
     _check_layouts(model, problems)
     return model
 
 
 def known_by_name(nodes: list[Node], model: m.Model, problems: Problems) -> tuple[m.NamedDevice, ...]:
     """Resolves the devices of which only the names are known. No name or number may be that of another device."""
-    known = {d.id for d in model.devices}
+    ids = {d.id for d in model.devices}
     taken: set[object] = {x for d in model.devices for x in (d.id, d.title, *d.also, d.model_number)}
     made = []
     for node in nodes:
@@ -49,8 +52,8 @@ def known_by_name(nodes: list[Node], model: m.Model, problems: Problems) -> tupl
                 problems.add(own.position, f"another device has '{own.value}'; correct one")
             taken.add(own.value)
         like = node["like"]
-        if like.value not in known:
-            problems.add(like.position, f"unknown device '{like.value}'{nearest(like.value, known)}")
+        if like.value not in ids:
+            problems.add(like.position, f"unknown device '{like.value}'{nearest(like.value, ids)}")
         made.append(
             m.NamedDevice(node["device"].value, node["title"].value, like.value, also, node.scalar("model_number"))
         )
@@ -65,6 +68,17 @@ def _check_layouts(model: m.Model, problems: Problems) -> None:
             if name not in able and model.device(name) is not None:
                 remedy = f"add '{f.family}.{f.command}' to what it supports, or remove it from devices"
                 problems.add(f.position, f"the device '{name}' does not send '{f.full_name}': {remedy}")
+
+
+def _check_series(model: m.Model, problems: Problems) -> None:
+    """Requires that what a note says of a series is in `varies` of each of its devices that supports the field."""
+    for f in model.fields:
+        for series in sorted({int(n) for note in f.notes for n in re.findall(r"\b([0-9])-series", note)}):
+            for d in (d for d, _ in model.supports(f) if d.generation == series):
+                if all(v.field.full_name != f.full_name for v in d.variants):
+                    remedy = "add to varies of the device or its family what the note states"
+                    wrong = f"a note of '{f.full_name}' is about the {series}-series, but nothing differs on the device"
+                    problems.add(d.position, f"{wrong}; {remedy}")
 
 
 def _by_strength(evidence: Iterable[m.Evidence]) -> tuple[m.Evidence, ...]:
@@ -83,13 +97,13 @@ def _twice(name: str, a: m.Evidence, b: m.Evidence) -> str | None:
     return None
 
 
-def _number(set: str) -> int | None:
+def _number(set_name: str) -> int | None:
     """Parses the number of a set that has no name.
 
     >>> _number("0x0F"), _number("0x00"), _number("rtk")
     (15, None, None)
     """
-    return (int(set, 16) or None) if re.fullmatch("0x[0-9A-Fa-f]{2}", set) else None
+    return (int(set_name, 16) or None) if re.fullmatch("0x[0-9A-Fa-f]{2}", set_name) else None
 
 
 def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:
@@ -105,23 +119,39 @@ def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:
 
 def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> Iterable[tuple[str, m.Variant]]:
     """Resolves `varies` of a device: yields the path of each parameter, and its facts on the device."""
-    device, spec = node["device"].value, node.get("varies")
+    device, spec, owned, stated = node["device"].value, node.get("varies"), hardware(node), set()
     for path, case in spec.items() if spec else ():
         assert spec is not None
         name, _, last = path.rpartition(".")
         f = model.field(name)
         if f is None:
-            known = [x.full_name for x in (*model.fields, model.protocol.acknowledge)]
-            problems.add(
-                spec.keys[path], f"'{path}' is not a set.field.parameter: unknown field '{name}'{nearest(name, known)}"
-            )
+            near = nearest(name, [x.full_name for x in (*model.fields, model.protocol.acknowledge)])
+            problems.add(spec.keys[path], f"'{path}' is not a set.field.parameter: unknown field '{name}'{near}")
             continue
         p = next((p for p in f.parameters if p.name == last), None)
         if p is None:
             near = nearest(last, [p.name for p in f.parameters])
             problems.add(spec.keys[path], f"'{name}' has no parameter '{last}'{near}")
             continue
-        yield f"{f.full_name}.{last}", variant(case, p, m.DEVICE, device, None, types.scope(f.family))
+        v = variant(case, p, m.DEVICE, device, None, types.scope(f.family))
+        for entry in (*(case.get("values") or ()), *(case.get("bits") or ())) if case.value != UNKNOWN else ():
+            named = next((x for x in v.only if x.name == entry.value), None)
+            check_able(entry.value, owned.lacking(named.needs) if named else None, entry, problems)
+        yield f"{f.full_name}.{last}", replace(v, only=left(v.type or p.element, owned, v.only) or v.only)
+        stated.add((f.full_name, last))
+    for f in _supported(node, model):  # a response has the values of its command
+        for p in f.parameters:
+            few = left(p.element, owned) if (f.full_name, p.name) not in stated else ()
+            if few:
+                yield f"{f.full_name}.{p.name}", m.Variant(m.DEVICE, device, only=few)
+
+
+def _supported(node: Node, model: m.Model) -> Iterator[m.Field]:
+    """Yields the commands and data fields of a profile."""
+    lists = [node["supports"]] if "supports" in node else []
+    lists += [g["fields"] for g in node.get("evidence") or () if g["kind"].value != "refused"]
+    names = dict.fromkeys(f"{name}.{x.value}" for group in lists for name, entries in group.items() for x in entries)
+    yield from {f.full_name: f for name in names if (f := model.field(name)) is not None}.values()
 
 
 def _with_variants(model: m.Model, variants: list[tuple[str, m.Variant]]) -> m.Model:
@@ -189,9 +219,14 @@ class _Device:
         for key in ("limits", "notes"):
             entries = (entry["name"] for entry in node.get(key) or ())
             _unique(entries, f"'{{}}' is used twice in {key}; rename one", self.problems)
-        said = list(self.listed())
-        known = self.known(said)
-        supports = tuple(s for s in known if s.evidence.answer != "no")
+        statements = list(self.listed())
+        support = self.support_of(statements)
+        self.check_hardware(statements)
+        supports = tuple(s for s in support if s.evidence.answer != "no")
+        without = self.absent_sets(supports)
+        support = (*support, *self.without_hardware(support, without))
+        complete = self.complete_sets(statements)
+        support = (*support, *self.unlisted(support, complete))
         self.check_varies(supports)
         like = node.scalar("like")
         return m.Device(
@@ -205,9 +240,17 @@ class _Device:
             manual=manual.value if manual else None,
             sources=sources(node, self.types.vocabulary, self.problems),
             like=like if like in self.types.vocabulary.devices else None,
-            evidence=_by_strength([*(s.evidence for s in known), *(e for _, e in said if e.undefined)]),
+            hardware=hardware(node),
+            complete=complete,
+            evidence=_by_strength(
+                [*(s.evidence for s in support), *(e for _, e in statements if e.undefined), *without.values()]
+            ),
             supports=supports,
-            refuses=tuple(s for s in known if s.evidence.answer == "no"),
+            refuses=tuple(
+                sorted(
+                    (s for s in support if s.evidence.answer == "no"), key=lambda s: (s.set, s.field.descriptor)
+                )
+            ),
             base_rates=self.rates(supports),
             ports=tuple(self.port(p) for p in node.get("ports") or ()),
             limits=tuple(self.limit(n) for n in node.get("limits") or ()),
@@ -249,10 +292,10 @@ class _Device:
             self.problems.add(
                 node.keys["of"], f"'{kind}' is about the device itself; remove 'of', or use kind 'family' or 'sister'"
             )
-        known = self.types.vocabulary.devices
+        ids = self.types.vocabulary.devices
         for name in of:
-            if name.value not in known:
-                self.problems.add(name.position, f"unknown device '{name.value}'{nearest(name.value, known)}")
+            if name.value not in ids:
+                self.problems.add(name.position, f"unknown device '{name.value}'{nearest(name.value, ids)}")
         undefined = node.get("undefined")
         return m.Evidence(
             kind=kind,
@@ -260,18 +303,18 @@ class _Device:
             of=tuple(name.value for name in of),
             firmware=node.scalar("firmware"),
             date=node.scalar("date"),
-            note=node.scalar("note", ""),
+            note=" ".join(sentences(node, "notes")),
             undefined=tuple(self.undefined(undefined)) if undefined else (),
         )
 
     def undefined(self, node: Node) -> Iterator[tuple[int, int]]:
         """Yields the fields of the device that the specification does not define."""
-        known = {s.name: s for s in self.model.sets}
+        sets = {s.name: s for s in self.model.sets}
         for name, entries in node.items():
-            number = known[name].number if name in known else _number(name)
+            number = sets[name].number if name in sets else _number(name)
             of = next((s.name for s in self.model.sets if s.number == number), None)
             if number is None:
-                near = f"{nearest(name, known)}; for a set that is not defined, write its number, such as 0x0F"
+                near = f"{nearest(name, sets)}; for a set that is not defined, write its number, such as 0x0F"
                 self.problems.add(node.keys[name], f"unknown set '{name}'{near}")
                 continue
             if of not in (name, None):
@@ -295,24 +338,24 @@ class _Device:
         rates = tuple(node["baud_rates"].plain())
         return m.Port(node["name"].value, node.scalar("id"), rates, receives, sends, tuple(firmware))
 
-    def known(self, said: list[tuple[Node, m.Evidence]]) -> tuple[m.Support, ...]:
+    def support_of(self, statements: list[tuple[Node, m.Evidence]]) -> tuple[m.Support, ...]:
         """Returns an entry for each field that is stated to be supported or missing, with the strongest evidence, in
         the order of sets and descriptors."""
         supports: dict[str, m.Support] = {}
         witnesses: dict[str, list[m.Evidence]] = {}
         functions, deprecated, firmware = self.functions(), self.node.get("deprecated"), self.node.get("firmware")
-        for node, evidence in said:
+        for node, evidence in statements:
             for set_name, entries in node.items():
-                of = next((s for s in self.model.sets if s.name == set_name), None)
+                of = self.model.set_named(set_name)
                 if of is None:
                     near = nearest(set_name, [s.name for s in self.model.sets])
                     self.problems.add(node.keys[set_name], f"unknown set '{set_name}'{near}")
                     continue
-                known = self.model.derived(_asked)[of.number]
+                defined = self.model.derived(_asked)[of.number]
                 for entry in entries:
-                    f, full = known.get(entry.value), f"{set_name}.{entry.value}"
+                    f, full = defined.get(entry.value), f"{set_name}.{entry.value}"
                     if f is None:
-                        self.problems.add(entry.position, f"unknown field '{full}'{nearest(entry.value, known)}")
+                        self.problems.add(entry.position, f"unknown field '{full}'{nearest(entry.value, defined)}")
                         continue
                     before = witnesses.setdefault(full, [])
                     twice = next(filter(None, (_twice(full, e, evidence) for e in before)), None)
@@ -335,12 +378,62 @@ class _Device:
                     self.unsupported(key, full, full)
         return tuple(sorted(supports.values(), key=lambda s: (s.set, s.field.descriptor)))
 
+    def check_hardware(self, statements: list[tuple[Node, m.Evidence]]) -> None:
+        """Requires the hardware for each field that the device is stated to support."""
+        has, sets = hardware(self.node), {s.name: s for s in self.model.sets}
+        for name, entry in ((n, x) for node, e in statements if e.answer != "no" for n, xs in node.items() for x in xs):
+            full = f"{name}.{entry.value}"
+            f = self.model.field(full)
+            check_able(full, has.lacking(needs(f, sets.get(name))) if f else None, entry, self.problems)
+
+    def absent_sets(self, supports: tuple[m.Support, ...]) -> dict[str, m.Evidence]:
+        """Returns hardware that the device lacks, and evidence against the data sets that require it."""
+        has, own = hardware(self.node), {s.set for s in supports}
+        lacked: dict[str, list[m.Set]] = {}
+        for of in self.model.sets:
+            need = has.none_of(has.lacking(of.needs))
+            if need is not None and of.kind == "data" and of.number not in own:
+                lacked.setdefault(need, []).append(of)
+        return {need: m.Evidence("hardware", needs=need, sets=tuple(sets)) for need, sets in lacked.items()}
+
+    def without_hardware(self, supports: tuple[m.Support, ...], without: dict[str, m.Evidence]) -> Iterator[m.Support]:
+        """Yields the fields that the device cannot have for lack of hardware, of the sets of which it has fields."""
+        has, stated = hardware(self.node), {s.name for s in supports}
+        for number in sorted({s.set for s in supports if s.evidence.answer != "no"}):
+            of = next(s for s in self.model.sets if s.number == number)
+            for f in self.model.derived(_asked)[number].values():
+                lacked = has.lacking(needs(f, of))
+                if lacked is not None and f.name_in(number) not in stated:
+                    yield m.Support(f, number, (), without.get(lacked) or m.Evidence("hardware", needs=lacked))
+
+    def complete_sets(self, statements: list[tuple[Node, m.Evidence]]) -> tuple[m.Set, ...]:
+        """Returns the sets that the manual lists completely; about these, nothing weaker may be stated."""
+        names = {entry.value: entry for entry in self.node.get("complete") or ()}
+        sets = {s.name: s for s in self.model.sets}
+        for name, entry in names.items():
+            if name not in sets:
+                self.problems.add(entry.position, f"unknown set '{name}'{nearest(name, sets)}")
+        for node, evidence in statements:
+            for name, entries in node.items() if evidence.answer in ("likely", "assumed") else ():
+                for entry in entries if name in names else ():
+                    wrong = f"the manual's list of '{name}' is complete, and lacks '{entry.value}'; remove it"
+                    self.problems.add(entry.position, wrong)
+        return tuple(sets[name] for name in names if name in sets)
+
+    def unlisted(self, supports: tuple[m.Support, ...], complete: tuple[m.Set, ...]) -> Iterator[m.Support]:
+        """Yields the fields that the manual's list of their set does not contain."""
+        stated = {s.name for s in supports}
+        for s in complete:
+            for f in self.model.derived(_asked)[s.number].values():
+                if f.name_in(s.number) not in stated:
+                    yield m.Support(f, s.number, (), m.Evidence("unlisted"))
+
     def unsupported(self, key: str, entry: str, field: str) -> None:
-        known = self.model.field(field)
-        if any(s.name == field for s in self.model.sets):
+        target = self.model.field(field)
+        if self.model.set_named(field):
             place = self.node[key].keys[entry]
             self.problems.add(place, f"the device supports no field of the set '{field}'; remove it, or add the fields")
-        elif known is None:
+        elif target is None:
             near = nearest(field, [f.full_name for f in self.model.fields])
             self.problems.add(self.node[key].keys[entry], f"unknown field '{field}'{near}")
         else:
@@ -355,8 +448,8 @@ class _Device:
             assert node is not None
             field = self.model.field(name)
             if field is None or not field.functions:
-                known = [f.full_name for f in self.model.fields if f.functions]
-                self.problems.add(node.keys[name], f"there is no command '{name}' with functions{nearest(name, known)}")
+                near = nearest(name, [f.full_name for f in self.model.fields if f.functions])
+                self.problems.add(node.keys[name], f"there is no command '{name}' with functions{near}")
                 continue
             extra = set(letters.value) - set(m.letters(field.functions))
             if extra:
@@ -372,17 +465,17 @@ class _Device:
     def check_varies(self, supports: tuple[m.Support, ...]) -> None:
         """Requires that variations are for supported fields, and that parameters which vary by device have one."""
         fields = [f for s in supports for f in (s.field, *self.model.responses(s.field))]
-        told = {s.field.full_name for s in supports if s.evidence.kind != "listed"}  # a list has no readings
+        supported = {s.field.full_name for s in supports if s.evidence.kind != "listed"}  # a list has no readings
         untold = {
             f.full_name
             for s in supports
-            if s.field.full_name not in told
+            if s.field.full_name not in supported
             for f in (s.field, *self.model.responses(s.field))
         }
-        known = {name for f in (self.model.protocol.acknowledge, *fields) for name in f.names}
+        names = {name for f in (self.model.protocol.acknowledge, *fields) for name in f.names}
         for path in self.node["varies"].value if "varies" in self.node else ():
             name = path.rpartition(".")[0]
-            if self.model.field(name) is not None and name not in known:
+            if self.model.field(name) is not None and name not in names:
                 self.unsupported("varies", path, name)
         for f in {f.full_name: f for f in fields}.values():
             for p in f.parameters:
@@ -417,8 +510,8 @@ class _Device:
         for word in dict.fromkeys((own.valid or ()) if own and explicit else p.valid):
             name, dot, bit = word.partition(".")
             flags = next((q for q in f.parameters if q.name == name), None)
-            known = self.bits(flags) if dot and flags else None
-            if known is not None and flags is not None and bit in meaning.bits(flags) - known:
+            bits = self.bits(flags) if dot and flags else None
+            if bits is not None and flags is not None and bit in meaning.bits(flags) - bits:
                 remedy = f"add the bit that marks '{p.name}' as valid, {path}: {{valid: ...}}, or ~ if there is none"
                 self.problems.add(self.place("varies"), f"'{name}' has no bit '{bit}' on the device; {remedy}")
 
@@ -434,37 +527,34 @@ class _Device:
     def rates(self, supports: tuple[m.Support, ...]) -> tuple[m.Rate, ...]:
         """Returns the known base rates."""
         node = self.node.get("base_rates")
-        known = {s.name: s for s in self.model.sets if s.kind == "data"}
-        given = dict(node.items()) if node else {}
-        for name in given:
-            if name not in known:
+        sets = {s.name: s for s in self.model.sets if s.kind == "data"}
+        rates = dict(node.items()) if node else {}
+        for name in rates:
+            if name not in sets:
                 assert node is not None
-                self.problems.add(node.keys[name], f"unknown data set '{name}'{nearest(name, known)}")
+                self.problems.add(node.keys[name], f"unknown data set '{name}'{nearest(name, sets)}")
         for name in sorted({s.name.partition(".")[0] for s in supports}):
-            if name in known and name not in given:
+            if name in sets and name not in rates:
                 self.problems.add(
                     self.place("base_rates"),
                     f"the rate of '{name}' is missing (0 if its data is sent as it arrives, ~ if it is not known)",
                 )
         return tuple(
-            m.Rate(known[name], rate.value) for name, rate in given.items() if name in known and rate.value is not None
+            m.Rate(sets[name], rate.value) for name, rate in rates.items() if name in sets and rate.value is not None
         )
 
     def limit(self, node: Node) -> m.Limit:
-        unit = node.scalar("unit")
-        known = {u.key: m.Unit(u.key, u.symbol) for u in self.model.protocol.units}
-        if unit is not None and unit not in known:
-            self.problems.add(node["unit"].position, meaning.unknown_unit(unit, known))
+        unit = meaning.unit(node, self.model.protocol.units, self.problems)
         return m.Limit(
-            node["name"].value, node["value"].value, known.get(unit), node["description"].value, node.scalar("firmware")
+            node["name"].value, node["value"].value, unit, node["description"].value, node.scalar("firmware")
         )
 
     def codes(self) -> tuple[int, ...]:
         node, of = self.node.get("ack_codes"), self.model.protocol.ack_code
         if node is None:
             return ()
-        known = {v.value for v in of.values}
+        values = {v.value for v in of.values}
         for code in node if of is not self.model.protocol.function_selector else ():
-            if code.value not in known:
+            if code.value not in values:
                 self.problems.add(code.position, f"'{of.name}' has no value {code.value}; add it to the enumeration")
         return tuple(node.plain())

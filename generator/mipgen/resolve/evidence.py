@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import re
 import struct
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 from mipgen import model as m
 from mipgen.facts import literals
@@ -15,6 +16,7 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
 from . import meaning
+from .vocabulary import sentences
 
 #: Bytes as in the manual; None for an unspecified byte.
 Octets = tuple[int | None, ...]
@@ -22,13 +24,16 @@ Octets = tuple[int | None, ...]
 _CODE = re.compile(r"`([^`]+)`")
 
 #: The role of a packet by the role of its fields.
-ROLES = {m.COMMAND: "command", m.RESPONSE: "reply", m.DATA: "data"}
+ROLES: dict[m.Role, Literal["command", "reply", "data"]] = {m.COMMAND: "command", m.RESPONSE: "reply", m.DATA: "data"}
+
+#: The keys of errata: mistakes that lead to wrong bytes, or to a wrong unit, name or value.
+SEVERITIES: tuple[Literal["wire", "meaning"], ...] = ("wire", "meaning")
 
 
 def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple[m.Example, ...]:
     examples: dict[str, m.Example] = {}
     for root in roots:
-        for node in root["examples"]:
+        for node in _examples(root["examples"]):
             name = node["id"].value
             if name in examples:
                 problems.add(node["id"].position, f"two examples are called '{name}'; rename one")
@@ -37,6 +42,27 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
             if example is not None:
                 examples[name] = example
     return tuple(examples.values())
+
+
+def _examples(by_manual: Node) -> Iterator[Node]:
+    """Yields each example, with its manual and section."""
+    for manual, sections in by_manual.items():
+        for section, nodes in sections.items():
+            yield from _cited(nodes, manual=_key(by_manual, manual), section=_key(sections, section))
+
+
+def _errata(by_manual: Node) -> Iterator[Node]:
+    """Yields each erratum, with its manual."""
+    for manual, nodes in by_manual.items():
+        yield from _cited(nodes, manual=_key(by_manual, manual))
+
+
+def _cited(nodes: Node, **cited: Node) -> Iterator[Node]:
+    return (Node({**cited, **node.value}, node.position, node.keys) for node in nodes)
+
+
+def _key(mapping: Node, key: str) -> Node:
+    return Node(key, mapping.keys[key])
 
 
 class Wrong(Exception):
@@ -52,6 +78,7 @@ class _Example:
     node: Node
     model: m.Model
     problems: Problems
+    role: Literal["command", "reply", "data"] | None = None  # that of its fields, once one is known
 
     def resolve(self) -> m.Example | None:
         node = self.node
@@ -70,12 +97,12 @@ class _Example:
             manual=manual,
             section=section,
             title=node["title"].value,
-            role=node["role"].value,
+            role="field" if "bytes" in node else self.role or ("data" if packet[2] >= 0x80 else "command"),
             string=printed,
             table=table,
             packet=packet,
             fields=fields,
-            note=node.scalar("note", ""),
+            note=" ".join(sentences(node, "notes")),
             device=self.device(manual),
             synthetic=printed is None and table is None,
             position=node["id"].position,
@@ -120,16 +147,16 @@ class _Example:
         if not keys:
             return self.computed()
         place = self.node[keys[0]].position
-        given = table if keys[0] == "table" else self.octets(keys[0])
-        assert given is not None
-        if self.node["role"].value == "field":
-            field = _as_field(_known(given, place), place)
+        octets = table if keys[0] == "table" else self.octets(keys[0])
+        assert octets is not None
+        if "bytes" in self.node:
+            field = _as_field(_complete(octets, place), place)
             return self.built(self.number("an example of one field"), [field], place)
-        if given[-2:] == (None, None):
-            head = _known(given[:-2], place)
+        if octets[-2:] == (None, None):
+            head = _complete(octets[:-2], place)
             packet = head + codec.checksum(head)
         else:
-            packet = _known(given, place)
+            packet = _complete(octets, place)
         if "set" in self.node and packet[2:3] != bytes([self.node["set"].value]):
             raise Wrong(self.node["set"].position, f"the packet is of the set 0x{packet[2:3].hex().upper()}")
         return packet
@@ -200,8 +227,8 @@ class _Example:
             raise Wrong(place, f"this is not a packet: {error}{printed}") from error
         stated = list(self.node.get("fields") or ())
         if stated and len(stated) != len(split):
-            there, listed = (f"{n} field{'s' if n != 1 else ''}" for n in (len(split), len(stated)))
-            raise Wrong(self.node.keys["fields"], f"{listed} listed, but the packet contains {there}")
+            contained, listed = (f"{n} field{'s' if n != 1 else ''}" for n in (len(split), len(stated)))
+            raise Wrong(self.node.keys["fields"], f"{listed} listed, but the packet contains {contained}")
         fields = []
         for i, (descriptor, data) in enumerate(split):
             field = codec.choose(self.model.candidates(packet[2], descriptor), data)
@@ -227,10 +254,14 @@ class _Example:
         return values, trailing
 
     def check_role(self, field: m.Field, place: m.Position) -> None:
-        role = self.node["role"].value
-        if role != "field" and role != ROLES[field.role]:
-            message = f"the role is {role}, but '{field.full_name}' occurs in packets of the role {ROLES[field.role]}"
+        role = ROLES[field.role]
+        if self.role not in (None, role):
+            message = (
+                f"'{field.full_name}' occurs in packets of the role {role}, but the field before it in those of "
+                f"the role {self.role}"
+            )
             raise Wrong(place, message)
+        self.role = role
 
     def stated(
         self, node: Node, field: m.Field | None, number: int, descriptor: int, data: bytes
@@ -243,29 +274,29 @@ class _Example:
             return None
         named = field_named(self.model, name, node.position)
         if field is None or name not in (field.name_in(number), field.full_name):
-            held = f"'{field.name_in(number)}'" if field else f"the unknown descriptor 0x{descriptor:02X}"
-            raise Wrong(node.position, f"'{name}' is listed, but the packet contains {held}")
+            content = f"'{field.name_in(number)}'" if field else f"the unknown descriptor 0x{descriptor:02X}"
+            raise Wrong(node.position, f"'{name}' is listed, but the packet contains {content}")
         return stated_values(named, values)
 
     def compare(self, field: m.Field, values: codec.Values, stated: codec.Values, node: Node) -> None:
         for name, value in stated.items():
             if values.get(name) != value:
                 message = (
-                    f"{field.full_name}.{name} is {said(values.get(name))} in the bytes, but {said(value)} is stated"
+                    f"{field.full_name}.{name} is {shown(values.get(name))} in the bytes, but {shown(value)} is stated"
                 )
                 raise Wrong(node.value_at([*node.value, name] if isinstance(node.value, dict) else []), message)
 
 
-def said(value: object) -> str:
+def shown(value: object) -> str:
     """Writes a value for readers: floats, which are the text of their bits, also as numbers.
 
-    >>> said("0x41accccd"), said("0x7fc00000"), said([1, {"x": "0x41ac0000"}]), said("text")
+    >>> shown("0x41accccd"), shown("0x7fc00000"), shown([1, {"x": "0x41ac0000"}]), shown("text")
     ("21.6 ('0x41accccd')", "'0x7fc00000'", "[1, {'x': 21.5 ('0x41ac0000')}]", "'text'")
     """
     if isinstance(value, list):
-        return f"[{', '.join(map(said, value))}]"
+        return f"[{', '.join(map(shown, value))}]"
     if isinstance(value, dict):
-        return f"{{{', '.join(f'{name!r}: {said(inner)}' for name, inner in value.items())}}}"
+        return f"{{{', '.join(f'{name!r}: {shown(inner)}' for name, inner in value.items())}}}"
     if isinstance(value, str) and re.fullmatch("0x([0-9a-f]{8}|[0-9a-f]{16})", value):
         raw = bytes.fromhex(value[2:])
         if math.isfinite(struct.unpack(">f" if len(raw) == 4 else ">d", raw)[0]):
@@ -277,8 +308,8 @@ def field_named(model: m.Model, name: str, place: m.Position) -> m.Field:
     """Finds the field with this name; raises Wrong."""
     field = model.field(name)
     if field is None:
-        known = [f.full_name for f in model.fields] + [model.protocol.acknowledge.full_name]
-        raise Wrong(place, f"unknown field '{name}'{nearest(name, known)}")
+        names = [f.full_name for f in model.fields] + [model.protocol.acknowledge.full_name]
+        raise Wrong(place, f"unknown field '{name}'{nearest(name, names)}")
     return field
 
 
@@ -300,7 +331,7 @@ def _digits(text: str) -> int:
     return len("".join(text.split()))
 
 
-def _known(octets: Octets, place: m.Position) -> bytes:
+def _complete(octets: Octets, place: m.Position) -> bytes:
     """Returns the bytes if all are specified; else raises Wrong."""
     if None in octets:
         raise Wrong(place, "the manual does not specify all bytes; add 'packet' with all bytes except the checksum")
@@ -324,24 +355,23 @@ def with_counters(field: m.Field, values: codec.Values) -> codec.Values:
 
 def errata(roots: Iterable[Node], manuals: Mapping[str, m.Manual], problems: Problems) -> tuple[m.Erratum, ...]:
     errata: dict[str, m.Erratum] = {}
-    for root in roots:
-        for node in root["errata"]:
-            name = node["id"].value
-            manual, section = meaning.citation(node, manuals, problems.add)
-            if name in errata:
-                problems.add(node["id"].position, f"two errata are called '{name}'; rename one")
-            errata[name] = m.Erratum(
-                id=name,
-                manual=manual,
-                section=section,
-                severity=node["severity"].value,
-                printed=node["printed"].value,
-                right=node["right"].value,
-                reason=node["reason"].value,
-                claims=_claims(node),
-                named=tuple(dict.fromkeys(_CODE.findall(f"{node['right'].value}\n{node['reason'].value}"))),
-                position=node["id"].position,
-            )
+    for severity, node in ((key, n) for root in roots for key in SEVERITIES if key in root for n in _errata(root[key])):
+        name = node["id"].value
+        manual, section = meaning.citation(node, manuals, problems.add)
+        if name in errata:
+            problems.add(node["id"].position, f"two errata are called '{name}'; rename one")
+        errata[name] = m.Erratum(
+            id=name,
+            manual=manual,
+            section=section,
+            severity=severity,
+            printed=node["printed"].value,
+            right=node["right"].value,
+            reason=node["reason"].value,
+            claims=_claims(node),
+            named=tuple(dict.fromkeys(_CODE.findall(f"{node['right'].value}\n{node['reason'].value}"))),
+            position=node["id"].position,
+        )
     return tuple(sorted(errata.values(), key=lambda e: e.id))
 
 

@@ -45,16 +45,16 @@ def _frame(symbol: str, node: Node, vocabulary: Vocabulary, problems: Problems) 
 
 def _axes(node: Node, problems: Problems) -> tuple[str, ...]:
     """Resolves axes: three directions that are perpendicular and right-handed."""
-    given = node["axes"]
-    axes = tuple(given.plain())
+    listed = node["axes"]
+    axes = tuple(listed.plain())
     lines = next(([g[a] for a in axes] for g in GROUPS if g.keys() >= {*axes}), None)
     order = [abs(line) for line in lines or ()]
     if lines is None or sorted(order) != [1, 2, 3]:
-        known = "; ".join(", ".join(g) for g in GROUPS)
-        problems.add(given.position, f"axes must be three perpendicular directions from one of these groups: {known}")
+        groups = "; ".join(", ".join(g) for g in GROUPS)
+        problems.add(listed.position, f"axes must be three perpendicular directions from one of these groups: {groups}")
         return ()
     if (order in EVEN) != (sum(line < 0 for line in lines) % 2 == 0):
-        problems.add(given.position, f"the axes {', '.join(axes)} are left-handed; reverse one of them")
+        problems.add(listed.position, f"the axes {', '.join(axes)} are left-handed; reverse one of them")
     return axes
 
 

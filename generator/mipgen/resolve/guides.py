@@ -1,4 +1,7 @@
-"""Resolves guides: follows their references, and computes the packets and the replies of every step."""
+"""Resolves guides: follows their references, and computes the packets and the replies of every step.
+
+`tests/virtual/test_guides.py` plays every guide on virtual devices; `targets/markdown/view/guides` lays out its page.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from fractions import Fraction
 from mipgen import model as m
 from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
-from mipgen.model.guides import Change, Guide, Migration, Question, Sequence, Shown, Step, Stream
+from mipgen.model.guides import Change, Guide, Migration, Picture, Question, Sequence, Shown, Step, Stream
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
@@ -31,10 +34,10 @@ def resolve(roots: Iterable[Node], model: m.Model, words: Vocabulary, problems: 
 
 
 def _see(node: Node, guides: set[str], model: m.Model, problems: Problems) -> None:
-    known = guides | set(model.names)
+    names = guides | set(model.names)
     for entry in (e for n in (node, *(node.get("questions") or ())) for e in n.get("see") or ()):
-        if entry.value not in known:
-            problems.add(entry.position, f"no guide or field '{entry.value}'{nearest(entry.value, known)}")
+        if entry.value not in names:
+            problems.add(entry.position, f"no guide or field '{entry.value}'{nearest(entry.value, names)}")
         elif entry.value == node["guide"].value:
             problems.add(entry.position, f"'{entry.value}' is this guide itself; remove it")
 
@@ -42,6 +45,10 @@ def _see(node: Node, guides: set[str], model: m.Model, problems: Problems) -> No
 def _question(node: Node) -> Question:
     see = tuple(n.value for n in node.get("see") or ())
     return Question(node["question"].value, node["answer"].value, see)
+
+
+def _picture(node: Node | None) -> Picture | None:
+    return Picture(node["shows"].value, node["svg"].value) if node is not None else None
 
 
 @dataclass
@@ -60,6 +67,7 @@ class _Guide:
             question=node["question"].value,
             answer=node["answer"].value,
             sequences=tuple(self.sequence(n) for n in node.get("sequences") or ()),
+            picture=_picture(node.get("picture")),
             lead=node.scalar("lead", ""),
             before=sentences(node, "before"),
             questions=tuple(_question(n) for n in node.get("questions") or ()),
@@ -164,7 +172,7 @@ class _Guide:
 
     def response(self, node: Node, f: m.Field, call: m.Call, values: codec.Values, silent: bool) -> Shown | None:
         """Resolves the response, with the values that the step states, and typical ones for the rest."""
-        given = node.get("answer")
+        answer = node.get("answer")
         possible = {
             r.full_name: r
             for reply in self.model.replies(f)
@@ -173,14 +181,14 @@ class _Guide:
             and all(c.holds(values.get(c.parameter)) for c in reply.when)
             for r in reply.layouts
         }
-        if given is None:
+        if answer is None:
             return self.shown(next(iter(possible.values())), None) if possible else None
-        name, stated = next(given.items())
+        name, stated = next(answer.items())
         if name not in possible:
             nothing = "no answer; leave it out" if silent else "an acknowledge alone; leave it out"
             remedy = f"the response is {' or '.join(possible)}" if possible else nothing
-            raise evidence.Wrong(given.keys[name], f"'{f.full_name}' is not answered with '{name}' here: {remedy}")
-        return self.shown(possible[name], stated, node.get("example"))
+            raise evidence.Wrong(answer.keys[name], f"'{f.full_name}' is not answered with '{name}' here: {remedy}")
+        return self.shown(possible[name], stated, node.get("typical"))
 
     def answer(self, f: m.Field, response: Shown | None) -> bytes:
         acknowledge = (self.model.protocol.acknowledge.descriptor, bytes([f.descriptor, 0]))
@@ -204,10 +212,10 @@ class _Guide:
     # ----------------------------------------------------------------------- data
 
     def stream(self, node: Node, devices: tuple[m.Device, ...]) -> Stream:
-        data_set = next((s for s in self.model.sets if s.name == node["set"].value), None)
+        data_set = self.model.set_named(node["set"].value)
         if data_set is None or data_set.kind != "data":
-            known = [s.name for s in self.model.sets if s.kind == "data"]
-            raise evidence.Wrong(node["set"].position, f"no data set '{node['set'].value}'{nearest('', known)}")
+            names = [s.name for s in self.model.sets if s.kind == "data"]
+            raise evidence.Wrong(node["set"].position, f"no data set '{node['set'].value}'{nearest('', names)}")
         fields = tuple(self.data_field(n, data_set, devices) for n in node["fields"])
         packet = self.packet(data_set.number, [(x.field, x.values) for x in fields], node["fields"].position)
         rate = node.get("rate")
@@ -242,7 +250,7 @@ class _Guide:
         if before is after:
             self.problems.add(node["to"].position, f"'{after.id}' is also the device in 'from'; choose a different one")
         changes = tuple(
-            Change(self.those(n, "fields", before), self.those(n, "by", after), n.scalar("note", ""))
+            Change(self.those(n, "fields", before), self.those(n, "by", after), " ".join(sentences(n, "notes")))
             for n in node["changes"]
         )
         named = {f.full_name for c in changes for f in c.fields}
@@ -274,14 +282,14 @@ def _silent(f: m.Field, call: m.Call, values: codec.Values) -> bool:
 
 
 def _lost(before: m.Device, after: m.Device) -> Iterator[str]:
-    known = {s.field.full_name for s in after.supports}
-    return (s.name for s in before.certain if s.field.full_name not in known)
+    names = {s.field.full_name for s in after.supports}
+    return (s.name for s in before.certain if s.field.full_name not in names)
 
 
-def _merged(typical: codec.Values, given: codec.Values) -> codec.Values:
+def _merged(typical: codec.Values, stated: codec.Values) -> codec.Values:
     """Merges values in wire order; members of structures are merged one by one."""
-    merged = {**typical, **given}
-    for name, value in given.items():
+    merged = {**typical, **stated}
+    for name, value in stated.items():
         if isinstance(value, dict) and isinstance(typical.get(name), dict) and value.keys() < typical[name].keys():
             merged[name] = _merged(typical[name], value)
     return merged

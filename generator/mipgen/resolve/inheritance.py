@@ -13,8 +13,10 @@ from mipgen import model as m
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
+from .hardware import hardware, needs
+
 #: Keys that are inherited as a whole, unless they are given.
-TAKEN = ("generation", "description", "ack_codes", "incomplete", "uncertain")
+TAKEN = ("generation", "sensors", "receivers", "antennas", "description", "ack_codes", "incomplete", "uncertain")
 #: Keys that are inherited entry by entry: by the name of a field, a parameter or a set.
 KEYED = ("functions", "deprecated", "firmware", "varies", "base_rates")
 #: Keys of lists that are inherited entry by entry: by the name of each entry.
@@ -34,14 +36,14 @@ class _Profiles:
     problems: Problems
 
     def devices(self) -> list[Node]:
-        self.known: dict[str, Node] = {}
+        self.profiles: dict[str, Node] = {}
         for node in (*self.own, *self.families):
             name = _name(node)
-            if name.value in self.known:
+            if name.value in self.profiles:
                 self.problems.add(name.position, f"'{name.value}' is defined twice; rename one")
-            self.known.setdefault(name.value, node)
+            self.profiles.setdefault(name.value, node)
         whole = [self.whole(node, ()) for node in self.own]
-        used = {node["like"].value for node in self.known.values() if "like" in node}
+        used = {node["like"].value for node in self.profiles.values() if "like" in node}
         for node in self.families:
             if node["family"].value not in used:
                 place = node["family"].position
@@ -61,10 +63,10 @@ class _Profiles:
             loop = " -> ".join((*chain[chain.index(like.value) :], like.value))
             self.problems.add(like.position, f"the device is like itself: {loop}; break the loop")
             return _orphan(node)
-        parent = self.known.get(like.value)
+        parent = self.profiles.get(like.value)
         if parent is None:
-            known = [name for name in self.known if name not in chain]
-            near = nearest(like.value, known)
+            names = [name for name in self.profiles if name not in chain]
+            near = nearest(like.value, names)
             self.problems.add(like.position, f"there is no device or family '{like.value}'{near}")
             return _orphan(node)
         return _Heir(node, self.whole(parent, chain), like.value, self.model, self.problems).node()
@@ -100,7 +102,7 @@ class _Heir:
                 value.setdefault(key, self.parent[key])
         if "sources" in self.parent:
             value["sources"] = self.listed("sources", [*self.parent["sources"], *(self.own.get("sources") or ())])
-        lacked = self.lacked()
+        lacked = self.lacked() | self.impossible(replace(self.own, value=value))
         value["supports"] = self.supports(lacked)
         value["evidence"] = self.evidence(lacked)
         has = self.names(value["supports"], value["evidence"])
@@ -122,13 +124,23 @@ class _Heir:
     def lacked(self) -> set[str]:
         """Returns the fields that the other device supports but this one does not."""
         names = set()
-        known = {*_fields(self.parent.get("supports")), *self.kinds}
+        available = {*_fields(self.parent.get("supports")), *self.kinds}
         for full, entry in _fields(self.own.get("lacks")).items():
-            if full not in known:
-                near = nearest(full, known)
+            if full not in available:
+                near = nearest(full, available)
                 self.problems.add(entry.position, f"'{self.like}' does not support '{full}'{near}")
             names.add(full)
         return names
+
+    def impossible(self, node: Node) -> set[str]:
+        """Returns the fields of the other device for which this one lacks the hardware, and those of the sets that its
+        own manual lists completely."""
+        has, of = hardware(node), {s.name: s for s in self.model.sets}
+        whole = self.own["complete"].plain() if "complete" in self.own else ()
+        names = {*_fields(self.parent.get("supports")), *self.kinds}
+        fields = {name: f for name in names if (f := self.model.field(name)) is not None}
+        lacking = {x for x, f in fields.items() if has.lacking(needs(f, of.get(x.partition(".")[0]))) is not None}
+        return lacking | {name for name in names if name.partition(".")[0] in whole}
 
     def supports(self, lacked: set[str]) -> Node:
         """Returns the fields of the other device without those that are lacked, then those that are added."""
@@ -159,13 +171,13 @@ class _Heir:
         return self.listed("evidence", [*left, *(self.own.get("evidence") or ())])
 
     def inherited(self) -> Iterator[Node]:
-        """Yields the evidence of the other device. A field that only that device itself lists is probable here."""
+        """Yields the evidence of the other device. A field that only that device itself lists is assumed here."""
         if "family" in self.parent:
             yield from self.parent.get("evidence") or ()
             return
-        said = _evident(self.parent)
-        lists = {full for kind, full, _ in said if kind == "listed"}
-        others = {full for kind, full, _ in said if kind not in ("listed", "refused")} | {
+        statements = _evident(self.parent)
+        lists = {full for kind, full, _ in statements if kind == "listed"}
+        others = {full for kind, full, _ in statements if kind not in ("listed", "refused")} | {
             *_fields(self.parent.get("supports"))
         }
         for group in self.parent.get("evidence") or ():
@@ -191,7 +203,7 @@ class _Heir:
             self.problems.add(entry.position, f"'{self.like}' already has '{full}' ({inherited}); remove it")
 
     def names(self, supports: Node | None, evidence: Node | None) -> set[str]:
-        """Returns the fields that are certainly or probably supported, their responses, and their sets."""
+        """Returns the fields that are supported or believed to be, their responses, and their sets."""
         names = set()
         groups = [group for group in evidence or () if group["kind"].value != "refused"]
         for full in (*_fields(supports), *(full for group in groups for full in _fields(group["fields"]))):
@@ -232,13 +244,13 @@ class _Heir:
         kept = [again.pop(name, entry) for name, entry in entries.items()]
         return self.listed(key, [*kept, *(x for x in own if x not in kept)])
 
-    def without(self, key: str, known: list[str]) -> set[str]:
+    def without(self, key: str, names: list[str]) -> set[str]:
         """Returns the names of the entries that are not inherited."""
         lists = self.own.get("without")
         entries = list(lists[key]) if lists is not None and key in lists else []
         for entry in entries:
-            if entry.value not in known:
-                near = nearest(entry.value, known)
+            if entry.value not in names:
+                near = nearest(entry.value, names)
                 self.problems.add(entry.position, f"'{self.like}' has no '{entry.value}' in {key}{near}")
         return {entry.value for entry in entries}
 
@@ -260,7 +272,7 @@ def _evident(node: Node) -> list[tuple[str, str, Node]]:
 
 def _kinds(node: Node) -> dict[str, str]:
     """Returns the kind of the strongest evidence for each field in a profile, by full name."""
-    weakest_first = sorted(_evident(node), key=lambda said: m.strength(said[0]), reverse=True)
+    weakest_first = sorted(_evident(node), key=lambda statement: m.strength(statement[0]), reverse=True)
     return {
         **{full: kind for kind, full, _ in weakest_first},
         **dict.fromkeys(_fields(node.get("supports")), "documented"),

@@ -164,7 +164,7 @@ class Layout:
         if not (isinstance(element, m.Scalar) and element.kind == "unsigned" and "count" not in node):
             self.problem(node.keys["const"], f"the constant '{name}' must be one unsigned number")
             return None
-        if value >> (8 * element.size):
+        if value >> element.width:
             self.problem(node["const"].position, f"{value} does not fit in {element.name}")
         return m.Parameter(name, element, None, constant=value, position=node.position)
 
@@ -190,11 +190,8 @@ class Layout:
         """Adds the meaning of the value to the parameter's layout."""
         words = self.types.vocabulary
         named = p.element if isinstance(p.element, (m.Enum, m.Bitfield, m.Struct)) else None
-        if not node.keys.keys().isdisjoint(meaning.LIMITS):
-            low, high = meaning.limits(node, p, self.problem)
-            above, below = meaning.open_limits(node, p, low, high, self.problem)
-            magnitude = meaning.magnitude(node, p, self.problem)
-            p = replace(p, minimum=low, maximum=high, above=above, below=below, magnitude=magnitude)
+        if limits := meaning.limits(node, p, self.problem):
+            p = replace(p, **limits)
         frame = meaning.frame(node, words.frames, self.problem)
         elements = meaning.elements(p, frame, words.frames)
         if elements and isinstance(p.element, m.Vector):
@@ -216,7 +213,7 @@ class Layout:
             valid=meaning.valid(node),  # judged in `finish`, because the flags usually come last
             required_for=self.presence(node, p),
             optional=self.may_be_absent(node, p),
-            by_device=variation.differs_by_device(node, p, self.problem),
+            by_device=variation.differs_by_device(node),
             deprecated=node.scalar("deprecated", False),
             notes=sentences(node, "notes"),
             uncertain=sentences(node, "uncertain"),
@@ -234,9 +231,9 @@ class Layout:
                 )
             return ()
         if (letters is None) == (not optional):
-            known = "".join(self.functions)
+            accepted = "".join(self.functions)
             place = node.keys.get("for", node.position)
-            self.problem(place, f"'{p.name}' must state which functions require it: for: {known}, or optional: true")
+            self.problem(place, f"'{p.name}' must state which functions require it: for: {accepted}, or optional: true")
             self.unclear = True
             return ()
         extra = [c for c in letters or "" if c not in self.functions]
@@ -273,7 +270,11 @@ class Layout:
         ]
         self.check_size()
         capacities = self.capacities()
-        self.done = [replace(p, most=capacities[p.name]) if p.name in capacities else p for p in self.done]
+        stated = {p.counts: p.maximum for p in self.done if p.counts and p.maximum is not None}
+        self.done = [
+            replace(p, most=most, stated=int(stated.get(p.name, most))) if (most := capacities.get(p.name)) else p
+            for p in self.done
+        ]
         parameters = tuple(self.typical(node, p) for node, p in zip(self.nodes, self.done, strict=True))
         if self.functions:
             return self.with_selector(parameters)
@@ -294,18 +295,18 @@ class Layout:
         meaning.check_shown(node, p, self.problem)
         if "typical" not in node:
             return p
-        given, complaints = node["typical"], list[tuple[m.Position, str]]()
+        stated, complaints = node["typical"], list[tuple[m.Position, str]]()
         meaning.check_typical(node, p, lambda place, message: complaints.append((place, message)))
         try:
-            value = codec.canonical(p, given.plain(), p.name)
+            value = codec.canonical(p, stated.plain(), p.name)
         except ValueError as error:
-            for place, message in complaints or [(given.position, f"the typical value of {error}")]:
+            for place, message in complaints or [(stated.position, f"the typical value of {error}")]:
                 self.problem(place, message)
             return p
         for place, message in complaints:
             self.problem(place, message)
         if p.several and len(value) > p.capacity:
-            self.problem(given.position, f"the typical value of '{p.name}' has {len(value)} items; {p.capacity} fit")
+            self.problem(stated.position, f"the typical value of '{p.name}' has {len(value)} items; {p.capacity} fit")
         return replace(p, typical=value)
 
     def vouch(self, whole: Node) -> None:
@@ -391,7 +392,7 @@ class Layout:
                 most = max(0, m.MAX_FIELD_DATA - self.taken(always)) // max(1, extent.element(p))
                 counter = self.earlier(p.length)
                 if counter is not None and isinstance(counter.element, m.Scalar):
-                    most = min(most, (1 << (8 * counter.element.size)) - 1)
+                    most = min(most, (1 << counter.element.width) - 1)
                 capacities[p.name] = most
         return capacities
 

@@ -15,7 +15,8 @@ from mipgen.read.documents import Document
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
-from . import checks, devices, evidence, frames, guides, simulation
+from . import beside, checks, devices, evidence, frames, guides, simulation
+from .meaning import unknown_unit
 from .sets import Families
 from .types import Types
 from .vocabulary import Vocabulary, sources
@@ -65,7 +66,7 @@ def resolve(documents: Sequence[Document], problems: Problems) -> m.Model:
         errata = evidence.errata(roots["errata"], manuals, problems)
         model = replace(model, examples=examples, errata=errata)
         checks.check_evidence(model, problems)
-        simulated = simulation.resolve(roots["simulation"], roots["protocol"][0]["units"], model, problems)
+        simulated = simulation.resolve(roots["simulation"], model, problems)
         model = replace(model, simulation=simulated)
         model = replace(model, guides=guides.resolve(roots["guide"], model, types.vocabulary, problems))
         references.check((root for several in roots.values() for root in several), model, problems)
@@ -75,6 +76,7 @@ def resolve(documents: Sequence[Document], problems: Problems) -> m.Model:
 def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types, m.Model]:
     """Resolves the protocol, the types and the sets."""
     root = roots["protocol"][0]
+    beside.with_typical(roots["types"], roots["set"], roots["packets"], problems)
     functions = _functions(root["functions"], problems)
     manuals = _manuals(roots["manual"], problems)
     words = Vocabulary(
@@ -84,8 +86,9 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
         devices={d["device"].value for d in roots["device"]},
         functions=functions,
         selector=_selector(functions),
+        evidence=beside.Evidence(roots["evidence"], problems),
     )
-    types = Types(words, problems)
+    types = Types(words, problems, marked=beside.marked_by_bits((*roots["types"], *roots["set"])))
     for node in roots["types"]:
         types.define(None, node["types"])
     for node in roots["set"]:
@@ -94,6 +97,7 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
     shared = types.of(None)
     protocol = _protocol(root, types, functions, problems)
     families = Families(types, problems).resolve(roots["set"])
+    words.evidence.unused()
     model = m.Model(protocol, shared, families)
     if "barrier" in root:
         model = replace(model, protocol=replace(protocol, barrier=_barrier(root["barrier"], model, problems)))
@@ -164,7 +168,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         acknowledge=acknowledge,
         ack_code=codes[0],
         function_selector=types.vocabulary.selector,
-        units=_words(root["units"], types.vocabulary.units),
+        units=_words(root["units"], types.vocabulary.units, problems),
         frames=frames.resolve(root["frames"], types.vocabulary, problems),
         manuals=tuple(types.vocabulary.manuals.values()),
         notes=tuple(
@@ -175,7 +179,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         synonyms=tuple(tuple(group.plain()) for group in root.get("synonyms") or ()),
         clocks=_clocks(root.get("clocks")),
         session=_session(root.get("session")),
-        url=root.scalar("url", ""),
+        repository=root.scalar("repository", ""),
         leap_seconds=tuple(sorted(root["leap_seconds"].plain().items())) if "leap_seconds" in root else (),
     )
 
@@ -209,8 +213,9 @@ def _session(node: Node | None) -> m.Session | None:
     if node is None:
         return None
     return m.Session(
-        **{name: node[name].value for name in node.keys if name not in ("model_numbers", "older")},
+        **{name: node[name].value for name in node.keys if name not in ("model_numbers", "descriptors", "older")},
         model_numbers=tuple(node["model_numbers"].plain()),
+        descriptors=tuple(node["descriptors"].plain()) if "descriptors" in node else (),
         older=tuple(
             m.Older(name, **{key: n[key].value for key in n.keys}, position=n.position)
             for name, n in (node["older"].items() if "older" in node else ())
@@ -250,7 +255,7 @@ def _units(node: Node, problems: Problems) -> dict[str, m.Unit]:
     return units
 
 
-def _words(node: Node, units: Mapping[str, m.Unit]) -> tuple[m.Word, ...]:
+def _words(node: Node, units: Mapping[str, m.Unit], problems: Problems) -> tuple[m.Word, ...]:
     return tuple(
         m.Word(
             symbol=units[key].symbol,
@@ -259,9 +264,18 @@ def _words(node: Node, units: Mapping[str, m.Unit]) -> tuple[m.Word, ...]:
             plural=n.scalar("plural", ""),
             numbered=n.scalar("numbered", False),
             key=key,
+            equals=_equal(n["equals"], units, problems) if "equals" in n else None,
         )
         for key, n in node.items()
     )
+
+
+def _equal(node: Node, units: Mapping[str, m.Unit], problems: Problems) -> tuple[str, float]:
+    """Resolves `equals` of a unit: another unit, and the factor."""
+    ((other, n),) = node.items()
+    if other not in units:
+        problems.add(node.keys[other], unknown_unit(other, units))
+    return other, n.value
 
 
 def _names(node: Node | None) -> tuple[str, ...]:

@@ -6,32 +6,43 @@ import math
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
+from typing import Any
 
 from mipgen import model as m
-from mipgen.read.nodes import Node
-from mipgen.read.problems import close, nearest
+from mipgen.read.nodes import Node, number
+from mipgen.read.problems import Problems, close, nearest
 
 Problem = Callable[[m.Position, str], None]
 Number = int | float
 
 
-def unknown(what: str, word: str, known: Iterable[str], home: str, guess: bool = True) -> str:
+def unknown(what: str, word: str, choices: Iterable[str], home: str, guess: bool = True) -> str:
     """Words the message for a word that is not in a vocabulary; `home` is the vocabulary's file.
 
     >>> unknown("unit", "sec", ["m", "s"], "protocol.yaml"), unknown("unit", "km/h", ["m", "s"], "protocol.yaml")
     ("unknown unit 'sec', did you mean 's'?", "unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml")
     """
-    known = list(known)
-    remedy = close(word, known, guess) or f"{nearest(word, known, guess)}; add a new one to {home}"
+    choices = list(choices)
+    remedy = close(word, choices, guess) or f"{nearest(word, choices, guess)}; add a new one to {home}"
     return f"unknown {what} '{word}'{remedy}"
 
 
-def unknown_unit(word: str, known: Iterable[str]) -> str:
-    return unknown("unit", word, known, "protocol.yaml", guess=False)  # units may differ by one letter
+def unknown_unit(word: str, choices: Iterable[str]) -> str:
+    return unknown("unit", word, choices, "protocol.yaml", guess=False)  # units may differ by one letter
 
 
-def unknown_manual(word: str, known: Iterable[str]) -> str:
-    return unknown("manual", word, known, "manuals/")
+def unit(node: Node, units: Iterable[m.Word], problems: Problems) -> m.Unit | None:
+    """Returns the unit that a node states, if it states one."""
+    entry, symbols = node.get("unit"), {word.key: word.symbol for word in units}
+    if entry is None:
+        return None
+    if entry.value not in symbols:
+        problems.add(entry.position, unknown_unit(entry.value, symbols))
+    return m.Unit(entry.value, symbols.get(entry.value, ""))
+
+
+def unknown_manual(word: str, choices: Iterable[str]) -> str:
+    return unknown("manual", word, choices, "manuals/")
 
 
 def citation(
@@ -40,15 +51,15 @@ def citation(
     """Resolves the manual and the section that a source, an example or an erratum names. A source of a field may omit
     the section, which is then the `heading`, the title with set and descriptor, as the manual spells it."""
     manual, section = node["manual"].value, node.scalar("section", heading)
-    known = manuals.get(manual)
-    if known is None:
+    cited = manuals.get(manual)
+    if cited is None:
         problem(node["manual"].position, unknown_manual(manual, manuals))
     elif section is None:
         problem(node.position, "'section' is missing; only a source of a field may omit it")
     elif "section" not in node:
-        section = _headings(known.sections).get(_plain(section), section)
-    if known and section and known.sections and section not in known.sections:
-        near = close(section, known.sections) or "; add it to the sections of the manual if the manual has it"
+        section = _headings(cited.sections).get(_plain(section), section)
+    if cited and section and cited.sections and section not in cited.sections:
+        near = close(section, cited.sections) or "; add it to the sections of the manual if the manual has it"
         problem((node.get("section") or node).position, f"'{manual}' lists no section '{section}'{near}")
     return manual, section or ""
 
@@ -68,30 +79,30 @@ def _plain(heading: str) -> str:
 _WITHOUT_UNIT = {"bool": "true or false", "char": "a text"}
 
 
-def units(node: Node, p: m.Parameter, known: Mapping[str, m.Unit], problem: Problem) -> tuple[m.Unit, ...]:
+def units(node: Node, p: m.Parameter, symbols: Mapping[str, m.Unit], problem: Problem) -> tuple[m.Unit, ...]:
     """Resolves `unit`: one unit for all elements, or one for each."""
-    given = node.get("unit")
-    if given is None or given.value is None:
+    stated = node.get("unit")
+    if stated is None or stated.value is None:
         return ()
     kinds = {m.Enum: "an enumeration", m.Bitfield: "a bitfield"}
     what = kinds.get(type(p.element)) or _WITHOUT_UNIT.get(getattr(p.element, "kind", ""))
     if what is not None:
         problem(node.keys["unit"], f"'{p.name}' is {what}, which has no unit; remove it")
         return ()
-    entries = list(given) if isinstance(given.value, list) else [given]
+    entries = list(stated) if isinstance(stated.value, list) else [stated]
     for entry in entries:
-        if entry.value not in known:
-            problem(entry.position, unknown_unit(entry.value, known))
+        if entry.value not in symbols:
+            problem(entry.position, unknown_unit(entry.value, symbols))
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
-    if isinstance(given.value, list) and len(entries) != width:
-        problem(given.position, f"'{p.name}' has {len(entries)} units; write one, or one for each element")
-    return tuple(known.get(entry.value, m.Unit(entry.value)) for entry in entries)
+    if isinstance(stated.value, list) and len(entries) != width:
+        problem(stated.position, f"'{p.name}' has {len(entries)} units; write one, or one for each element")
+    return tuple(symbols.get(entry.value, m.Unit(entry.value)) for entry in entries)
 
 
-def frame(node: Node, known: Collection[str], problem: Problem) -> str | None:
+def frame(node: Node, names: Collection[str], problem: Problem) -> str | None:
     frame: str | None = node.scalar("frame")
-    if frame is not None and frame not in known:
-        problem(node["frame"].position, unknown("frame", frame, known, "protocol.yaml"))
+    if frame is not None and frame not in names:
+        problem(node["frame"].position, unknown("frame", frame, names, "protocol.yaml"))
     return frame
 
 
@@ -103,64 +114,36 @@ def elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, 
     return wanted if len(wanted) == len(own) and wanted != own else ()
 
 
-#: The keys that limit a value.
-LIMITS = ("range", "above", "below", "magnitude")
+#: What limits a value: [0, 10], or "> 0, <= 10", or of the length of a vector "magnitude <= 10".
+_LIMIT = re.compile(r"([<>]=?) ([^ ,]+)")
+_BOUNDS = {">=": "minimum", "<=": "maximum", ">": "above", "<": "below"}
 
 
-def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:
-    """Resolves `range`, if there is one."""
-    if "range" not in node:
-        return None, None
-    element, (low, high) = p.element, node["range"].plain()
-    scalar = element.scalar if isinstance(element, m.Vector) else element
-    if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
-        problem(node["range"].position, f"'{p.name}' is not a number, so it has no range; remove it")
-        return None, None
-    for entry in node["range"]:
-        if entry.value is not None:
-            _fits(entry, scalar, f"a bound of the range of '{p.name}'", problem)
-    if low is not None and high is not None and low > high:
-        problem(node["range"].position, f"the range of '{p.name}' is empty; write the smaller number first")
-    return low, high
-
-
-def open_limits(
-    node: Node, p: m.Parameter, low: Number | None, high: Number | None, problem: Problem
-) -> tuple[Number | None, Number | None]:
-    """Resolves `above` and `below`, the exclusive limits of a value."""
+def limits(node: Node, p: m.Parameter, problem: Problem) -> dict[str, Any]:
+    """Resolves `range`, if there is one, to the attributes of a parameter."""
+    entry = node.get("range")
+    if entry is None:
+        return {}
+    of_length = isinstance(entry.value, str) and entry.value.startswith("magnitude")
     scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
-    bounds: dict[str, Number] = {}
-    for key, closed in (("above", low), ("below", high)):
-        if key not in node:
-            continue
-        entry = node[key]
-        if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
-            problem(node.keys[key], f"'{p.name}' is not a number, so it has no bounds; remove '{key}'")
-        elif closed is not None:
-            problem(node.keys[key], f"'{p.name}' has this bound twice; replace it by ~ in the range")
-        elif _fits(entry, scalar, f"'{p.name}': {key}", problem):
-            bounds[key] = entry.value
-    above, below = bounds.get("above"), bounds.get("below")
-    least, most = low if above is None else above, high if below is None else below
-    if bounds and least is not None and most is not None and least >= most:
-        problem(node.keys[min(bounds)], f"no number lies between the bounds of '{p.name}'; correct them")
-    return above, below
-
-
-def magnitude(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:
-    """Resolves `magnitude`, the minimum and maximum length of a vector."""
-    if "magnitude" not in node:
-        return None, None
-    given = node["magnitude"]
-    low, high = given.plain()
-    for entry in given:
-        if entry.value is not None and isinstance(p.element, m.Vector):
-            _fits(entry, p.element.scalar, f"a bound of the magnitude of '{p.name}'", problem)
-    if not isinstance(p.element, m.Vector) or p.length is not None or isinstance(node.scalar("unit"), list):
-        problem(node.keys["magnitude"], f"'{p.name}' is not a vector of one unit, so it has no magnitude; remove it")
-    elif (low or 0) < 0 or (high is not None and high <= (low or 0)):
-        problem(given.position, f"no vector has the magnitude of '{p.name}'; write two numbers from 0, smaller first")
-    return low, high
+    if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
+        problem(entry.position, f"'{p.name}' is not a number, so it has no range; remove it")
+        return {}
+    if of_length and (scalar is p.element or p.length is not None or isinstance(node.scalar("unit"), list)):
+        problem(entry.position, f"'{p.name}' is not a vector of one unit, so it has no magnitude; write a range")
+        return {}
+    if isinstance(entry.value, str):
+        listed = [(_BOUNDS[sign], Node(number(text), entry.position)) for sign, text in _LIMIT.findall(entry.value)]
+    else:
+        listed = [x for x in zip(("minimum", "maximum"), entry, strict=True) if x[1].value is not None]
+    what = f"a bound of the {'magnitude' if of_length else 'range'} of '{p.name}'"
+    bounds = {key: bound.value for key, bound in listed if _fits(bound, scalar, what, problem)}
+    low, high = bounds.get("minimum", bounds.get("above")), bounds.get("maximum", bounds.get("below"))
+    if low is not None and high is not None and (low > high or (low == high and {"above", "below"} & bounds.keys())):
+        problem(entry.position, f"the range of '{p.name}' is empty; write the smaller number first")
+    if of_length and min(low or 0, high or 0) < 0:
+        problem(entry.position, f"no vector has a negative magnitude; correct that of '{p.name}'")
+    return {"magnitude": (low, high)} if of_length else bounds
 
 
 #: The largest number that becomes a finite float, which is 3.4028235e38, when it is rounded.
@@ -173,7 +156,7 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
     >>> bounds(m.SCALARS["s8"]), bounds(m.SCALARS["u16"]), bounds(m.SCALARS["bool"])
     ((-128, 127), (0, 65535), (0, 1))
     """
-    bits = 8 * scalar.size
+    bits = scalar.width
     match scalar.kind:
         case "signed":
             return -(1 << (bits - 1)), (1 << (bits - 1)) - 1
@@ -200,28 +183,28 @@ def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
 
 def default(node: Node, p: m.Parameter, problem: Problem) -> object:
     """Resolves the factory default, in the form of the parameter: a number, a value's name, a list."""
-    given = node.get("default")
-    if given is None:
+    stated = node.get("default")
+    if stated is None:
         return None
-    check_default(given, p, problem)
-    value: object = given.plain()
+    check_default(stated, p, problem)
+    value: object = stated.plain()
     return value
 
 
 def at_rest(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, ...]:
     """Resolves `at_rest`, the value of a level device at rest: one number, or one for each element of a vector."""
-    given = node.get("at_rest")
-    if given is None:
+    stated = node.get("at_rest")
+    if stated is None:
         return ()
     scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
     if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char") or p.length is not None:
         problem(node.keys["at_rest"], f"'{p.name}' is neither a number nor a vector, so it has no 'at_rest'; remove it")
         return ()
-    entries = list(given) if isinstance(given.value, list) else [given]
+    entries = list(stated) if isinstance(stated.value, list) else [stated]
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else 1
-    if len(entries) != width or isinstance(given.value, list) != isinstance(p.element, m.Vector):
+    if len(entries) != width or isinstance(stated.value, list) != isinstance(p.element, m.Vector):
         wanted = f"a list of {width} numbers" if isinstance(p.element, m.Vector) else "a number"
-        problem(given.position, f"the value of '{p.name}' at rest must be {wanted}")
+        problem(stated.position, f"the value of '{p.name}' at rest must be {wanted}")
         return ()
     check = _Default(p, problem, "value at rest")
     for entry in entries:
@@ -230,9 +213,9 @@ def at_rest(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None
     return tuple(entry.value for entry in entries)
 
 
-def check_default(given: Node, p: m.Parameter, problem: Problem) -> None:
+def check_default(stated: Node, p: m.Parameter, problem: Problem) -> None:
     """Reports a value that the parameter cannot have."""
-    _Default(p, problem).check(given)
+    _Default(p, problem).check(stated)
 
 
 def check_typical(node: Node, p: m.Parameter, problem: Problem) -> None:
@@ -271,7 +254,7 @@ class _Default:
     def check(self, node: Node) -> None:
         p = self.p
         if p.length is None:
-            self.one(node)
+            self.single(node)
         elif isinstance(p.element, m.Scalar) and p.element.kind == "char":
             most = p.length if isinstance(p.length, int) else m.MAX_FIELD_DATA
             if not isinstance(node.value, str) or len(node.value) > most:
@@ -284,9 +267,9 @@ class _Default:
             self.wrong(node, f"a list of {length} items" if isinstance(length, int) else "a list")
             return
         for item in node:
-            self.one(item)
+            self.single(item)
 
-    def one(self, node: Node) -> None:
+    def single(self, node: Node) -> None:
         value, element = node.value, self.p.element
         match element:
             case m.Vector():
@@ -324,12 +307,12 @@ class _Default:
         if not isinstance(node.value, dict):
             self.wrong(node, f"a mapping of members of '{element.name}' to values")
             return
-        known = {q.name: q for q in element.parameters if not q.derived and q.element is not None}
+        by_name = {q.name: q for q in element.parameters if not q.derived and q.element is not None}
         for name, item in node.items():
-            if name in known:
-                _Default(known[name], self.problem, self.what).check(item)
+            if name in by_name:
+                _Default(by_name[name], self.problem, self.what).check(item)
             else:
-                self.problem(node.keys[name], f"'{element.name}' has no member '{name}'{nearest(name, known)}")
+                self.problem(node.keys[name], f"'{element.name}' has no member '{name}'{nearest(name, by_name)}")
 
     def length(self, node: Node) -> None:
         low, high = self.p.magnitude
@@ -338,9 +321,9 @@ class _Default:
             wrong = f"the magnitude {math.hypot(*numbers):g}, outside of [{_end(low)}, {_end(high)}]"
             self.problem(node.position, f"the {self.what} of '{self.p.name}' has {wrong}")
 
-    def named(self, node: Node, name: object, owner: str, what: str, known: list[str]) -> None:
-        if name not in known:
-            self.problem(node.position, f"'{owner}' has no {what} '{name}'{nearest(str(name), known)}")
+    def named(self, node: Node, name: object, owner: str, what: str, names: list[str]) -> None:
+        if name not in names:
+            self.problem(node.position, f"'{owner}' has no {what} '{name}'{nearest(str(name), names)}")
 
     def number(self, node: Node, scalar: m.Scalar) -> None:
         value, p = node.value, self.p
@@ -383,11 +366,11 @@ def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
 
 def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], problem: Problem) -> None:
     """Checks `valid`: `flags.bit` names a bit of a sibling parameter, `flag` a bool; a list, one for each element."""
-    given = node["valid"]
-    entries = list(given) if isinstance(given.value, list) else [given]
+    stated = node["valid"]
+    entries = list(stated) if isinstance(stated.value, list) else [stated]
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
-    if isinstance(given.value, list) and len(entries) != width:
-        problem(given.position, f"'{p.name}' has {len(entries)} valid bits; write one, or one for each element")
+    if isinstance(stated.value, list) and len(entries) != width:
+        problem(stated.position, f"'{p.name}' has {len(entries)} valid bits; write one, or one for each element")
     names = {q.name: q for q in beside}
     for entry in entries:
         _valid_bit(entry, p, names, problem)
@@ -406,11 +389,11 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
                 f"'{flags}' is not a bool, so it cannot mark '{p.name}' as valid; use a bool, or a bit: flags.valid",
             )
         return
-    known = bits(other)
-    if not known:
+    defined = bits(other)
+    if not defined:
         problem(node.position, f"'{flags}' is not a bitfield, so it cannot mark '{p.name}' as valid")
-    elif bit not in known:
-        problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
+    elif bit not in defined:
+        problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, defined)}")
 
 
 def bits(flags: m.Parameter) -> set[str]:
@@ -421,7 +404,7 @@ def bits(flags: m.Parameter) -> set[str]:
 
 
 def valid(node: Node) -> tuple[str, ...]:
-    given = node.get("valid")
-    if given is None or given.value is None:
+    stated = node.get("valid")
+    if stated is None or stated.value is None:
         return ()
-    return tuple(given.plain()) if isinstance(given.value, list) else (given.value,)
+    return tuple(stated.plain()) if isinstance(stated.value, list) else (stated.value,)

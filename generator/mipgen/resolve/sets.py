@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 from mipgen import model as m
@@ -10,13 +10,12 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
 from .types import Types
-from .vocabulary import sentences, short_name, sources
+from .vocabulary import cited, sentences, short_name
 
 ROLES: tuple[m.Role, ...] = (m.COMMAND, m.RESPONSE, m.DATA)
 
 #: Keys that only commands may have.
-COMMAND_KEYS = ("affects", "functions", "may_affect", "responses", "silent_when", "sent_by", "timeout")
-DATA_KEYS = ("max_rate",)
+COMMAND_KEYS = ("affects", "functions", "responses", "silent_when", "sent_by", "timeout")
 
 
 @dataclass
@@ -47,12 +46,7 @@ class Families:
         sets = self.sets(node)
         kind = self.meant(node, sets[0])
         sets = tuple(replace(s, kind=kind) for s in sets) if kind != sets[0].kind else sets
-        common = {
-            name: sources(entry, self.types.vocabulary, self.problems, "every_field")
-            for name, entry in (node["sets"].items() if "sets" in node else ())
-            if "every_field" in entry
-        }
-        places = _Places("sets" in node, sets, common, self.types, self.problems)
+        places = _Places("sets" in node, sets, self.cited, self.problems)
         fields: list[m.Field] = []
         for entry in node.get("fields") or ():
             fields += self.field(entry, name, kind, places)
@@ -61,7 +55,7 @@ class Families:
         fields.sort(key=lambda f: (order[f.role], f.descriptor, -_constants(f)))  # the most specific layout first
         return m.Family(
             name, kind, node["title"].value, node["description"].value, sets, self.types.of(name), tuple(fields),
-            sources(node, self.types.vocabulary, self.problems), self.named(node, kind),
+            self.cited(name) if "set" in node else (), self.named(node, kind),
             sentences(node, "uncertain"), node.position,
         )  # fmt: skip
 
@@ -77,11 +71,11 @@ class Families:
         if "set" not in node and commands:
             return kind  # reported: such a set is not part of a family
         number = node["set"] if "set" in node else next(n["set"] for _, n in node["sets"].items())
-        what, right = ("commands", "0x01 to 0x7F") if wrong == m.COMMAND else ("data fields", "0x80 to 0xFE")
+        content, numbers = ("commands", "0x01 to 0x7F") if wrong == m.COMMAND else ("data fields", "0x80 to 0xFE")
         self.problems.add(
             number.position,
-            f"0x{first.number:02X} is a {first.kind} set, but all fields of '{node['name'].value}' are {what}; "
-            f"use {right}, or begin its fields with '{m.DATA if wrong == m.COMMAND else m.COMMAND}: 0x..'",
+            f"0x{first.number:02X} is a {first.kind} set, but all fields of '{node['name'].value}' are {content}; "
+            f"use {numbers}, or begin its fields with '{m.DATA if wrong == m.COMMAND else m.COMMAND}: 0x..'",
         )
         return kind
 
@@ -104,8 +98,13 @@ class Families:
         kind: m.Kind = "command" if number in m.COMMAND_SETS else "data" if number in m.DATA_SETS else "shared"
         return m.Set(
             number, name, kind, node["title"].value, node["description"].value, family,
-            sources(node, self.types.vocabulary, self.problems), sentences(node, "uncertain"), place,
+            self.cited(name), sentences(node, "uncertain"), self.types.needs(node),
+            place,
         )  # fmt: skip
+
+    def cited(self, name: str, heading: str | None = None) -> tuple[m.Source, ...]:
+        """Returns the sources of what has this name."""
+        return cited(name, self.types.vocabulary, self.problems, heading)
 
     def field(self, node: Node, family: str, kind: m.Kind, places: _Places) -> list[m.Field]:
         """Resolves a command with its responses, or a data field."""
@@ -115,35 +114,37 @@ class Families:
             place = node.keys.get(wrong, node.position)
             self.problems.add(place, f"a field of the {kind} set '{family}' must begin with '{role}: 0x..'")
             return []
-        for key in COMMAND_KEYS if role == m.DATA else DATA_KEYS:
-            if key in node:
+        for key in COMMAND_KEYS:
+            if role == m.DATA and key in node:
                 self.problems.add(node.keys[key], f"a {role} field has no '{key}'; remove it")
         letters = node.scalar("functions", "") if role == m.COMMAND else ""
         functions = self.types.vocabulary.letters(letters)
         unknown = sorted(set(letters) - {f.letter for f in functions})
         if unknown:
-            known = "".join(f.letter for f in self.types.vocabulary.functions)
-            self.problems.add(node["functions"].position, f"no function has the letter {unknown[0]}; known: {known}")
+            every = "".join(f.letter for f in self.types.vocabulary.functions)
+            self.problems.add(node["functions"].position, f"no function has the letter {unknown[0]}; known: {every}")
             letters = "".join(c for c in letters if c not in unknown)
         record = self.types.record(
             list(node.get("parameters") or ()), family, letters, whole=node, unknown="".join(unknown)
         )
-        occurrences = places.of(node)
+        (occurrences, cited), affects = places.of(node), sentences(node, "affects")
         command = m.Field(
             family=family, occurrences=occurrences, name=node["name"].value, descriptor=node[role].value, role=role,
             title=_title(node), description=node["description"].value,
             parameters=record.parameters,
             min_size=record.min_size, max_size=record.max_size,
-            sources=places.cited(node, occurrences),
+            sources=cited,
             functions=functions, everywhere=m.DATA_SETS if kind == "shared" else None,
-            affects=sentences(node, "affects"), may_affect=sentences(node, "may_affect"),
-            max_rate=node.scalar("max_rate"), timeout=node.scalar("timeout"),
+            affects=tuple(x for x in affects if x[-1] != "?"),
+            may_affect=tuple(x[:-1] for x in affects if x[-1] == "?"),
+            timeout=node.scalar("timeout"),
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
             sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"), keywords=sentences(node, "keywords"),
+            needs=self.types.needs(node),
             notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
             short=short_name(node, node["name"].value, self.problems), position=node.position,
         )  # fmt: skip
-        if role == m.COMMAND and ("affects" in node or "may_affect" in node):
+        if role == m.COMMAND and affects:
             self.changes.append(node)
         if role == m.COMMAND and "silent_when" in node:
             self.silences[command.full_name] = node["silent_when"]
@@ -152,45 +153,34 @@ class Families:
             made = self.response(entry, node, command)
             if made is not None:
                 responses.append(made)
-            if made is not None or "same_as" in entry:
-                names.append(made.name if made else entry["same_as"].value)
+            if made is not None or _shares(entry):
+                names.append(made.name if made else entry["response"].value)
         specific = {r.name: _constants(r) for r in responses}
         names.sort(key=lambda name: -specific.get(name, 0))  # like their fields: the most specific layout first
         return [replace(command, responses=tuple(names)), *responses]
 
     def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:
-        if "same_as" in node:
-            for key in set(node.value) - {"same_as"}:
-                self.problems.add(node.keys[key], f"a response with same_as has no '{key}' of its own; remove it")
-            return None
-        if "response" not in node:
-            self.problems.add(
-                node.position,
-                "a response must begin with 'response: 0x..', or 'same_as' and the name of another command's response",
-            )
+        if _shares(node):
+            for key in set(node.value) - {"response"}:
+                self.problems.add(node.keys[key], f"the response of another command has no '{key}' here; remove it")
             return None
         listed = node.get("parameters")
-        plain = listed is not None and listed.value == "as_command"
+        described = listed is not None and isinstance(listed.value, dict)
+        plain = listed is not None and (described or listed.value == "as_command")
         if listed is not None and isinstance(listed.value, str) and not plain:
             self.problems.add(listed.position, f"'parameters' must be a list or as_command, not '{listed.value}'")
             return None
         nodes = list((owner.get("parameters") or ()) if plain else (listed or ()))
-        nodes = self.described(node, nodes, command, plain)
+        if listed is not None and described:
+            nodes = self.described(listed, nodes, command)
         record = self.types.record(nodes, command.family, plain=plain, whole=node)
-        lengths = node.get("lengths")
-        for manual in lengths.value if lengths else ():
-            known = [s.manual for s in command.sources]
-            if manual not in known:
-                assert lengths is not None
-                self.problems.add(
-                    lengths.keys[manual], f"the command does not cite the manual '{manual}'{nearest(manual, known)}"
-                )
         name = node.scalar("name", f"{command.name}_response")
+        lengths = self.lengths(f"{command.family}.{name}", command)
         usual = f"{command.short}_response" if command.short and "name" not in node else None
         title = node.scalar("title", f"{command.title} response")
         cited = tuple(
             replace(s, length=str(lengths[s.manual].value), position=lengths[s.manual].position)
-            if lengths and s.manual in lengths
+            if s.manual in lengths
             else replace(s, length=None)
             for s in command.sources
         )
@@ -211,21 +201,28 @@ class Families:
             short=short_name(node, name, self.problems) or usual, position=node.position,
         )  # fmt: skip
 
-    def described(self, node: Node, nodes: list[Node], command: m.Field, plain: bool) -> list[Node]:
-        """Returns the parameters of a response; it may describe those that it repeats from its command."""
-        own = node.get("descriptions")
-        if own is None:
-            return nodes
-        if not plain:
-            place = node.keys["descriptions"]
-            remedy = "give each parameter its own description"
-            self.problems.add(place, f"only a response with 'parameters: as_command' may have descriptions; {remedy}")
-            return nodes
+    def lengths(self, name: str, command: m.Field) -> dict[str, Node]:
+        """Returns the length of a response that each manual prints."""
+        manuals, lengths = [s.manual for s in command.sources], {}
+        for entry in self.types.vocabulary.evidence.of(name):
+            manual = entry["manual"]
+            if manual.value not in manuals:
+                message = f"the command does not cite the manual '{manual.value}'{nearest(manual.value, manuals)}"
+                self.problems.add(manual.position, message)
+            elif "section" in entry or "length" not in entry:
+                message = f"a source of '{name}' needs a length only; its section is that of the command"
+                self.problems.add(entry.position, message)
+            else:
+                lengths[manual.value] = entry["length"]
+        return lengths
+
+    def described(self, own: Node, nodes: list[Node], command: m.Field) -> list[Node]:
+        """Returns the parameters of a command for its response, which describes some of them itself."""
         nodes = list(self.types.included(nodes, command.family))
-        known = [n["name"].value for n in nodes]
+        names = [n["name"].value for n in nodes]
         for name in own.value:
-            if name not in known:
-                self.problems.add(own.keys[name], f"the command has no parameter '{name}'{nearest(name, known)}")
+            if name not in names:
+                self.problems.add(own.keys[name], f"the command has no parameter '{name}'{nearest(name, names)}")
         return [
             Node({**n.value, "description": own[name]}, n.position, n.keys) if (name := n["name"].value) in own else n
             for n in nodes
@@ -233,10 +230,10 @@ class Families:
 
     def devices(self, node: Node | None) -> tuple[str, ...]:
         """Resolves the devices that send a layout."""
-        known = self.types.vocabulary.devices
+        ids = self.types.vocabulary.devices
         for entry in node or ():
-            if entry.value not in known:
-                self.problems.add(entry.position, f"unknown device '{entry.value}'{nearest(entry.value, known)}")
+            if entry.value not in ids:
+                self.problems.add(entry.position, f"unknown device '{entry.value}'{nearest(entry.value, ids)}")
         return tuple(node.plain()) if node else ()
 
     # ----------------------------------------------------------------------- conditions
@@ -256,9 +253,9 @@ class Families:
             return None
         value = entry.value
         if isinstance(value, str) and isinstance(parameter.element, m.Enum):
-            known = parameter.element.by_name(value)
-            if known is not None:
-                return m.Condition(name, known.value, value)
+            enum_value = parameter.element.by_name(value)
+            if enum_value is not None:
+                return m.Condition(name, enum_value.value, value)
             near = nearest(value, [v.name for v in parameter.element.values])
             self.problems.add(entry.position, f"'{parameter.element.name}' has no value '{value}'{near}")
         elif isinstance(value, (bool, int)):
@@ -275,16 +272,15 @@ class Families:
         names = {name: f.role for f in fields for name in f.names}
         data = [name for name, role in names.items() if role == m.DATA]
         for node in self.changes:
-            said: set[str] = set()
-            for entry in (*(node.get("affects") or ()), *(node.get("may_affect") or ())):
-                if entry.value not in sets and entry.value not in data:
-                    near = nearest(entry.value, data if "." in entry.value else sets)
-                    self.problems.add(entry.position, f"no data field or set '{entry.value}'{near}")
-                elif entry.value in said or entry.value.partition(".")[0] in said:
-                    self.problems.add(
-                        entry.position, f"the command already lists '{entry.value}' as changed; remove it"
-                    )
-                said.add(entry.value)
+            listed: set[str] = set()
+            for entry in sorted(node["affects"], key=lambda entry: entry.value[-1] == "?"):
+                changed = entry.value.rstrip("?")
+                if changed not in sets and changed not in data:
+                    near = nearest(changed, data if "." in changed else sets)
+                    self.problems.add(entry.position, f"no data field or set '{changed}'{near}")
+                elif changed in listed or changed.partition(".")[0] in listed:
+                    self.problems.add(entry.position, f"the command already lists '{changed}' as changed; remove it")
+                listed.add(changed)
         for entry in self.types.concerned:
             if names.get(entry.value) not in (m.COMMAND, m.DATA):
                 near = nearest(entry.value, [name for name, role in names.items() if role != m.RESPONSE])
@@ -308,15 +304,15 @@ class Families:
         return tuple(replace(x, fields=tuple(changed.get(f.full_name, f) for f in x.fields)) for x in families)
 
     def shared(self, node: Node, fields: list[m.Field]) -> list[m.Field]:
-        """Reports and drops each `same_as` that does not name a response of this set."""
-        known = [f.name for f in fields if f.role == m.RESPONSE]
+        """Reports and drops each name of a shared response that is not one of this set."""
+        names = [f.name for f in fields if f.role == m.RESPONSE]
         for entry in node.get("fields") or ():
             for response in entry.get("responses") or ():
-                name = response.scalar("same_as")
-                if name is not None and name not in known:
-                    place = response["same_as"].position
-                    self.problems.add(place, f"no command of this set has the response '{name}'{nearest(name, known)}")
-        return [replace(f, responses=tuple(name for name in f.responses if name in known)) for f in fields]
+                name = response["response"].value
+                if _shares(response) and name not in names:
+                    place = response["response"].position
+                    self.problems.add(place, f"no command of this set has the response '{name}'{nearest(name, names)}")
+        return [replace(f, responses=tuple(name for name in f.responses if name in names)) for f in fields]
 
     def named(self, node: Node, kind: m.Kind) -> tuple[m.Named, ...]:
         """Resolves the descriptors without a layout."""
@@ -330,11 +326,16 @@ class Families:
             named.append(
                 m.Named(
                     entry[roles[0]].value, roles[0], entry["name"].value, _title(entry),
-                    sources(entry, self.types.vocabulary, self.problems, heading=_heading(entry, _first(node))),
+                    self.cited(f"{node['name'].value}.{entry['name'].value}", _heading(entry, _first(node))),
                     entry.position,
                 )
             )  # fmt: skip
         return tuple(sorted(named, key=lambda x: (x.role == m.RESPONSE, x.descriptor)))
+
+
+def _shares(response: Node) -> bool:
+    """True for a response that names that of another command, in place of its descriptor."""
+    return isinstance(response["response"].value, str)
 
 
 def _title(node: Node) -> str:
@@ -356,70 +357,34 @@ def _first(node: Node) -> int:
 
 @dataclass(frozen=True, slots=True)
 class _Places:
-    """The sets in which the fields of a family occur: its only set, or those with `every_field` and those that a field
-    lists."""
+    """The sets in which the fields of a family occur: all of them, or those that a field lists."""
 
     several: bool
     sets: tuple[m.Set, ...]
-    common: dict[str, tuple[m.Source, ...]]  # set -> the sources according to which all fields occur there
-    types: Types
+    sources: Callable[[str, str | None], tuple[m.Source, ...]]
     problems: Problems
 
-    def of(self, node: Node) -> tuple[m.Occurrence, ...]:
-        """Returns the sets of a field, with the facts about it in each."""
-        title, cited = _title(node), self.sources(node, node)
-        own = node.get("in")
-        if not self.several:
-            for key in ("in", "only"):
-                if key in node:
-                    self.problems.add(node.keys[key], f"only a family of several sets has '{key}'; remove it")
-            return self.first(title, cited, node)
-        listed = dict(own.items()) if own else {}
-        known = [s.name for s in self.sets]
-        only = [n.value for n in node.get("only") or ()]
-        named = [(name, own.keys[name]) for name in listed] if own else []
-        for name, place in (*named, *((n.value, n.position) for n in node.get("only") or ())):
-            if name not in known:
-                self.problems.add(place, f"the family has no set '{name}'{nearest(name, known)}")
-        occurrences = tuple(
-            self.occurrence(title, cited, s, listed.get(s.name), node)
-            for s in self.sets
-            if (s.name in only if only else s.name in listed or s.name in self.common)
-        )
-        if not occurrences:
-            if {*listed, *only} - {*known}:
-                return self.first(title, cited, node)
-            remedy = "list its sets in 'in', or give a set 'every_field'"
-            self.problems.add(node.position, f"'{node['name'].value}' occurs in no set: {remedy}")
-            return self.first(title, cited, node)
-        return occurrences
-
-    def sources(self, node: Node, field: Node, s: m.Set | None = None) -> tuple[m.Source, ...]:
-        """Returns the sources that a field cites, or that it cites for one of its sets."""
-        heading = _heading(field, (s or self.sets[0]).number)
-        return sources(node, self.types.vocabulary, self.problems, heading=heading)
-
-    def first(self, title: str, cited: tuple[m.Source, ...], node: Node) -> tuple[m.Occurrence, ...]:
-        """Returns the only set, or the first of several as a substitute, to find further problems."""
-        s = self.sets[0]
-        return (m.Occurrence(s.number, s.name, title, cited, position=node.position),)
-
-    def occurrence(
-        self, title: str, cited: tuple[m.Source, ...], s: m.Set, own: Node | None, node: Node
-    ) -> m.Occurrence:
-        usual = self.common.get(s.name) or cited
-        if own is None:
-            return m.Occurrence(s.number, s.name, title, usual, position=node.position)
-        stated = self.sources(own, node, s) or usual
-        title = own.scalar("title", title)
-        return m.Occurrence(s.number, s.name, title, stated, sentences(own, "uncertain"), own.position)
-
-    def cited(self, node: Node, occurrences: tuple[m.Occurrence, ...]) -> tuple[m.Source, ...]:
-        """Returns the sources of the field itself; if there are none, the sources for all fields of its sets."""
-        own = node.get("in")
-        cited = list(self.sources(node, node))
-        cited += [s for o in occurrences if own and o.set_name in own for s in o.sources]
-        return tuple(dict.fromkeys(cited or [s for o in occurrences for s in o.sources]))
+    def of(self, node: Node) -> tuple[tuple[m.Occurrence, ...], tuple[m.Source, ...]]:
+        """Returns the sets of a field, with its sources in each, and the sources of the field itself: those that are
+        about it, or else about all fields of its sets."""
+        listed = list(node.get("in") or ())
+        if listed and not self.several:
+            self.problems.add(node.keys["in"], "only a family of several sets has 'in'; remove it")
+        set_names = [s.name for s in self.sets]
+        for entry in listed if self.several else ():
+            if entry.value not in set_names:
+                near = nearest(entry.value, set_names)
+                self.problems.add(entry.position, f"the family has no set '{entry.value}'{near}")
+        names = {entry.value for entry in listed} & {*set_names} or {*set_names}
+        own: list[m.Source] = []
+        occurrences: list[m.Occurrence] = []
+        for s in self.sets:
+            if s.name in names:
+                cited = self.sources(f"{s.name}.{node['name'].value}", _heading(node, s.number))
+                own += cited
+                every = self.sources(f"{s.name}.*", None) if self.several else ()
+                occurrences.append(m.Occurrence(s.number, s.name, _title(node), cited or every, position=node.position))
+        return tuple(occurrences), tuple(dict.fromkeys(own or [x for o in occurrences for x in o.sources]))
 
 
 def _constants(f: m.Field) -> int:

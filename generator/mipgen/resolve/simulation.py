@@ -19,31 +19,23 @@ from . import meaning
 FOR_EACH, VALID_IF = "for_each", "valid_if"
 
 
-def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Problems) -> Simulation:
+def resolve(roots: Sequence[Node], model: m.Model, problems: Problems) -> Simulation:
     """Joins all files; each name may occur only once."""
-    quantities = tuple(_quantity(name, n, units, problems) for name, n, _ in _entries(roots, "quantities", problems))
+    quantities = tuple(_quantity(name, n, model, problems) for name, n, _ in _entries(roots, "quantities", problems))
     effects = tuple(
         Effect(name, tuple(n["arguments"].plain()) if "arguments" in n else (), n["description"].value)
         for name, n, _ in _entries(roots, "effects", problems)
     )
-    factors = {symbol: _equal(n["equals"], units, problems) for symbol, n in units.items() if "equals" in n}
-    values = _Values(model, {q.name: q for q in quantities}, factors, problems)
+    equals = {word.key: word.equals for word in model.protocol.units if word.equals}
+    values = _Values(model, {q.name: q for q in quantities}, equals, problems)
     commands = _Commands(model, {e.name: e for e in effects}, problems)
     sources = (values.of(name, n, at) for name, n, at in _entries(roots, "values", problems))
     resolved = [commands.of(name, n, at) for name, n, at in _entries(roots, "commands", problems)]
     behaviors = [b for b in resolved if b is not None]
-    known = {b.command.full_name for b in behaviors}
-    others = (Behavior(f, answers=_layouts(f, model)) for f in model.fields if f.full_name not in known)
+    names = {b.command.full_name for b in behaviors}
+    others = (Behavior(f, answers=_layouts(f, model)) for f in model.fields if f.full_name not in names)
     behaviors += (b for b in others if b.answers)
     return Simulation(quantities, effects, tuple(s for s in sources if s is not None), tuple(behaviors))
-
-
-def _equal(node: Node, units: Node, problems: Problems) -> tuple[str, float]:
-    """Resolves `equals` of a unit: another unit, and the factor."""
-    ((other, n),) = node.items()
-    if other not in units:
-        problems.add(node.keys[other], meaning.unknown_unit(other, units.value))
-    return other, n.value
 
 
 def _layouts(f: m.Field, model: m.Model) -> tuple[tuple[str, tuple[str, ...]], ...]:
@@ -63,7 +55,7 @@ def _entries(roots: Iterable[Node], part: str, problems: Problems) -> Iterator[t
             yield name, node, at
 
 
-def _quantity(name: str, node: Node, units: Node, problems: Problems) -> Quantity:
+def _quantity(name: str, node: Node, model: m.Model, problems: Problems) -> Quantity:
     elements = node.scalar("elements", 1)
     typical = node.get("typical")
     value = typical.plain() if typical else None
@@ -71,24 +63,15 @@ def _quantity(name: str, node: Node, units: Node, problems: Problems) -> Quantit
         problems.add(typical.position, f"the typical value of '{name}' must be a list of {elements} numbers")
         value = None
     noise = tuple((key, float(n.value)) for key, n in _pairs(node, "noise"))
-    return Quantity(name, _unit(node, units, problems), elements, node["description"].value, value, noise)
-
-
-def _unit(node: Node, units: Node, problems: Problems) -> m.Unit | None:
-    unit: str | None = node.scalar("unit")
-    if unit is None:
-        return None
-    if unit not in units:
-        problems.add(node["unit"].position, meaning.unknown_unit(unit, units.value))
-        return m.Unit(unit)
-    return m.Unit(unit, units[unit].scalar("symbol", ""))
+    unit = meaning.unit(node, model.protocol.units, problems)
+    return Quantity(name, unit, elements, node["description"].value, value, noise)
 
 
 def _field(name: str, roles: Collection[str], at: m.Position, model: m.Model, problems: Problems) -> m.Field | None:
     f = model.field(name)
     if f is None or f.role not in roles:
-        known = [x.full_name for x in model.fields if x.role in roles]
-        problems.add(at, f"no {' or '.join(roles)} '{name}'{nearest(name, known)}")
+        names = [x.full_name for x in model.fields if x.role in roles]
+        problems.add(at, f"no {' or '.join(roles)} '{name}'{nearest(name, names)}")
         return None
     return f
 
@@ -100,7 +83,7 @@ def _field(name: str, roles: Collection[str], at: m.Position, model: m.Model, pr
 class _Values:
     model: m.Model
     quantities: dict[str, Quantity]
-    factors: dict[str, tuple[str, float]]  # unit -> an equal number of another unit
+    equals: dict[str, tuple[str, float]]  # unit -> a number of another unit
     problems: Problems
 
     def of(self, name: str, node: Node, at: m.Position) -> Source | None:
@@ -156,23 +139,23 @@ class _Values:
         names = tuple(n.plain())
         types = [t for t in (p.element, *(v.type for v in p.readings)) if isinstance(t, (m.Enum, m.Bitfield))]
         wanted = m.Enum if kind == "name" else m.Bitfield
-        known = {name for t in types if isinstance(t, wanted) for name in _names(t)}
+        choices = {name for t in types if isinstance(t, wanted) for name in _names(t)}
         for entry in n:
-            if entry.value not in known:
+            if entry.value not in choices:
                 what = "value" if kind == "name" else "bit"
                 self.problems.add(
-                    entry.position, f"'{path}' has no {what} '{entry.value}'{nearest(entry.value, known)}"
+                    entry.position, f"'{path}' has no {what} '{entry.value}'{nearest(entry.value, choices)}"
                 )
         return Value(path, names=names) if kind == "name" else Value(path, bits=names)
 
     def asked(self, f: m.Field, node: Node) -> None:
         """Checks that the commands of a response have a parameter."""
         commands = [c for c in self.model.fields if c.role == m.COMMAND and f in self.model.responses(c)]
-        known = [p.name for c in commands for p in c.parameters if not p.derived]
+        names = [p.name for c in commands for p in c.parameters if not p.derived]
         if not commands:
             self.problems.add(node.position, f"'{f.full_name}' is not a response and has no setting; write a quantity")
-        elif node.value not in known:
-            near = nearest(node.value, known)
+        elif node.value not in names:
+            near = nearest(node.value, names)
             self.problems.add(
                 node.position, f"'{commands[0].full_name}' has no parameter '{node.value}' to be shown{near}"
             )
@@ -196,10 +179,10 @@ class _Values:
             self.problems.add(node.position, f"'{p.name}' has several units; '{q.name}' must have none")
             return 1.0
         (unit,) = units
-        if unit in self.factors and self.factors[unit][0] == q.unit:
-            return 1 / self.factors[unit][1]
-        if q.unit in self.factors and self.factors[q.unit][0] == unit:
-            return self.factors[q.unit][1]
+        if unit in self.equals and self.equals[unit][0] == q.unit:
+            return 1 / self.equals[unit][1]
+        if q.unit in self.equals and self.equals[q.unit][0] == unit:
+            return self.equals[q.unit][1]
         self.problems.add(
             node.position,
             f"'{p.name}' is in {unit}, '{q.name}' in {q.unit}; state in protocol.yaml what one {unit} equals, "
@@ -239,7 +222,7 @@ class _Commands:
             translate=tuple((k, self.translation(n)) for k, n in _pairs(node, "translate")),
             setting=self.setting(node),
             key=tuple((k, self.number(n)) for k, n in _pairs(node, "key")),
-            initial=tuple((k, self.initial(f, k, n)) for k, n in _pairs(node, "initial")),
+            initial=tuple((k, self.initial(f, k, n)) for k, n in _pairs(node, "default")),
             once=bool(node.scalar("once", False)),
             affected=self.affected(f, node),
             answers=_layouts(f, self.model),
@@ -247,21 +230,21 @@ class _Commands:
 
     def references(self, f: m.Field, node: Node) -> None:
         """Checks that the named parameters of the command exist."""
-        known = [p.name for p in f.parameters]
-        for part in ("all", "instances", "translate", "initial"):
+        names = [p.name for p in f.parameters]
+        for part in ("all", "instances", "translate", "default"):
             for name, _ in _pairs(node, part):
-                if name not in known:
+                if name not in names:
                     place = node[part].keys[name]
-                    self.problems.add(place, f"'{f.full_name}' has no parameter '{name}'{nearest(name, known)}")
+                    self.problems.add(place, f"'{f.full_name}' has no parameter '{name}'{nearest(name, names)}")
 
     def effect(self, node: Node) -> str:
-        given = node.get("effect")
-        if given is None:
+        effect_node = node.get("effect")
+        if effect_node is None:
             return ""
-        effect = self.effects.get(given.value)
+        effect = self.effects.get(effect_node.value)
         if effect is None:
-            near = nearest(given.value, self.effects)
-            self.problems.add(given.position, f"unknown effect '{given.value}'{near}")
+            near = nearest(effect_node.value, self.effects)
+            self.problems.add(effect_node.position, f"unknown effect '{effect_node.value}'{near}")
         else:
             names = [name for name, _ in _pairs(node, "with")]
             for name in names:
@@ -269,7 +252,7 @@ class _Commands:
                     place = node["with"].keys[name]
                     near = nearest(name, effect.arguments)
                     self.problems.add(place, f"the effect '{effect.name}' has no argument '{name}'{near}")
-        return str(given.value)
+        return str(effect_node.value)
 
     def argument(self, f: m.Field, node: Node) -> str | int:
         if isinstance(node.value, int):
@@ -283,15 +266,15 @@ class _Commands:
 
     def member(self, f: m.Field, node: Node) -> None:
         """Checks that a member of a structure, or of any case of a union, exists."""
-        known, path = f.parameters, list[str]()
+        members, path = f.parameters, list[str]()
         for name in node.value.split("."):
-            same = [p for p in known if p.name == name]
+            same = [p for p in members if p.name == name]
             if not same:
-                near = nearest(name, [p.name for p in known])
+                near = nearest(name, [p.name for p in members])
                 self.problems.add(node.position, f"'{'.'.join([f.full_name, *path])}' has no parameter '{name}'{near}")
                 return
             path.append(name)
-            known = tuple(inner for p in same for inner in _members(p))
+            members = tuple(inner for p in same for inner in _members(p))
 
     def number(self, node: Node, others: Sequence[str] = ()) -> int:
         """Returns a number, or the number of a set given by name."""
@@ -321,32 +304,33 @@ class _Commands:
 
     def affected(self, f: m.Field, node: Node) -> tuple[tuple[int, int], ...]:
         """Returns the data fields that the command certainly affects, if they select the instances of its setting."""
-        given = [n for _, n in _pairs(node, "instances") if n.value == AFFECTED]
-        if not given:
+        entries = [n for _, n in _pairs(node, "instances") if n.value == AFFECTED]
+        if not entries:
             return ()
         fields = [x for x in self.model.affected(f, True) if isinstance(x, m.Field)]
         if not fields:
-            self.problems.add(given[0].position, f"'{f.full_name}' lists no data fields that it `affects`; add them")
+            self.problems.add(entries[0].position, f"'{f.full_name}' lists no data fields that it `affects`; add them")
         return tuple((number, x.descriptor) for x in fields for number in x.sets)
 
     def setting(self, node: Node) -> str:
-        given = node.get("setting")
-        if given is None:
+        command_name = node.get("setting")
+        if command_name is None:
             return ""
-        f = _field(given.value, (m.COMMAND,), given.position, self.model, self.problems)
+        f = _field(command_name.value, (m.COMMAND,), command_name.position, self.model, self.problems)
         for name, _ in _pairs(node, "key"):
-            known = [p.name for p in f.parameters] if f else [name]
-            if name not in known:
+            names = [p.name for p in f.parameters] if f else [name]
+            if name not in names:
                 place = node["key"].keys[name]
-                self.problems.add(place, f"'{given.value}' has no parameter '{name}'{nearest(name, known)}")
-        return str(given.value)
+                self.problems.add(place, f"'{command_name.value}' has no parameter '{name}'{nearest(name, names)}")
+        return str(command_name.value)
 
     def initial(self, f: m.Field, name: str, node: Node) -> Any:
-        """Converts a value to the form of the parameter, with numbers for names."""
+        """Converts a value to the form of the parameter, with numbers for names. An enumeration may have several."""
         p = next((p for p in f.parameters if p.name == name), None)
         if p is None:
             return None
-        meaning.check_default(node, p, self.problems.add)
+        for n in node if isinstance(p.element, m.Enum) and isinstance(node.value, list) else (node,):
+            meaning.check_default(n, p, self.problems.add)
         return in_numbers(node.plain(), p.element)
 
 

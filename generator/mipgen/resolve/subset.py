@@ -48,8 +48,8 @@ def _set_name(model: m.Model, word: str) -> str:
     number = int(word, 16)
     s = next((s for s in model.sets if s.number == number), None)
     if s is None:
-        known = ", ".join(f"0x{s.number:02X}" for s in sorted(model.sets, key=lambda s: s.number))
-        raise Failure(f"no set has the number 0x{number:02X}; known: {known}")
+        choices = ", ".join(f"0x{s.number:02X}" for s in sorted(model.sets, key=lambda s: s.number))
+        raise Failure(f"no set has the number 0x{number:02X}; known: {choices}")
     return s.name
 
 
@@ -61,17 +61,17 @@ def left_out(whole: m.Model, part: m.Model) -> str:
         (len(whole.devices) - len(part.devices), "devices"),
         (len(whole.examples) - len(part.examples), "examples"),
     ]
-    said = ", ".join(f"{n} {what if n > 1 else what[:-1]}" for n, what in counts if n)
-    return f"a part of the specification; left out: {said or 'nothing'}"
+    parts = ", ".join(f"{n} {what if n > 1 else what[:-1]}" for n, what in counts if n)
+    return f"a part of the specification; left out: {parts or 'nothing'}"
 
 
 def _check(model: m.Model, selection: Selection) -> None:
-    known = {
+    by_kind = {
         "device": (selection.devices, [d.id for d in model.devices]),
         "set": (selection.sets, [s.name for s in model.sets]),
         "field": (selection.fields, list(model.names)),
     }
-    for what, (asked, names) in known.items():
+    for what, (asked, names) in by_kind.items():
         for name in asked:
             if name not in names:
                 similar = _meant(model, name) if what == "device" else []
@@ -85,8 +85,8 @@ def _check(model: m.Model, selection: Selection) -> None:
             having = {
                 d.id
                 for f, number in _places(model, what, name)
-                for certain in (True, False)
-                for d in model.devices_of(f, certain, number)
+                for answer in m.SUPPORTED
+                for d in model.devices_of(f, answer, number)
             }
             if having.isdisjoint(selection.devices):
                 others = [d.id for d in model.devices if d.id in having]
@@ -206,7 +206,7 @@ def _guides(guides: tuple[Guide, ...], fields: dict[str, m.Field], devices: tupl
 def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> m.Device:
     named = {f.full_name: f for f in fields.values()}
     supports, refuses = (
-        tuple(replace(s, field=fields[s.name]) for s in said if s.name in fields) for said in (d.supports, d.refuses)
+        tuple(replace(s, field=fields[s.name]) for s in part if s.name in fields) for part in (d.supports, d.refuses)
     )
     return replace(
         d,
@@ -230,8 +230,8 @@ def _narrowed(f: m.Field, devices: set[str], names: Container[str]) -> m.Field:
 
 def _concerns(e: m.Erratum, fields: Container[str], examples: Container[str]) -> bool:
     """True if all claims of an erratum are about selected parts."""
-    known = {"length": fields, "example": examples}
-    return all(c.subject in known[c.kind] for c in e.claims if c.kind in known)
+    kinds = {"length": fields, "example": examples}
+    return all(c.subject in kinds[c.kind] for c in e.claims if c.kind in kinds)
 
 
 # --------------------------------------------------------------------------- types

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -11,9 +11,10 @@ from mipgen import model as m
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
+from .beside import ALL_VALID
 from .layout import Layout, Record
 from .variation import Scope
-from .vocabulary import Vocabulary, sentences, short_name, sources
+from .vocabulary import Vocabulary, cited, sentences, short_name
 
 #: The greatest depth of nested structures: far beyond need, and below Python's own limit.
 MAX_NESTING = 16
@@ -29,20 +30,22 @@ class Types:
     local: dict[str, dict[str, Node]] = field(default_factory=dict)
     parts: dict[str, dict[str, Node]] = field(default_factory=dict)  # lists of parameters, by set
     concerned: list[Node] = field(default_factory=list)  # what bits concern; checked when all fields are known
+    needed: list[Node] = field(default_factory=list)  # the hardware that is required; checked with the devices
+    marked: dict[tuple[str | None, str], dict[str, str]] = field(default_factory=dict)  # see beside.marked_by_bits
     _included: set[tuple[str, str]] = field(default_factory=set)
     _done: dict[tuple[str | None, str], m.Type | None] = field(default_factory=dict)
     _open: list[str] = field(default_factory=list)
 
     def define(self, owner: str | None, types: Node | None) -> None:
         """Registers the types of a file."""
-        known = self.shared if owner is None else self.local.setdefault(owner, {})
+        scope = self.shared if owner is None else self.local.setdefault(owner, {})
         for name, node in types.items() if types else ():
             place = types.keys[name] if types else node.position
             taken = (*m.SCALARS, self.vocabulary.selector.name)
-            if name in known or name in self.shared or name in taken:
+            if name in scope or name in self.shared or name in taken:
                 self.problems.add(place, f"the type '{name}' is already defined; choose another name")
             else:
-                known[name] = Node(node.value, place, node.keys)
+                scope[name] = Node(node.value, place, node.keys)
 
     def scope(self, owner: str | None) -> Scope:
         """Returns the names to which a parameter of that owner may refer."""
@@ -50,8 +53,8 @@ class Types:
 
     def of(self, owner: str | None) -> tuple[m.Type, ...]:
         """Returns all types of one owner, each after the types that it uses."""
-        known = self.shared if owner is None else self.local.get(owner, {})
-        for name in known:
+        scope = self.shared if owner is None else self.local.get(owner, {})
+        for name in scope:
             self.find(name, None, owner)
         return tuple(t for (o, _), t in self._done.items() if o == owner and t is not None)
 
@@ -79,12 +82,12 @@ class Types:
 
     def _kind(self, name: str, node: Node) -> str | None:
         """Returns the key that determines the kind of a type; None if there is none, or if other keys contradict it."""
-        kinds = [k for k in ("enum", "bitfield", "bytes", "struct", "vector") if k in node]
+        kinds = [k for k in ("enum", "bitfield", "struct", "vector") if k in node]
         if len(kinds) != 1:
-            wanted = "exactly one of enum, bitfield, bytes, struct, vector"
+            wanted = "exactly one of enum, bitfield, struct, vector"
             self.problems.add(node.position, f"the type '{name}' needs {wanted}")
             return None
-        parts = {"enum": "values", "bitfield": "bits", "bytes": "bits", "vector": "elements"}
+        parts = {"enum": "values", "bitfield": "bits", "vector": "elements"}
         part = parts.get(kinds[0])
         if "include" in node and part != "bits":
             self.problems.add(node.keys["include"], f"'include' does not belong in the {kinds[0]} '{name}'")
@@ -109,7 +112,7 @@ class Types:
         origin = (
             node.scalar("description", ""),
             owner,
-            sources(node, self.vocabulary, self.problems),
+            cited(f"{owner}.{name}" if owner else name, self.vocabulary, self.problems),
             sentences(node, "uncertain"),
         )
         if kind == "enum":
@@ -121,9 +124,12 @@ class Types:
             return m.Struct(
                 name, record.parameters, record.min_size, record.max_size, *origin, short=short, position=node.position,
             )  # fmt: skip
-        base = m.SCALARS[node["bitfield"].value] if "bitfield" in node else None
-        size = base.size if base else node["bytes"].value
-        bits = self._bits(node.get("bits"), owner, size * 8) + self._included_bits(node, owner, size * 8)
+        base = m.SCALARS.get(node["bitfield"].value)
+        size = base.size if base else node["bitfield"].value
+        bits = self._bits(node.get("bits"), owner, size * 8, node.get("when")) + self._included_bits(
+            node, owner, size * 8
+        )
+        bits = _described(bits, self.marked.get((owner, name), {}))
         if "include" in node:
             bits = tuple(sorted(bits, key=lambda b: (b.first, -b.last)))
         return m.Bitfield(name, base, size, bits, *origin, short=short, position=node.position)
@@ -151,19 +157,16 @@ class Types:
                 v.scalar("deprecated", False),
                 sentences(v, "uncertain"),
                 short_name(v, name, self.problems),
+                self.needs(v),
                 places[name],
             )
             for name, v in node["values"].items()
         )
 
-    def _bits(self, node: Node | None, owner: str | None, width: int) -> tuple[m.Bits, ...]:
+    def _bits(self, node: Node | None, owner: str | None, width: int, when: Node | None = None) -> tuple[m.Bits, ...]:
         several = []
         for name, entry in node.items() if node else ():
-            if isinstance(entry.value, dict) and ("bit" in entry) == ("bits" in entry):
-                self.problems.add(entry.position, f"'{name}' needs one bit, bit: 3, or a range of bits, bits: 3-5")
-                several.append(_nowhere(name))
-                continue
-            span = self._span(name, entry.get("bits") or entry.get("bit") or entry, width)
+            span = self._span(name, entry.get("bit") or entry, width)
             if span is None:
                 several.append(_nowhere(name))
                 continue
@@ -174,8 +177,38 @@ class Types:
             uncertain, short = sentences(entry, "uncertain"), short_name(entry, name, self.problems)
             concerns = sentences(entry, "concerns")
             self.concerned += entry.get("concerns") or ()
-            several.append(m.Bits(name, low, high, description, alias, enum, concerns, uncertain, short, place))
+            needs, state = self.needs(entry), self._state(entry.get("when") or when, owner)
+            several.append(
+                m.Bits(name, low, high, description, alias, enum, concerns, uncertain, short, needs, place, state)
+            )
         return tuple(several)
+
+    def _state(self, node: Node | None, owner: str | None) -> m.State | None:
+        """Resolves `when`: the state in which a bit means something."""
+        if node is None:
+            return None
+        ((parameter, states),) = node.items()
+        first = next(iter(states))
+        name = first.value.partition(".")[0]
+        named = self.find(name, first.position, owner)
+        if not isinstance(named, m.Enum):
+            if named is not None:
+                self.problems.add(first.position, f"'{named.name}' is not an enumeration")
+            return None
+        numbers = {f"{name}.{v.name}": v.value for v in named.values}
+        for state in states:
+            if state.value not in numbers:
+                near = nearest(state.value, numbers)
+                self.problems.add(state.position, f"'{state.value}' is not a value of '{named.name}'{near}")
+        values = [state.value for state in states if state.value in numbers]
+        return m.State(
+            parameter, named.full_name, tuple(v.partition(".")[2] for v in values), tuple(numbers[v] for v in values)
+        )
+
+    def needs(self, node: Node) -> tuple[str, ...]:
+        """Returns the hardware that a set, a field, a value or a bit requires."""
+        self.needed += node.get("needs") or ()
+        return sentences(node, "needs")
 
     def _span(self, name: str, span: Node, width: int) -> tuple[int, int] | None:
         """Parses the lowest and the highest bit from 3 or 3-5."""
@@ -270,6 +303,14 @@ class Types:
             for name, node in parts.items():
                 if (owner, name) not in self._included:
                     self.problems.add(node.position, f"no field includes the part '{name}'; include it, or remove it")
+
+
+def _described(bits: tuple[m.Bits, ...], marked: Mapping[str, str]) -> tuple[m.Bits, ...]:
+    """Describes the bits of validity flags that state nothing else; an alias of several stands for all of them."""
+    return tuple(
+        b if b.description or not marked else replace(b, description=ALL_VALID if b.alias else marked.get(b.name, ""))
+        for b in bits
+    )
 
 
 def _nowhere(name: str) -> m.Bits:

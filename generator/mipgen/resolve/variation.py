@@ -19,7 +19,7 @@ from mipgen.read.problems import nearest
 
 from . import meaning
 from .meaning import Problem
-from .vocabulary import Vocabulary
+from .vocabulary import Vocabulary, sentences
 
 #: The keyword for a variant whose values are unknown.
 UNKNOWN = "unknown"
@@ -34,57 +34,48 @@ class Scope:
     problem: Problem
 
 
-def differs_by_device(node: Node, p: m.Parameter, problem: Problem) -> bool:
-    """True for `varies: {by: device}`: every device that supports the field states the values in its own file."""
-    spec = node.get("varies")
-    if spec is None or spec["by"].value != m.DEVICE:
-        return False
-    for key in ("cases", "member"):
-        if key in spec:
-            problem(spec.keys[key], f"the meaning of '{p.name}' on a device belongs in the device's file; remove {key}")
-    return True
+def differs_by_device(node: Node) -> bool:
+    """True for `varies: device`: every device that supports the field states the values in its own file."""
+    return bool(node.scalar("varies") == m.DEVICE)
 
 
 def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope: Scope) -> tuple[m.Variant, ...]:
-    """Returns the variants for `varies: {by: mode, cases: ...}`: differences by an enumeration of the same record."""
+    """Returns the variants for `varies: {mode: {fast: ..., slow: ...}}`, differences by an enumeration of the same
+    record, or for `varies: {unit by mode: ...}`, those of a member of a structure."""
     spec = node.get("varies")
-    if spec is None or spec["by"].value == m.DEVICE:
+    if spec is None or spec.value == m.DEVICE:
         return ()
-    by, siblings = spec["by"], {q.name: q for q in beside if q.name != p.name}
-    sibling = siblings.get(by.value)
+    siblings = {q.name: q for q in beside if q.name != p.name}
+    key, cases = next(spec.items())
+    member, _, by = key.rpartition(" by ")
+    sibling, place = siblings.get(by), spec.keys[key]
     if sibling is None or not isinstance(sibling.element, m.Enum):
-        near = nearest(by.value, [m.DEVICE, *(name for name, q in siblings.items() if isinstance(q.element, m.Enum))])
-        scope.problem(by.position, f"'{by.value}' is neither '{m.DEVICE}' nor an enumeration beside '{p.name}'{near}")
+        near = nearest(by, [m.DEVICE, *(name for name, q in siblings.items() if isinstance(q.element, m.Enum))])
+        scope.problem(place, f"'{by}' is not an enumeration beside '{p.name}'{near}")
         return ()
-    if "cases" not in spec:
-        scope.problem(spec.position, f"'{p.name}' varies by '{by.value}', but has no cases; add them")
-        return ()
-    what = _concerned(spec, p, scope)
+    what = _concerned(member, place, p, scope) if member else p
     if what is None:
         return ()
     variants = []
-    for key, case in spec["cases"].items():
-        value = sibling.element.by_name(key)
+    for label, case in cases.items():
+        value = sibling.element.by_name(label)
         if value is None:
-            near = nearest(key, [v.name for v in sibling.element.values])
-            scope.problem(spec["cases"].keys[key], f"'{sibling.element.name}' has no value '{key}'{near}")
+            near = nearest(label, [v.name for v in sibling.element.values])
+            scope.problem(cases.keys[label], f"'{sibling.element.name}' has no value '{label}'{near}")
         if case.scalar("valid") is not None:
             meaning.valid_bits(case, what, siblings.values(), scope.problem)
-        one = variant(case, what, by.value, key, value.value if value else None, scope)
-        variants.append(replace(one, member=spec.scalar("member", "")))
+        v = variant(case, what, by, label, value.value if value else None, scope)
+        variants.append(replace(v, member=member))
     return tuple(variants)
 
 
-def _concerned(spec: Node, p: m.Parameter, scope: Scope) -> m.Parameter | None:
-    """Returns the parameter that differs: `p` itself, or a member of its structure."""
-    member = spec.get("member")
-    if member is None:
-        return p
+def _concerned(name: str, place: m.Position, p: m.Parameter, scope: Scope) -> m.Parameter | None:
+    """Returns the member of the structure `p` that differs."""
     members = {q.name: q for q in p.element.parameters} if isinstance(p.element, m.Struct) else {}
-    if member.value not in members:
-        near = nearest(member.value, members) if members else "; only a structure has members"
-        scope.problem(member.position, f"'{p.name}' has no member '{member.value}'{near}")
-    return members.get(member.value)
+    if name not in members:
+        near = nearest(name, members) if members else "; only a structure has members"
+        scope.problem(place, f"'{p.name}' has no member '{name}'{near}")
+    return members.get(name)
 
 
 def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, scope: Scope) -> m.Variant:
@@ -92,7 +83,7 @@ def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, sc
     words, problem = scope.words, scope.problem
     if node.value == UNKNOWN:
         return m.Variant(by, key, value, unknown=True)
-    low, high = meaning.limits(node, p, problem)
+    limits = meaning.limits(node, p, problem)
     reading = _reading(node, p, scope)
     frame = meaning.frame(node, words.frames, problem)
     return m.Variant(
@@ -103,15 +94,16 @@ def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, sc
         units=meaning.units(node, replace(p, element=reading) if reading else p, words.units, problem),
         elements=meaning.elements(p, frame, words.frames),
         frame=frame,
-        minimum=low,
-        maximum=high,
-        default=meaning.default(node, replace(p, minimum=low, maximum=high), problem),
+        **limits,
+        default=meaning.default(
+            node, replace(p, minimum=limits.get("minimum"), maximum=limits.get("maximum")), problem
+        ),
         valid=meaning.valid(node) if "valid" in node else None,
         constant=_constant(node, p, problem),
         only=_only(node, p, reading or p.element, problem),
         deprecated=node.scalar("deprecated"),
         description=node.scalar("description", ""),
-        inferred=node.scalar("inferred", ""),
+        inferred=" ".join(sentences(node, "uncertain")),
     )
 
 
@@ -124,7 +116,7 @@ def _constant(node: Node, p: m.Parameter, problem: Problem) -> int | None:
         problem(node.keys["const"], f"'{p.name}' is always {p.constant} by its definition; remove const there or here")
     elif not (isinstance(p.element, m.Scalar) and p.element.kind == "unsigned" and p.length is None):
         problem(node.keys["const"], f"'{p.name}' is not one unsigned number, so it has no const; remove it")
-    elif value >> (8 * p.element.size):
+    elif value >> p.element.width:
         problem(node["const"].position, f"{value} does not fit in {p.element.name}")
     return value
 
@@ -138,12 +130,12 @@ def _only(node: Node, p: m.Parameter, t: object, problem: Problem) -> tuple[m.En
         if not isinstance(t, kind):
             problem(node.keys[part], f"'{p.name}' is not {what}, so it has no {part}; remove them")
             continue
-        known = {x.name: x for x in (t.values if isinstance(t, m.Enum) else t.bits)}
+        by_name = {x.name: x for x in (t.values if isinstance(t, m.Enum) else t.bits)}
         for entry in node[part]:
-            if entry.value in known:
-                parts.append(known[entry.value])
+            if entry.value in by_name:
+                parts.append(by_name[entry.value])
             else:
-                near = nearest(entry.value, known)
+                near = nearest(entry.value, by_name)
                 problem(entry.position, f"'{t.name}' has no {part[:-1]} '{entry.value}'{near}")
     return tuple(parts)
 

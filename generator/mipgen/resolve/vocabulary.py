@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from mipgen import model as m
@@ -9,6 +10,7 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems
 
 from . import meaning
+from .beside import Evidence
 
 
 @dataclass
@@ -21,6 +23,7 @@ class Vocabulary:
     devices: set[str]
     functions: tuple[m.Function, ...]
     selector: m.Enum
+    evidence: Evidence
 
     def letters(self, text: str) -> tuple[m.Function, ...]:
         """Returns the functions with these letters, by value."""
@@ -42,12 +45,22 @@ def short_name(node: Node, name: str, problems: Problems) -> str | None:
     return str(entry.value)
 
 
-def sources(
-    node: Node, vocabulary: Vocabulary, problems: Problems, key: str = "sources", heading: str | None = None
+def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
+    """Returns the `sources` of a node."""
+    return _sources(node.get("sources") or (), vocabulary, problems, None)
+
+
+def cited(name: str, vocabulary: Vocabulary, problems: Problems, heading: str | None = None) -> tuple[m.Source, ...]:
+    """Returns the sources in evidence/ of what has this name; those of a field may omit the section if it is this
+    heading."""
+    return _sources(vocabulary.evidence.of(name), vocabulary, problems, heading)
+
+
+def _sources(
+    entries: Iterable[Node], vocabulary: Vocabulary, problems: Problems, heading: str | None
 ) -> tuple[m.Source, ...]:
-    """Returns the `sources` of a node; those of a field may omit the section if it is this heading."""
     cited = []
-    for entry in node.get(key) or ():
+    for entry in entries:
         manual, section = meaning.citation(entry, vocabulary.manuals, problems.add, heading)
         length = entry.get("length")
         printed, place = (str(length.value), length.position) if length else (None, entry.position)

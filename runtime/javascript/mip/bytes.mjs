@@ -113,18 +113,19 @@ export function floatBits(bytes) {
 
 /** Encodes a float: a number, or the text of its bits. */
 export function writeFloat(value, size, what) {
+    const view = new DataView(new ArrayBuffer(size));
     if (typeof value === "string") {
         if (!/^0x[0-9a-f]+$/i.test(value) || value.length !== 2 + 2 * size) {
             throw new MipError("range", `${what}: ${described(value)} is neither a number nor 0x and ${2 * size} hexadecimal digits`);
         }
-        return fromHex(value.slice(2));
-    }
-    if (typeof value !== "number") throw new MipError("range", `${what}: ${described(value)} is not a number`);
-    if (size === 4 && Number.isFinite(value) && !Number.isFinite(Math.fround(value))) {
+        const bits = BigInt(value);
+        if (size === 4) view.setUint32(0, Number(bits));
+        else view.setBigUint64(0, bits);
+    } else if (typeof value !== "number") {
+        throw new MipError("range", `${what}: ${described(value)} is not a number`);
+    } else if (size === 4 && Number.isFinite(value) && !Number.isFinite(Math.fround(value))) {
         throw new MipError("range", `${what}: ${value} does not fit in a float of 4 bytes`);
-    }
-    const view = new DataView(new ArrayBuffer(size));
-    if (Number.isNaN(value)) {
+    } else if (Number.isNaN(value)) {
         view.setUint16(0, size === 4 ? 0x7fc0 : 0x7ff8);
     } else if (size === 4) {
         view.setFloat32(0, value);

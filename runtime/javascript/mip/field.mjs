@@ -4,10 +4,11 @@ import { MipError, bytesOf, isSame } from "./bytes.mjs";
 import { encoded, Layout, memberName, Reader } from "./codec.mjs";
 import { Packet } from "./packet.mjs";
 
+export { validity } from "./validity.mjs";
+
 export class Field {
-    // Data of an object besides its values: the set of its packet, and NaNs with unusual bits, by their offset.
-    #set;
-    #nans;
+    // Besides its values: the `set` of its packet, and `nans` with unusual bits, by their offset. Most objects have neither.
+    #origin;
 
     constructor(values) {
         if (values === undefined) return;
@@ -25,23 +26,19 @@ export class Field {
     /** Like `decode`, but also returns the number of bytes left over, which newer devices may send. */
     static decodeWithTrailing(data) {
         const reader = new Reader(bytesOf(data));
-        const field = this.readFrom(reader, 0, reader.bytes.length);
+        const field = this.readFrom(reader);
         return { field, trailing: reader.left };
     }
 
     /** Decodes the data from `from` to `to` in a packet. */
-    static readFrom(reader, from, to, set) {
+    static readFrom(reader, from = 0, to = reader.bytes.length, set = undefined) {
         reader.limit(from, to);
         const field = new this();
-        this.layout.read(reader, field, this.requiredBy(reader));
-        field.#set = set;
-        field.#nans = reader.nans;
+        const { layout } = this;
+        layout.read(reader, field, layout.groups.length ? requiredWith(this, reader.bytes[from]) : undefined);
+        const { nans } = reader;
+        if ((set ?? this.SET) !== this.SET || nans) field.#origin = { set, nans };
         return field;
-    }
-
-    /** Returns the number of required parameters, counted as in the layout. */
-    static requiredBy(reader) {
-        return requiredWith(this, reader.bytes[reader.from]);
     }
 
     static occursIn(set) {
@@ -59,14 +56,41 @@ export class Field {
 
     /** The set of the packet that contained it, or the only set in which it occurs; undefined if unknown. */
     get set() {
-        return this.#set ?? this.constructor.SET;
+        return this.#origin?.set ?? this.constructor.SET;
     }
 
     /** Encodes the field's data, without length and descriptor. Throws a MipError. */
     encode() {
         const { layout, NAME } = this.constructor;
         const required = requiredWith(this.constructor, this.function);
-        return encoded(layout, NAME, this, { nans: this.#nans, required });
+        return encoded(layout, NAME, this, { nans: this.#origin?.nans, required });
+    }
+
+    /**
+     * Returns its values as JSON can contain them: an integer of more than four bytes as a decimal text, a float that JSON
+     * lacks, such as a NaN, as the text of its bits, "0x7fc00000". Throws a MipError if it cannot be encoded.
+     */
+    toJSON() {
+        return { ...this.constructor.readFrom(new Reader(this.encode(), { json: true })) };
+    }
+
+    /** Makes a field from what `toJSON` returned. Throws a MipError. */
+    static fromJSON(values) {
+        return this.decode(new this(values).encode());
+    }
+
+    /**
+     * Is a value valid, as its flags say? One without flags is, unless it is absent.
+     *
+     * @param name the member, or an element: "velocity[0]"
+     * @param device the id of the device, on which the flags may depend; if it is undefined, they are recognized by the bits
+     *   that are set
+     */
+    isValid(name, device, seen) {
+        const { layout, NAME, VALID } = this.constructor;
+        const [member] = name.split("[");
+        layout.refuseUnknown({ [member]: 0 }, NAME, {});
+        return VALID ? VALID(this, name, device, seen) : this[member] !== undefined;
     }
 
     /** Makes a packet with only this field, in the set that contained it or in `set`. Throws a MipError. */

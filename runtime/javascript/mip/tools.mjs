@@ -3,7 +3,8 @@
 export { checksum, fromHex, isSame, MipError, readFloat, sameBytes, toHex, writeFloat } from "./bytes.mjs";
 export { memberName } from "./codec.mjs";
 export { buildPacket, decodeData, decodePacket, encodeData, partsOf } from "./data.mjs";
-export { nameIn, placesOf, Protocol } from "./model.mjs";
+export { deviceWithNumber, nameIn, placesOf, Protocol } from "./model.mjs";
+export { clocksIn, isValid } from "./model_time.mjs";
 export {
     bitsNumber,
     bitsOf,
@@ -19,3 +20,4 @@ export {
 export { FIRST_DATA_SET, isSet, Packet, SHARED_SET } from "./packet.mjs";
 export { Parser, segments } from "./parser.mjs";
 export { decimation } from "./streaming.mjs";
+export { Times } from "./time.mjs";

@@ -30,6 +30,7 @@ from .conversation import (
     Conversation,
     Dialog,
     News,
+    Stamp,
     T,
     Ticket,
     responses,
@@ -50,8 +51,9 @@ from .device import (
     deadline_of,
     lost,
 )
-from .errors import NoAnswer, PortClosed, Refused
-from .field import Command, Field, R
+from .errors import Cause, NoAnswer, Refused
+from .exceptions import PortClosed
+from .field import Command, Field, R, Response
 from .port import (
     AT_ONCE,
     CONNECT_TIMEOUT,
@@ -65,6 +67,7 @@ from .port import (
     warn_unclosed,
     weakly,
 )
+from .rejected import Known, ask_and_find_cause, received, with_cause
 from .streaming import steps
 
 #: Turns of the event loop before a command is sent, so that bytes that have arrived are processed
@@ -119,6 +122,8 @@ class Device(AtPort):
         self._port = self._link.port
         self._link.start(weakly(self._receive), weakly(self._lose))
         self._closed = False
+        # needs: session
+        self._known = Known()
 
     def __del__(self) -> None:
         if not self._closed and not sys.is_finalizing():
@@ -183,7 +188,7 @@ class Device(AtPort):
 
         Raises what `device.Device.request` raises.
         """
-        (result,) = responses(await self._exchange((command,), timeout))
+        (result,) = await self._answers((command,), timeout)
         return cast(R, result)
 
     @overload
@@ -220,7 +225,20 @@ class Device(AtPort):
 
         Raises what `device.Device.request_all` raises.
         """
-        return responses(await self._exchange(commands, timeout))
+        return await self._answers(commands, timeout)
+
+    async def _answers(
+        self, commands: Sequence[Command], timeout: float | None
+    ) -> tuple[Response | None, ...]:
+        tickets = await self._exchange(commands, timeout)
+        # needs: session
+        await self._follow(with_cause(received(tickets), self._known))
+        return responses(tickets)
+
+    # needs: session
+    async def cause(self, command: Command) -> Cause | None:
+        """Like `device.Device.cause`."""
+        return await self._follow(ask_and_find_cause(command, self._known))
 
     async def exchange(
         self, *commands: Command, timeout: float | None = None
@@ -286,10 +304,15 @@ class Device(AtPort):
 
     # needs: session
     async def stream(
-        self, rates: Mapping[type[Field], float], *, set: int | None = None
+        self,
+        rates: Mapping[type[Field], float],
+        *,
+        set: int | None = None,
+        timestamp: str | None = "auto",
     ) -> dict[type[Field], float]:
         """Like `device.Device.stream`."""
-        return await self._follow(steps(session(), rates, set))
+        dialog = steps(session(), rates, set, timestamp)
+        return await self._follow(with_cause(dialog, self._known))
 
     # needs: baud rates
     async def change_baud(self, command: Command, attempts: int = 3) -> int:
@@ -310,7 +333,7 @@ class Device(AtPort):
                 if step.command is None:
                     await asyncio.sleep(step.seconds or 0)
                 else:
-                    answer = await self.request(step.command, step.seconds)
+                    (answer,) = responses(await self._exchange((step.command,), step.seconds))
             except (NoAnswer, Refused) as error:
                 failed = error
 
@@ -345,25 +368,26 @@ class Device(AtPort):
         return arrivals.popleft()
 
     @overload
-    def fields(self, a: type[F1], /) -> AsyncIterator[tuple[float, F1]]: ...
+    def fields(self, a: type[F1], /) -> AsyncIterator[tuple[Stamp, F1]]: ...
     @overload
-    def fields(self, a: type[F1], b: type[F2], /) -> AsyncIterator[tuple[float, F1 | F2]]: ...
+    def fields(self, a: type[F1], b: type[F2], /) -> AsyncIterator[tuple[Stamp, F1 | F2]]: ...
     @overload
     def fields(
         self, a: type[F1], b: type[F2], c: type[F3], /
-    ) -> AsyncIterator[tuple[float, F1 | F2 | F3]]: ...
+    ) -> AsyncIterator[tuple[Stamp, F1 | F2 | F3]]: ...
     @overload
     def fields(
         self, a: type[F1], b: type[F2], c: type[F3], d: type[F4], /
-    ) -> AsyncIterator[tuple[float, F1 | F2 | F3 | F4]]: ...
+    ) -> AsyncIterator[tuple[Stamp, F1 | F2 | F3 | F4]]: ...
     @overload
-    def fields(self, *kinds: type[F]) -> AsyncIterator[tuple[float, F]]: ...
-    async def fields(self, *kinds: type[Any]) -> AsyncIterator[tuple[float, Any]]:
+    def fields(self, *kinds: type[F]) -> AsyncIterator[tuple[Stamp, F]]: ...
+    async def fields(self, *kinds: type[Any]) -> AsyncIterator[tuple[Stamp, Any]]:
         """Like `device.Device.fields`."""
         async for arrival in self:
+            stamp = arrival.stamp()
             for kind in kinds:
                 for field in arrival.find_all(kind):
-                    yield arrival.time, field
+                    yield stamp, field
 
     def clear(self) -> None:
         """Discards the data that has not been read yet, without counting it as dropped."""

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .errors import DecodeError, EncodeError, MissingResponse
+from .exceptions import DecodeError, EncodeError, MissingResponse
 from .field import Command, Response
 from .packet import Packet, PacketBuilder, RawField
 from .parser import Parser

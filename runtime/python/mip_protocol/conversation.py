@@ -12,14 +12,17 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterator, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
+from math import nan
 from typing import Any, NamedTuple, TypeAlias, TypeVar, cast
 
 from ._clocks import CLOCKS
 from .client import Answer, Client, Event, Outcome, Received, Skipped, TimedOut, check_seconds
-from .errors import NoAnswer, PortClosed, Refused
+from .errors import NoAnswer, Refused
+from .exceptions import PortClosed
 from .field import Command, Field, Response
 from .packet import Packet, RawField
 from .protocol import FunctionSelector
+from .registry import decode_packet, types
 
 F = TypeVar("F", bound=Field)
 # needs: session or baud rates
@@ -29,6 +32,20 @@ T = TypeVar("T")
 SILENCE = 1.0
 #: Packets that wait for the program, by default.
 CAPACITY = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class Stamp:
+    """The times of a field in seconds: by the device, and when it arrived."""
+
+    device: float
+    """The time in its packet, which `Arrival.device_time` has in nanoseconds; NaN if there is
+    none."""
+    clock: str
+    """The clock of this time: "gps" counts in UTC since 1970, others from their start; "" if there
+    is no time."""
+    arrived: float
+    """When it had been read, as `Arrival.time`: since 1970, UTC, by the clock of this computer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,10 +87,18 @@ class Arrival:
             raise ValueError(f"{clock!r} is not a clock; use one of {', '.join(CLOCKS)}")
         return moments(self.packet).get(clock)
 
+    def stamp(self, device: str | None = None) -> Stamp:
+        """Returns the time of its fields, by the first clock of which the packet contains a valid
+        time: one with a date, if there is one. `device` is the device's id, if it is known."""
+        from .timestamps import moments
+
+        times = moments(self.packet, device)
+        clock = next((clock for clock in CLOCKS if times.get(clock) is not None), "")
+        time = times.get(clock)
+        return Stamp(nan if time is None else time / 1e9, clock, self.time)
+
     def decode(self) -> list[Field | RawField]:
         """Returns all fields of the packet, as `registry.decode_packet` does."""
-        from .registry import decode_packet
-
         return list(decode_packet(self.packet))
 
 
@@ -167,8 +192,6 @@ class Conversation:
         """Returns the command that reads whether `command` will be acknowledged, if unknown."""
         for number, descriptor, _, _ in command.SILENCED_BY:
             if command.answered and (number, descriptor) not in self._settings:
-                from .registry import types
-
                 for kind in types(number, descriptor):
                     read, required = getattr(kind, "read", None), getattr(kind, "REQUIRED", {})
                     if read and required.get(FunctionSelector.READ) == 0:

@@ -1,30 +1,43 @@
-"""The meaning of objects: names, units, validity, text. Descriptions are loaded on first use."""
+"""The meaning of objects: names, units, validity, text.
+
+Most programs never ask for it. The descriptions of a module's classes are generated, name all of
+them, and are loaded by the module's name when one is first used.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, overload
+from collections.abc import Iterable
+from functools import cache
+from importlib import import_module
+from typing import Any
 
-from .errors import EncodeError
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from .field import Field
-    from .info import FieldInfo, StructureInfo
+from ._sets import MODULES
 
 
-class _Info:
+@cache
+def description(kind: Any) -> Any:
+    """Returns the description of a field, structure, enumeration or bitfield of the specification.
+
+    A class that is made at run time describes itself. Raises LookupError for any other class.
+    """
+    own = vars(kind).get("INFO")
+    if own is not None and not isinstance(own, Description):
+        return own
+    for base in kind.__mro__:
+        package, _, module = base.__module__.rpartition(".")
+        if package == __package__ and module in (*MODULES.values(), "protocol", "types"):
+            table = import_module(f"._meaning.{module}", __package__).TYPES
+            if base.__name__ in table:
+                return table[base.__name__]
+    raise LookupError(f"{kind.__module__}.{kind.__qualname__} is not a type of the specification")
+
+
+class Description:
     """The attribute `INFO` of a class."""
 
-    @overload
-    def __get__(self, holder: object, kind: type[Field]) -> FieldInfo: ...
-    @overload
-    def __get__(self, holder: object, kind: type[Described]) -> StructureInfo: ...
-    def __get__(self, holder: object, kind: type[Described]) -> Any:
-        from .reflection import info
-
+    def __get__(self, holder: object, kind: Any) -> Any:
         try:
-            return info(kind)
+            return description(kind)
         except LookupError as error:  # `Field` and other base classes, and the user's own
             raise AttributeError(str(error)) from None
 
@@ -43,7 +56,7 @@ class _Help(dict[str, str]):
 def help_of(kind: type[Described], name: str) -> str:
     """Returns the text about a parameter."""
     try:
-        return kind.INFO[name].text
+        return str(kind.INFO[name].text)
     except (AttributeError, LookupError):  # the user's own class
         return ""
 
@@ -53,7 +66,7 @@ class Described:
 
     __slots__ = ()
 
-    INFO = _Info()
+    INFO = Description()
     """Facts about it and its parameters."""
 
     def _called(self, name: str) -> str:
@@ -74,23 +87,7 @@ class Described:
         absent value is not valid. `device` is the device's id, on which the flags may depend.
         Raises EncodeError if the flags are not a number.
         """
-        name, _, element = name.partition(".")
-        p = self.INFO[name].of(self, device)
-        if getattr(self, p.attribute) is None:
-            return False
-        flags = p.flags
-        if element:
-            if element not in p.elements:
-                from .lookup import unknown
-
-                raise unknown(element, f"an element of {p.name}", p.elements)
-            flags = flags[p.elements.index(element) :][:1] if len(flags) > 1 else flags
-        held = [(flag, getattr(self, flag.attribute)) for flag in flags]
-        try:
-            return all(value is not None and flag.holds(value) for flag, value in held)
-        except TypeError:
-            wrong = ", ".join({f"{f.attribute} is {value!r}": None for f, value in held})
-            raise EncodeError("range", f"{wrong}, needs a whole number") from None
+        return bool(self.INFO.is_valid(self, name, device))
 
     def meaning(self, name: str, device: str | None = None) -> Any:
         """Returns the value `name` as a member of the enumeration or bitfield that defines it.
@@ -99,10 +96,7 @@ class Described:
         "3dm-gx5-15"). Without such a type, the value is returned unchanged. Raises EncodeError if
         the value does not fit into its parameter.
         """
-        from .text import meant
-
-        p = self.INFO[name].of(self, device)
-        return meant(p, getattr(self, p.attribute))
+        return self.INFO.meaning(self, name, device)
 
     def to_dict(
         self, names: bool = True, json: bool = False, device: str | None = None
@@ -118,17 +112,18 @@ class Described:
         the device's id, on which some names depend. Raises EncodeError if a value of an enumeration
         or a bitfield is not a number.
         """
-        from .text import as_dict
-
-        return as_dict(self, names, json, device)
+        values: dict[str, Any] = self.INFO.to_dict(self, names, json, device)
+        return values
 
     def to_text(self, device: str | None = None) -> str:
         """Returns one line with names, values and units, interpreted for a device; `str()` returns
         the line for an unknown device. If a value cannot be sent, this may be the same as `repr()`.
         """
-        from .text import as_text
-
-        return as_text(self, device)
+        try:
+            info = self.INFO
+        except AttributeError:
+            return repr(self)  # the user's own class
+        return str(info.to_text(self, device))
 
     def __str__(self) -> str:
         return self.to_text()

@@ -3,95 +3,61 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
 
-if TYPE_CHECKING:
-    from .client import Outcome
-    from .field import Command, Field
-    from .types import AckCode
-
-
-class MipError(ValueError):
-    """An error of this package; `kind` names it in one word."""
-
-    def __init__(self, kind: str, detail: str) -> None:
-        # `args` keeps the arguments of the class's constructor, so that errors can be pickled.
-        self.kind = kind
-        self.detail = detail
-
-    def __str__(self) -> str:
-        return f"{self.kind}: {self.detail}"
-
-
-class DecodeError(MipError):
-    """Bytes that cannot be decoded."""
+from .client import Outcome
+from .exceptions import (
+    DecodeError,
+    EncodeError,
+    MipError,
+    MissingExtra,
+    MissingResponse,
+    NoDevice,
+    PacketError,
+    PortClosed,
+    PortError,
+    Truncated,
+    UnknownName,
+)
+from .field import Command, Field
+from .types import AckCode
 
 
-class Truncated(DecodeError):
-    """The data ends too early."""
+@dataclass(frozen=True)
+class Cause:
+    """The field for which a device has rejected a command."""
 
-    def __init__(self, wanted: int, left: int) -> None:
-        super().__init__("truncated", f"{wanted} bytes needed, {left} left")
-
-
-class PacketError(DecodeError):
-    """Bytes that are not a packet (`sync`, `length`, `checksum`) or a field (`field_length`)."""
-
-
-class MissingResponse(MipError):
-    """A command that requests a response was acknowledged without one."""
-
-    def __init__(self, command: str) -> None:
-        super().__init__("missing_response", f"{command} was acknowledged without its response")
-
-
-class EncodeError(MipError):
-    """A value that cannot be sent.
-
-    Kinds: `missing`: a required value is None. `range`: a number does not fit. `count`: the number
-    of elements is wrong. `tag`: a union's member is not the one that its tag selects. `length`: the
-    field or packet is too long. `set`: the descriptor set is not the packet's, or does not exist.
-    """
-
-
-class UnknownName(MipError, LookupError):
-    """A name that is unknown (`unknown_name`) or has several meanings (`ambiguous`); `near` lists
-    the names that may be meant."""
-
-    def __init__(self, kind: str, detail: str, near: tuple[str, ...] = ()) -> None:
-        super().__init__(kind, detail)
-        self.near = near
-
-    def __str__(self) -> str:
-        return self.detail
-
-
-class PortError(OSError, MipError):
-    """A port that cannot be opened. `kind` is `port`, and `errno` the reason, or `kind` is `url` if
-    the name is wrong."""
-
-    def __init__(self, kind: str, detail: str, errno: int | None = None) -> None:
-        MipError.__init__(self, kind, detail)
-        self.args = (kind, detail, errno)
-        self.errno = errno
-
-    def __str__(self) -> str:
-        return self.detail
+    index: int  # in the list of the command
+    set: int
+    descriptor: int  # 0: the whole set
+    reason: str  # "absent", "decimation", "too_many", "undefined" or "unlisted"; see `rejected`
+    text: str  # "3DM-CV7-AR has no GNSS receiver"
 
 
 class Refused(MipError):
     """The device has rejected a command; `code` is the reason.
 
     `outcomes`: the outcome of each command in the same packet, as `Device.exchange` returns them.
+    `cause`: the field for which the device has rejected a command that lists fields, if it is found.
     """
 
     def __init__(
-        self, command: Command, code: AckCode, outcomes: Sequence[Outcome | None] = ()
+        self,
+        command: Command,
+        code: AckCode,
+        outcomes: Sequence[Outcome | None] = (),
+        cause: Cause | None = None,
     ) -> None:
-        super().__init__("refused", f"{command.NAME}: {code.name} ({int(code)})")
+        words = code.name.lower().replace("_", " ")
+        why = f": {cause.text}" if cause else ""
+        super().__init__("refused", f"{command.NAME} rejected ({words}){why}")
         self.command = command
         self.code = code
         self.outcomes = tuple(outcomes)
+        self.cause = cause
+
+    def __str__(self) -> str:
+        return self.detail
 
 
 class NoAnswer(MipError, TimeoutError):
@@ -102,22 +68,6 @@ class NoAnswer(MipError, TimeoutError):
         self.args = (command, outcomes)
         self.command = command
         self.outcomes = tuple(outcomes)
-
-
-class PortClosed(MipError, ConnectionError):
-    """The port of a device is closed, or the other end has closed it."""
-
-    def __init__(self, why: str) -> None:
-        super().__init__("closed", why)
-        self.args = (why,)
-
-
-class NoDevice(MipError, ConnectionError):
-    """No device answers at a port, whatever the baud rate."""
-
-    def __init__(self, why: str) -> None:
-        super().__init__("no_device", why)
-        self.args = (why,)
 
 
 class NoSuchRate(MipError):
@@ -133,9 +83,20 @@ class NoSuchRate(MipError):
         self.nearest = dict(nearest)
 
 
-class MissingExtra(ImportError):
-    """A package that this one needs only for an extra is not installed."""
-
-    def __init__(self, package: str, extra: str) -> None:
-        super().__init__(f"{package} is missing; pip install {package}", name=package)
-        self.args = (package, extra)
+__all__ = [
+    "Cause",
+    "DecodeError",
+    "EncodeError",
+    "MipError",
+    "MissingExtra",
+    "MissingResponse",
+    "NoAnswer",
+    "NoDevice",
+    "NoSuchRate",
+    "PacketError",
+    "PortClosed",
+    "PortError",
+    "Refused",
+    "Truncated",
+    "UnknownName",
+]

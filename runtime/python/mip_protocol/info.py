@@ -5,9 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
-from .parameter import Parameter
+from . import prose
+from .described import Described
+from .exceptions import EncodeError
+from .parameter import Inside, Parameter, here, meant, to_json, to_text
+
+
+class Item(NamedTuple):
+    """One value of an object."""
+
+    parameter: Parameter  # as it applies to these values and this device
+    value: Any
+    text: str  # with its unit
+    valid: bool  # according to its flags
 
 
 @dataclass(frozen=True)
@@ -20,15 +32,11 @@ class Info:
     @property
     def text(self) -> str:
         """Its documentation, without its title and sources."""
-        from . import prose
-
         return prose.text(self.type)
 
     @property
     def sources(self) -> tuple[str, ...]:
         """Manuals and sections: "3dm-gx5-15: 5.1.1 …"."""
-        from . import prose
-
         return prose.sources(self.type)
 
 
@@ -42,8 +50,6 @@ class MemberInfo:
 
     @property
     def text(self) -> str:
-        from . import prose
-
         return prose.text(self.owner, self.member)
 
 
@@ -63,6 +69,8 @@ class BitInfo(MemberInfo):
     alias: bool = False  # it overlaps other bits
     concerns: tuple[str, ...] = ()  # names of the fields and commands that it concerns
     type: Any = None  # the enumeration of a number
+    #: The attribute and its values with which the bit means something; None: always.
+    state: tuple[str, tuple[int, ...]] | None = None
 
     @property
     def first(self) -> int:
@@ -107,6 +115,7 @@ class BitsInfo(_Members):
     #: Bit -> the fields and commands that it concerns.
     concerns: dict[str, tuple[str, ...]] = field(default_factory=dict)
     numbers: dict[str, Any] = field(default_factory=dict)  # name -> its enumeration
+    states: dict[str, tuple[str, tuple[int, ...]]] = field(default_factory=dict)
 
     @cached_property
     def bits(self) -> tuple[BitInfo, ...]:
@@ -119,6 +128,7 @@ class BitsInfo(_Members):
                 name in self.aliases,
                 self.concerns.get(name, ()),
                 self.numbers.get(name),
+                self.states.get(name),
             )
             for name, member, mask in self._named()
         )
@@ -153,15 +163,83 @@ class StructureInfo(Info):
             raise unknown(name, f"a parameter of {self.name}", [p.name for p in self.parameters])
         return found
 
+    # What the methods of an object do; see `described`.
+
+    def is_valid(self, holder: Described, name: str, device: str | None) -> bool:
+        name, _, element = name.partition(".")
+        p = self[name].of(holder, device)
+        if getattr(holder, p.attribute) is None:
+            return False
+        flags = p.flags
+        if element:
+            if element not in p.elements:
+                from .lookup import unknown
+
+                raise unknown(element, f"an element of {p.name}", p.elements)
+            flags = flags[p.elements.index(element) :][:1] if len(flags) > 1 else flags
+        values = [(flag, getattr(holder, flag.attribute)) for flag in flags]
+        try:
+            return all(value is not None and flag.holds(value) for flag, value in values)
+        except TypeError:
+            wrong = ", ".join({f"{f.attribute} is {value!r}": None for f, value in values})
+            raise EncodeError("range", f"{wrong}, needs a whole number") from None
+
+    def meaning(self, holder: Described, name: str, device: str | None) -> Any:
+        p = self[name].of(holder, device)
+        return meant(p, getattr(holder, p.attribute))
+
+    def to_dict(
+        self,
+        holder: Described,
+        names: bool,
+        json: bool,
+        device: str | None,
+        inside: Inside | None = None,
+    ) -> dict[str, Any]:
+        values = {}
+        for p in self.members:
+            value = getattr(holder, p.attribute)
+            if value is not None:
+                value = to_json(here(p, holder, device, inside), value, holder, names, json, device)
+            values[p.name] = value
+        return values
+
+    def to_text(self, holder: Described, device: str | None) -> str:
+        name = holder._called(self.name)
+        try:
+            words = self.words(holder, device)
+        except EncodeError:
+            return repr(holder)  # a value cannot be sent
+        return f"{name}: {words}" if words else str(name)
+
+    def words(self, holder: Described, device: str | None, inside: Inside | None = None) -> str:
+        return ", ".join(
+            f"{x.parameter.name} = {x.text}{'' if x.valid else ' (invalid)'}"
+            for x in self.items(holder, device, inside)
+        )
+
+    def items(
+        self, holder: Described, device: str | None = None, inside: Inside | None = None
+    ) -> list[Item]:
+        """Returns an object's values, without absent ones."""
+        items = []
+        for p in self.members:
+            value = getattr(holder, p.attribute)
+            if value is not None:
+                p = here(p, holder, device, inside)
+                valid = not p.flags or holder.is_valid(p.name, device)
+                items.append(Item(p, value, to_text(p, value, holder, device), valid))
+        return items
+
 
 @dataclass(frozen=True)
 class FieldInfo(StructureInfo):
     functions: tuple[str, ...] = ()  # "write", "read", …
     devices: tuple[str, ...] = ()  # ids of those that support it
-    perhaps: tuple[str, ...] = ()  # ids of those that may support it
+    likely: tuple[str, ...] = ()  # ids of those for which programs or examples name it
+    assumed: tuple[str, ...] = ()  # ids of those whose family has it
     deprecated: bool = False
     advanced: bool = False
-    max_rate: float | None = None  # Hz
 
     @property
     def title(self) -> str:

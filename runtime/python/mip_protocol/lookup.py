@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cache
-from importlib import import_module
 from typing import Any
 
-from ._index import DEVICES, FAMILIES, FIELDS, NAMED, SETS
-from .errors import UnknownName
-from .field import Field
+from ._index import DEVICES, FAMILIES, FIELDS, NAMED
+from ._sets import SETS
+from .exceptions import UnknownName
 
 #: Words in other bindings' names that do not describe the field itself.
 NOISE = frozenset(("mip", "data", "command", "commands"))
@@ -18,15 +17,21 @@ NOISE = frozenset(("mip", "data", "command", "commands"))
 PREFIX = __name__.split(".")[-2].removesuffix("_protocol")
 
 
-def field(name: str) -> type[Field]:
-    """Finds the type of a field; see `registry.by_name`."""
-    names = _named(_checked(name, "a field"))
+def descriptors(name: Any) -> tuple[int, int] | None:
+    """Returns set and descriptor of a field that is named by them: "0x80,0x04"."""
+    numbers = re.fullmatch(
+        r"\(?0x([0-9a-f]{1,2}) *, *0x([0-9a-f]{1,2})\)?", _checked(name, "a field").strip(), re.I
+    )
+    return (int(numbers[1], 16), int(numbers[2], 16)) if numbers else None
+
+
+def field_home(name: str, names: Sequence[str] | None = None) -> tuple[str, str]:
+    """Finds module and class of a field; see `registry.by_name`. `names`: those that it may be."""
+    names = _fields(name) if names is None else names
     if len(names) == 1:
-        set, kind = FIELDS[names[0]][:2]
-        kind_: type[Field] = getattr(import_module(f".{set}", __package__), kind)
-        return kind_
+        return FIELDS[names[0]][:2]
     if names:
-        raise ambiguous(name, names)
+        raise ambiguous(name, tuple(names))
     raise unknown(name, "a field", FIELDS, _near(name))
 
 
@@ -36,17 +41,12 @@ def _checked(name: Any, what: str) -> str:
     raise UnknownName("unknown_name", f"{name!r} is not the name of {what}")
 
 
-def _named(name: str) -> tuple[str, ...]:
+def _fields(name: str) -> tuple[str, ...]:
     """Finds the full names of the fields with this name."""
     first, _, own = name.partition(".")
     full = f"{FAMILIES.get(first, first)}.{own}"
     if full in FIELDS:
         return (full,)
-    numbers = re.fullmatch(r"\(?0x([0-9a-f]{1,2}) *, *0x([0-9a-f]{1,2})\)?", name.strip(), re.I)
-    if numbers:
-        from .registry import types
-
-        return tuple(t.NAME for t in types(int(numbers[1], 16), int(numbers[2], 16)))
     words, prefix = _words(name), _words(PREFIX)
     words = words[len(prefix) :] if words[: len(prefix)] == prefix else words
     names = _keys().get("".join(words)) or _keys().get(_key(words), ())
@@ -88,10 +88,8 @@ def _keys() -> dict[str, tuple[str, ...]]:
 
 
 def _near(name: str) -> list[str]:
-    from difflib import get_close_matches
-
     keys = _keys()
-    close = get_close_matches(_key(_words(name)), keys, n=4, cutoff=0.7)
+    close = _close(_key(_words(name)), keys, cutoff=0.7)
     return list(dict.fromkeys(full for key in close for full in keys[key]))[:4]
 
 
@@ -121,15 +119,13 @@ def device_id(name: str) -> str:
     named = only_named(name)
     if named:
         raise named
-    from difflib import get_close_matches
-
     keys = _ends()
     ids = keys.get(wanted, ())
     if len(ids) == 1:
         return ids[0]
     if ids:
         raise ambiguous(name, ids)
-    close = get_close_matches(wanted, keys, n=4)
+    close = _close(wanted, keys)
     raise unknown(name, "a device", DEVICES, dict.fromkeys(id for k in close for id in keys[k]))
 
 
@@ -159,14 +155,18 @@ def unknown(
     name: str, what: str, known: Iterable[str], near: Iterable[str] | None = None
 ) -> UnknownName:
     """Returns the error for an unknown name, with the nearest names."""
-    from difflib import get_close_matches
-
     known = list(known)
-    close = tuple(get_close_matches(name, known, n=4) if near is None else near)[:4]
+    close = tuple(_close(name, known) if near is None else near)[:4]
     few = tuple(known) if len(known) <= 8 else ()
     hint = f"did you mean {_either(close)}?" if close else f"known: {', '.join(few)}" if few else ""
     text = f"{name!r} is not {what}"
     return UnknownName("unknown_name", f"{text}; {hint}" if hint else text, close or few)
+
+
+def _close(name: str, names: Iterable[str], cutoff: float = 0.6) -> list[str]:
+    from difflib import get_close_matches  # only errors need it
+
+    return get_close_matches(name, list(names), 4, cutoff)
 
 
 def ambiguous(name: str, names: tuple[str, ...]) -> UnknownName:

@@ -7,7 +7,7 @@ from operator import index
 from typing import Any, NamedTuple
 
 from .checks import checksum as checksum
-from .errors import DecodeError, EncodeError, PacketError
+from .exceptions import DecodeError, EncodeError, PacketError
 
 SYNC = b"\x75\x65"
 MAX_PAYLOAD = 255

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
+from ._clocks import CLOCKS
 from .conversation import Dialog, Step
-from .errors import EncodeError, NoSuchRate, Refused
+from .errors import NoSuchRate, Refused
+from .exceptions import EncodeError
 from .field import Command, Field
 
 #: Creates a message format's item from a descriptor and a decimation.
@@ -16,8 +17,7 @@ Item = Callable[[int, int], Any]
 LARGEST = 0xFFFF  # decimation
 
 
-@dataclass(frozen=True)
-class Older:
+class Older(NamedTuple):
     """The commands of older devices for one descriptor set."""
 
     base_rate: Callable[[], Command[Any]]
@@ -26,8 +26,7 @@ class Older:
     stream: int  # the stream's number, used instead of the set's
 
 
-@dataclass(frozen=True)
-class Session:
+class Session(NamedTuple):
     """The commands that start data, as the specification names them."""
 
     base_rate: Callable[[int], Command[Any]]
@@ -36,13 +35,20 @@ class Session:
     item: Item
     stream: Callable[[int, bool], Command[Any]]
     resume: Callable[[], Command[Any]]
-    older: Mapping[int, Older] = field(default_factory=dict)
+    identify: Callable[[], Command[Any]]
+    information: Callable[[Any], Any]  # the part of its response that contains the model number
+    descriptors: Sequence[Callable[[], Command[Any]]]  # list what the device has
+    older: Mapping[int, Older] = {}
 
 
 def steps(
-    session: Session | None, rates: Mapping[type[Field], float], set: int | None
+    session: Session | None,
+    rates: Mapping[type[Field], float],
+    set: int | None,
+    timestamp: str | None,
 ) -> Dialog[dict[type[Field], float]]:
-    """Yields the commands that start data at these rates; returns the rates of the device."""
+    """Yields the commands that start data at these rates, with the first timestamp that the device
+    accepts; returns the rates of the device."""
     if session is None:
         raise NotImplementedError("this package's specification has no commands for streaming")
     number = set_of(rates, set)
@@ -62,13 +68,39 @@ def steps(
     missing = {kind: rate for kind, rate in rates.items() if rate not in (0, nearest[kind])}
     if missing and base:
         raise NoSuchRate(base, missing, nearest)
-    # Fields that all sets share come first, because each packet of a long message repeats them.
-    kinds = sorted(decimations, key=lambda kind: not isinstance(kind.SETS, range))
-    items = [session.item(kind.DESCRIPTOR, decimations[kind]) for kind in kinds]
-    yield Step(session.format(number, items) if older is None else older.format(items))
+    fastest = min(decimations.values(), default=1)
+    for stamp in (*_timestamps(number, rates, timestamp), None):
+        wanted = {**decimations, **({stamp: fastest} if stamp else {})}
+        # Fields that all sets share come first, because each packet of a long message repeats them.
+        kinds = sorted(wanted, key=lambda kind: not isinstance(kind.SETS, range))
+        items = [session.item(kind.DESCRIPTOR, wanted[kind]) for kind in kinds]
+        try:
+            yield Step(session.format(number, items) if older is None else older.format(items))
+            nearest = {kind: base / by for kind, by in wanted.items()}
+            break
+        except Refused:
+            if stamp is None:
+                raise
     yield Step(session.stream(number if older is None else older.stream, True))
     yield Step(session.resume())
     return nearest
+
+
+def _timestamps(
+    number: int, rates: Mapping[type[Field], float], timestamp: str | None
+) -> Sequence[type[Field]]:
+    """Returns the timestamps to try for a set that has none: first those that are always valid."""
+    from .timestamps import clocks_of, kinds  # which most programs do not need
+
+    if timestamp not in (None, "auto", *CLOCKS):
+        raise ValueError(f"{timestamp!r} is not a clock; use one of {', '.join(CLOCKS)}")
+    if not rates:  # the message format is cleared
+        return ()
+    clocks = list(CLOCKS) if timestamp == "auto" else [timestamp] if timestamp else []
+    found = dict.fromkeys(kind for clock in reversed(clocks) for kind in kinds(number, clock))
+    if any(kind in rates for kind in found):
+        return ()
+    return sorted(found, key=lambda k: any(CLOCKS[c] for c in clocks_of(number, k.DESCRIPTOR)))
 
 
 def set_of(rates: Mapping[type[Field], float], set: int | None) -> int:

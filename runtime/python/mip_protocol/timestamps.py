@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Iterable
 from datetime import datetime, timedelta
 from functools import cache, lru_cache
 from typing import NamedTuple
 
 from . import registry
 from ._clocks import CLOCKS, LEAP_SECONDS, TIMESTAMPS, UNIT_KEYS
-from .errors import DecodeError
+from .exceptions import DecodeError
 from .field import Field
 from .packet import Packet
-from .parameter import Flag, Parameter
+from .parameter import Parameter
 
 SECOND = 1_000_000_000
 #: A packet without a timestamp may use one of the same set up to this many bytes before it. The
@@ -22,7 +23,9 @@ REACH = 1 << 20
 #: sum of two parts fits into a signed 64-bit integer.
 MOST = 4 * 10**18
 
-_UNITS = {"week": 604_800 * SECOND, "s": SECOND, "ms": 1_000_000, "us": 1000, "ns": 1}
+#: Nanoseconds of a week. A time without a date does not count them.
+WEEK = 604_800 * SECOND
+_UNITS = {"week": WEEK, "s": SECOND, "ms": 1_000_000, "us": 1000, "ns": 1}
 _UNIX = datetime(1970, 1, 1)
 
 
@@ -36,19 +39,19 @@ def scale(parameter: Parameter) -> int | None:
 
 
 @cache
-def clock_of(set: int, descriptor: int) -> str | None:
-    """Returns the clock whose time the field contains, if the field is its packet's timestamp. Of
-    several for one clock, the one with the lowest descriptor counts."""
+def clocks_of(set: int, descriptor: int) -> tuple[str, ...]:
+    """Returns the clocks whose time the field can contain, if the field is its packet's timestamp:
+    the second has the time of week when it is not valid as a date."""
     kinds = registry.types(set, descriptor)
     if set < 0x80 or len(kinds) != 1:
-        return None
-    return TIMESTAMPS.get((getattr(kinds[0], "SET", set), descriptor))
+        return ()
+    return TIMESTAMPS.get((getattr(kinds[0], "SET", set), descriptor), ())
 
 
 @cache
 def kinds(set: int, clock: str) -> tuple[type[Field], ...]:
     """Returns the fields of a set that contain the time of a clock, in order of precedence."""
-    known = sorted({d for _, d in TIMESTAMPS if clock_of(set, d) == clock})
+    known = sorted({d for _, d in TIMESTAMPS if clock in clocks_of(set, d)})
     return tuple(registry.types(set, d)[0] for d in known)
 
 
@@ -75,11 +78,17 @@ def from_date(time: datetime) -> int:
     return (time - _UNIX) // timedelta(microseconds=1) * 1000
 
 
+class _Part(NamedTuple):
+    parameter: Parameter
+    scale: int  # nanoseconds
+    undated: bool  # does it count in a time without a date?
+
+
 class _Source(NamedTuple):
-    clock: str
+    clock: str  # the clock of a time that is valid
+    other: str  # the clock of a time of week that is not; "" if there is none
     kind: type[Field]
-    scales: tuple[tuple[str, int], ...]  # attribute -> nanoseconds
-    flags: tuple[Flag, ...]
+    parts: tuple[_Part, ...]
     size: int  # the smallest size of its data
 
 
@@ -96,48 +105,56 @@ def headers(data: bytes) -> bytes:
     return bytes(headers)
 
 
-def moments(packet: Packet) -> dict[str, int | None]:
+def moments(packet: Packet, device: str | None = None) -> dict[str, int | None]:
     """Returns the times in a packet by clock, in nanoseconds; None for a time that is not valid.
 
-    They count from 1970 in UTC if the clock has a date, otherwise from the clock's start. If
-    several fields contain the time of one clock, the one with the lowest descriptor counts.
+    They count from 1970 in UTC if the clock has a date, otherwise from the clock's start. A time of
+    week that is not valid is that of the clock "device". If several fields contain the time of one
+    clock, the one with the lowest descriptor counts. `device` is the device's id; without it, the
+    flags are read as `Parameter.recognized` says.
     """
     data = bytes(packet)
-    return moments_of(data, headers(data)) if packet.set >= 0x80 else {}
+    return moments_of(data, headers(data), device) if packet.set >= 0x80 else {}
 
 
-def moments_of(data: bytes, headers: bytes) -> dict[str, int | None]:
+def moments_of(data: bytes, headers: bytes, device: str | None = None) -> dict[str, int | None]:
     """Like `moments`, from the bytes of a data packet and its field headers."""
-    places = _places(data[2], headers)
-    return {source.clock: _decoded(source, data[begin:end]) for source, begin, end in places}
+    moments: dict[str, int | None] = {}
+    for source, begin, end in _places(data[2], headers):
+        try:
+            value = source.kind.decode(data[begin:end])
+        except DecodeError:
+            moments.setdefault(source.clock, None)
+            continue
+        for clock, time in _times(source, value, device).items():
+            moments.setdefault(clock, time)
+    return moments
 
 
 @lru_cache(maxsize=4096)
 def _places(number: int, headers: bytes) -> tuple[tuple[_Source, int, int], ...]:
-    """Returns where packets with these fields contain times: source, begin and end of each."""
-    places: dict[str, tuple[int, _Source, int, int]] = {}
+    """Returns where packets with these fields contain times: source, begin and end of each, in the
+    order of their descriptors."""
+    places: dict[int, tuple[_Source, int, int]] = {}
     at = 4
     for length, descriptor in zip(headers[::2], headers[1::2]):
         source = _source(number, descriptor)
-        if source is not None and places.get(source.clock, (0x100,))[0] > descriptor:
-            if length >= source.size + 2:
-                places[source.clock] = (descriptor, source, at + 2, at + length)
+        if source is not None and length >= source.size + 2:
+            places.setdefault(descriptor, (source, at + 2, at + length))
         at += length
-    return tuple(place[1:] for place in places.values())
+    return tuple(place for _, place in sorted(places.items()))
 
 
 @cache
 def _source(set: int, descriptor: int) -> _Source | None:
-    clock = clock_of(set, descriptor)
-    if clock is None:
+    clocks = clocks_of(set, descriptor)
+    if not clocks:
         return None
-    from .reflection import info
-
     (kind,) = registry.types(set, descriptor)
-    parts = [(p, n) for p in info(kind).parameters if (n := scale(p)) is not None]
-    flags = dict.fromkeys(flag for p, _ in parts for flag in p.flags)
-    scales = tuple((p.attribute, n) for p, n in parts)
-    return _Source(clock, kind, scales, tuple(flags), _size(kind))
+    scales = ((p, scale(p)) for p in kind.INFO.parameters)
+    dated = CLOCKS[clocks[0]] is not None
+    parts = (_Part(p, n, not dated or n != WEEK) for p, n in scales if n is not None)
+    return _Source(clocks[0], clocks[1] if clocks[1:] else "", kind, tuple(parts), _size(kind))
 
 
 def _size(kind: type[Field]) -> int:
@@ -151,33 +168,42 @@ def _size(kind: type[Field]) -> int:
     return 254
 
 
-def time_of(field: Field) -> int | None:
+def time_of(field: Field, device: str | None = None) -> int | None:
     """Returns the time in a field such as `shared.GpsTimestamp`, in the same form as `moments`;
     None if it is not valid. Raises ValueError if the field is not a packet's timestamp."""
     source = _source(field.packet_set or field.SETS[0], field.DESCRIPTOR)
     if source is None:
         raise ValueError(f"{field.NAME} does not contain the time of its packet")
-    return _time(source, field)
+    return _times(source, field, device)[source.clock]
 
 
-def _decoded(source: _Source, data: bytes) -> int | None:
-    try:
-        return _time(source, source.kind.decode(data))
-    except DecodeError:
-        return None
+def _times(source: _Source, value: Field, device: str | None) -> dict[str, int | None]:
+    weeks = not all(part.undated for part in source.parts)
+    of_week = _sum((part for part in source.parts if part.undated), value)
+    if weeks and of_week is not None and not 0 <= of_week <= WEEK:
+        of_week = None
+    total = None if of_week is None else _sum(source.parts, value)
+    if total is not None and of_week is not None and (total > of_week or not weeks):  # not week 0
+        if all(_is_valid(part.parameter, value, device) for part in source.parts):
+            return {source.clock: utc(source.clock, total) if CLOCKS[source.clock] else total}
+    return {source.clock: None, **({source.other: of_week} if source.other else {})}
 
 
-def _time(source: _Source, value: Field) -> int | None:
-    for flag in source.flags:
+def _is_valid(p: Parameter, value: Field, device: str | None) -> bool:
+    for flag in p.flags_of(value, device):
         if not flag.holds(int(getattr(value, flag.attribute))):
-            return None
+            return False
+    return True
+
+
+def _sum(parts: Iterable[_Part], value: Field) -> int | None:
     total = 0
-    for attribute, scale in source.scales:
-        number = getattr(value, attribute)
+    for p, scale, _ in parts:
+        number = getattr(value, p.attribute)
         if not -MOST < number * scale < MOST:  # NaN is not, either
             return None
         total += round(number * scale)
-    return utc(source.clock, total) if CLOCKS[source.clock] else total
+    return total
 
 
 def utc(clock: str, time: int) -> int:

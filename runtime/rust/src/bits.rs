@@ -39,6 +39,16 @@ pub(crate) const fn number_mask(first: u16, last: u16) -> u64 {
     (u64::MAX >> unused).wrapping_shl(first as u32)
 }
 
+/// Are all bits of a mask set? A mask of 0 stands for any bit, as in a `Bool`.
+#[inline]
+pub(crate) const fn are_set(bits: u64, mask: u64) -> bool {
+    if mask == 0 {
+        bits != 0
+    } else {
+        bits & mask == mask
+    }
+}
+
 /// Returns a mask of the bits `first` to `last` of bytes.
 #[allow(clippy::arithmetic_side_effects, clippy::indexing_slicing)] // used in constants only
 pub(crate) const fn bytes_mask<const N: usize>(first: u16, last: u16) -> [u8; N] {

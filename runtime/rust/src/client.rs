@@ -10,6 +10,7 @@ use crate::field::{Command, Field, RawField, Response, ResponseCheck};
 use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, MAX_PAYLOAD};
 use crate::parser::Parser;
 use crate::protocol::{AckCode, Acknowledge, BARRIER};
+#[cfg(feature = "registry")]
 use crate::registry::AnyField;
 use crate::view::{View, Viewed};
 
@@ -75,9 +76,6 @@ struct Slot {
     deadline: u32,
     /// The number of commands in the barrier that must be answered first.
     behind: u8,
-    kind: Option<&'static Kind>,
-    /// The check for the response that the command requests.
-    wanted: Option<ResponseCheck>,
     event: Event,
 }
 
@@ -123,8 +121,6 @@ impl Slot {
         order: 0,
         deadline: 0,
         behind: 0,
-        kind: None,
-        wanted: None,
         event: Event::NONE,
     };
 
@@ -211,13 +207,29 @@ impl fmt::Display for RequestError {
 
 error!(RequestError);
 
-/// The result of a command.
+/// A command without a result. The device may have carried it out, except if it refused it.
+///
+/// ```
+/// use mip_protocol::client::{CommandError, Reason};
+///
+/// let error = CommandError::new("base.ping", Reason::TimedOut);
+/// assert_eq!(error.to_string(), "base.ping: no reply arrived in time");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-pub enum Answer<R> {
-    /// The device carried it out. `R` is the response; `()` if the command has none.
-    Acknowledged(R),
+pub struct CommandError {
+    /// The name of the command in the specification, `family.field`.
+    pub command: &'static str,
+    /// Why it has no result.
+    pub reason: Reason,
+}
+
+/// Why a command has no result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Reason {
     /// The device rejected it.
     Refused(AckCode),
     /// No reply arrived in time.
@@ -226,55 +238,23 @@ pub enum Answer<R> {
     MissingResponse,
     /// It was carried out, but the response could not be decoded.
     Undecodable(DecodeError),
-    /// It was sent. The device does not answer it, so nothing more is known.
-    Silent,
+    /// Its result was not kept, because other commands were sent after it.
+    Forgotten,
 }
 
-impl<R: Response> Answer<R> {
-    /// Returns the response, or `()` for a command without one.
-    ///
-    /// For a command that the device does not answer, it returns `Ok`.
-    ///
-    /// ```
-    /// use mip_protocol::client::{Answer, CommandError};
-    ///
-    /// let answer: Answer<()> = Answer::TimedOut;
-    /// assert_eq!(answer.into_result(), Err(CommandError::TimedOut));
-    /// assert_eq!(Answer::Acknowledged(()).into_result(), Ok(()));
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// The device rejected the command or did not reply in time, or the response is missing or
-    /// cannot be decoded. In the last two cases, the device has carried out the command.
-    pub fn into_result(self) -> Result<R, CommandError> {
-        match self {
-            Self::Acknowledged(response) => Ok(response),
-            Self::Silent => R::absent().ok_or(CommandError::MissingResponse),
-            Self::Refused(code) => Err(CommandError::Refused(code)),
-            Self::TimedOut => Err(CommandError::TimedOut),
-            Self::MissingResponse => Err(CommandError::MissingResponse),
-            Self::Undecodable(error) => Err(CommandError::Undecodable(error)),
-        }
+impl CommandError {
+    /// Creates the error of the command with this name.
+    #[must_use]
+    pub const fn new(command: &'static str, reason: Reason) -> Self {
+        Self { command, reason }
+    }
+
+    pub(crate) const fn of<C: Command>(reason: Reason) -> Self {
+        Self::new(C::NAME, reason)
     }
 }
 
-/// Why a command has no result. The device may have carried it out, except if it refused it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum CommandError {
-    /// The device rejected it.
-    Refused(AckCode),
-    /// No reply arrived in time.
-    TimedOut,
-    /// It was acknowledged without the response that it requests.
-    MissingResponse,
-    /// It was carried out, but the response could not be decoded.
-    Undecodable(DecodeError),
-}
-
-impl fmt::Display for CommandError {
+impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Refused(code) => {
@@ -285,30 +265,26 @@ impl fmt::Display for CommandError {
             }
             Self::TimedOut => f.write_str("no reply arrived in time"),
             Self::MissingResponse => f.write_str("the response is missing"),
-            Self::Undecodable(error) => error.fmt(f),
+            Self::Undecodable(_) => f.write_str("the response cannot be decoded"),
+            Self::Forgotten => f.write_str("other commands were sent after it"),
         }
     }
 }
 
-error!(CommandError);
+impl fmt::Display for CommandError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.command, self.reason)
+    }
+}
 
-/// The result of a command of any type.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum Outcome {
-    /// The device carried it out, and the response is present, if the command requests one.
-    Acknowledged,
-    /// The device rejected it.
-    Refused(AckCode),
-    /// No reply arrived in time.
-    #[default]
-    TimedOut,
-    /// It was acknowledged without the response that it requests.
-    MissingResponse,
-    /// It was carried out, but the response cannot be decoded. For the reason, call
-    /// [`Event::answer`] or decode [`Event::response`].
-    Undecodable,
+#[cfg(any(feature = "core-error", feature = "std"))]
+impl crate::error::Error for CommandError {
+    fn source(&self) -> Option<&(dyn crate::error::Error + 'static)> {
+        match &self.reason {
+            Reason::Undecodable(error) => Some(error),
+            _ => None,
+        }
+    }
 }
 
 /// The result of a command, with the response not yet decoded.
@@ -320,8 +296,10 @@ pub struct Event {
     pub set: u8,
     /// The descriptor of the command.
     pub descriptor: u8,
-    /// The result.
-    pub outcome: Outcome,
+    kind: Option<&'static Kind>,
+    /// The check for the response that the command requests.
+    check: Option<ResponseCheck>,
+    outcome: Outcome,
     /// A payload that begins with the response; zeros if there is none.
     response: [u8; MAX_PAYLOAD],
 }
@@ -331,9 +309,28 @@ impl Event {
         id: 0,
         set: 0,
         descriptor: 0,
-        outcome: Outcome::Acknowledged,
+        kind: None,
+        check: None,
+        outcome: Outcome::Complete,
         response: [0; MAX_PAYLOAD],
     };
+
+    /// Returns the name of the command in the specification, `family.field`.
+    #[must_use]
+    pub fn command(&self) -> &'static str {
+        self.kind.map_or("", |kind| kind.name)
+    }
+
+    /// Returns the result: `Ok` if the device carried it out, and the response is present, if the
+    /// command requests one.
+    ///
+    /// # Errors
+    ///
+    /// The reason why the command has no result.
+    pub fn outcome(&self) -> Result<(), Reason> {
+        let read = |field: RawField<'_>| self.check.and_then(|check| check(&field));
+        self.answered(read, Some(())).map_err(|error| error.reason)
+    }
 
     /// Returns the undecoded response.
     #[must_use]
@@ -346,22 +343,29 @@ impl Event {
         self.response.iter_mut().zip(fields.payload()).for_each(|(place, byte)| *place = *byte);
     }
 
-    /// Returns the answer if the event belongs to this ticket.
+    /// Returns the response, or `()` for a command without one, if the event belongs to this ticket.
     #[must_use]
-    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
+    pub fn answer<C: Command>(
+        &self,
+        ticket: &Ticket<C>,
+    ) -> Option<Result<C::Response, CommandError>> {
         (self.id == ticket.id).then(|| self.decoded())
     }
 
     /// Like [`Event::answer`], but the response is read in place, without copying.
     #[must_use]
-    pub fn view<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<View<'_, C::Response>>>
+    pub fn view<C: Command>(
+        &self,
+        ticket: &Ticket<C>,
+    ) -> Option<Result<View<'_, C::Response>, CommandError>>
     where
         C::Response: Field + Viewed,
     {
-        (self.id == ticket.id).then(|| self.answered(|field| field.view::<C::Response>(), None))
+        (self.id == ticket.id)
+            .then(|| self.answered(|field| field.view::<C::Response>().transpose(), None))
     }
 
-    fn decoded<R: Response>(&self) -> Answer<R> {
+    fn decoded<R: Response>(&self) -> Result<R, CommandError> {
         self.answered(|field| R::from_field(&field), R::absent())
     }
 
@@ -369,39 +373,50 @@ impl Event {
         &'e self,
         read: impl FnOnce(RawField<'e>) -> Option<Result<R, DecodeError>>,
         absent: Option<R>,
-    ) -> Answer<R> {
-        match self.outcome {
-            Outcome::Acknowledged | Outcome::Undecodable => match self.response().and_then(read) {
-                None => absent.map_or(Answer::MissingResponse, Answer::Acknowledged),
-                Some(Ok(response)) => Answer::Acknowledged(response),
-                Some(Err(error)) => Answer::Undecodable(error),
+    ) -> Result<R, CommandError> {
+        let reason = match self.outcome {
+            Outcome::Complete => match (self.response().and_then(read), absent) {
+                (Some(Ok(response)), _) | (None, Some(response)) => return Ok(response),
+                (Some(Err(error)), _) => Reason::Undecodable(error),
+                (None, None) => Reason::MissingResponse,
             },
-            Outcome::Refused(code) => Answer::Refused(code),
-            Outcome::TimedOut => Answer::TimedOut,
-            Outcome::MissingResponse => Answer::MissingResponse,
-        }
+            Outcome::MissingResponse => Reason::MissingResponse,
+            Outcome::Refused(code) => Reason::Refused(code),
+            Outcome::TimedOut => Reason::TimedOut,
+        };
+        Err(CommandError::new(self.command(), reason))
     }
 }
 
 impl PartialEq for Event {
     fn eq(&self, other: &Self) -> bool {
-        (self.id, self.set, self.descriptor, self.outcome, self.response())
-            == (other.id, other.set, other.descriptor, other.outcome, other.response())
+        (self.id, self.set, self.descriptor, self.outcome(), self.response())
+            == (other.id, other.set, other.descriptor, other.outcome(), other.response())
     }
+}
+
+/// What is known of a command's result. The first one is zero, so that a new client is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    /// Acknowledged, with the response that it requests, which may be impossible to decode.
+    Complete,
+    MissingResponse,
+    Refused(AckCode),
+    TimedOut,
 }
 
 impl fmt::Debug for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { id, set, descriptor, outcome, .. } = self;
-        write!(f, "Event({id}: 0x{set:02X},0x{descriptor:02X} {outcome:?}, {:?})", self.response())
+        let (command, outcome) = (self.command(), self.outcome());
+        write!(f, "Event({}: {command} {outcome:?}, {:?})", self.id, self.response())
     }
 }
 
 #[cfg(feature = "defmt")]
 impl defmt::Format for Event {
     fn format(&self, f: defmt::Formatter<'_>) {
-        let Self { id, set, descriptor, outcome, .. } = self;
-        defmt::write!(f, "Event({}: {},{} {}, {})", id, set, descriptor, outcome, self.response());
+        let (command, outcome) = (self.command(), self.outcome());
+        defmt::write!(f, "Event({}: {} {}, {})", self.id, command, outcome, self.response());
     }
 }
 
@@ -426,17 +441,29 @@ pub(crate) const fn has_passed(deadline: u32, now_ms: u32) -> bool {
 
 impl<const N: usize> Default for Client<N> {
     fn default() -> Self {
-        Self::new()
+        Self::with_timeout(DEFAULT_TIMEOUT_MS)
     }
 }
 
-impl<const N: usize> Client<N> {
-    /// Creates a client that waits [`DEFAULT_TIMEOUT_MS`] for a reply.
+impl Client {
+    /// Creates a client with eight slots that waits [`DEFAULT_TIMEOUT_MS`] for a reply. For another
+    /// number of slots, call [`Client::default`] or [`Client::with_timeout`].
+    ///
+    /// ```
+    /// use mip_protocol::client::{Client, DEFAULT_TIMEOUT_MS};
+    ///
+    /// let client = Client::new();
+    /// assert_eq!((client.pending(), client.deadline()), (0, None));
+    /// static SMALL: std::sync::Mutex<Client<1>> =
+    ///     std::sync::Mutex::new(Client::with_timeout(DEFAULT_TIMEOUT_MS));
+    /// ```
     #[must_use]
     pub const fn new() -> Self {
         Self::with_timeout(DEFAULT_TIMEOUT_MS)
     }
+}
 
+impl<const N: usize> Client<N> {
     /// Creates a client that waits this long for a reply, or longer if the specification states so
     /// for a command. The longest time is 2³¹ - 1 ms, 24.8 days.
     #[must_use]
@@ -493,6 +520,7 @@ impl<const N: usize> Client<N> {
     /// reply to the barrier, no reply is matched to a command sent after it; after that, none is
     /// matched to a command sent before it, which has timed out. If the barrier is not answered,
     /// the commands after it time out, although the device may have carried them out.
+    #[must_use = "the barrier must be sent"]
     pub fn barrier(&mut self) -> Option<Packet<'_>> {
         self.table_mut().barrier()
     }
@@ -542,12 +570,20 @@ impl<const N: usize> Client<N> {
         Events { table: self.table_mut(), fields: Fields::NONE }
     }
 
-    /// Takes the result of this command, if it is known. Events of other commands are kept.
+    /// Takes the result of this command, if it is known: its response, or `()` if it has none.
+    /// Events of other commands are kept.
     ///
-    /// The result of a silent command is known as soon as it is sent.
-    pub fn take<C: Command>(&mut self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
+    /// The result of a silent command is known as soon as it is sent: `Ok`.
+    ///
+    /// In the result, the command is an error if the device rejected it or did not reply in time,
+    /// or if the response is missing or cannot be decoded. In the last two cases, the device has
+    /// carried out the command.
+    pub fn take<C: Command>(
+        &mut self,
+        ticket: &Ticket<C>,
+    ) -> Option<Result<C::Response, CommandError>> {
         if ticket.silent {
-            return Some(Answer::Silent);
+            return Some(unanswered::<C>());
         }
         self.table().take(ticket.id).map(Event::decoded)
     }
@@ -574,15 +610,24 @@ impl<const N: usize> Client<N> {
         self.table_mut().free(|slot| slot.event.id == ticket.id);
     }
 
+    /// Borrows the last packet to send.
+    #[cfg(feature = "embedded-io-async")]
+    pub(crate) fn packet(&self) -> Packet<'_> {
+        self.table().packet.packet()
+    }
+
     /// Stops waiting for all commands; earlier events are kept.
     pub(crate) fn give_up(&mut self) {
         self.table_mut().free(|slot| slot.is(State::Waiting));
     }
 
     /// Like [`Client::take`], but the result is kept and can be read again.
-    pub(crate) fn known<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
+    pub(crate) fn known<C: Command>(
+        &self,
+        ticket: &Ticket<C>,
+    ) -> Option<Result<C::Response, CommandError>> {
         if ticket.silent {
-            return Some(Answer::Silent);
+            return Some(unanswered::<C>());
         }
         self.known_event(ticket).map(Event::decoded)
     }
@@ -652,12 +697,12 @@ impl Slots {
         let id = self.next;
         self.next = id.wrapping_add(1);
         if let (Some(slot), false) = (free, silent) {
-            (slot.kind, slot.wanted) = (Some(kind), wanted);
             let timeout_ms = self.patience.wrapping_add(DEFAULT_TIMEOUT_MS);
             slot.deadline = timeout_ms.max(kind.timeout_ms);
             slot.behind = self.behind;
             let event = &mut slot.event;
-            (event.id, event.set, event.descriptor) = (id, kind.set, kind.descriptor);
+            (event.id, event.kind, event.check) = (id, Some(kind), wanted);
+            (event.set, event.descriptor) = (kind.set, kind.descriptor);
             event.response[0] = 0;
             slot.state.set(State::Added);
             if let Some(now_ms) = sent_ms {
@@ -770,8 +815,7 @@ impl Slots {
         }
         let Some((slot, outcome)) = found else { return 0 };
         slot.event.outcome = outcome;
-        let checked = matches!(outcome, Outcome::Acknowledged | Outcome::Undecodable);
-        let has_response = checked && slot.wanted.is_some();
+        let has_response = outcome == Outcome::Complete && slot.event.check.is_some();
         if has_response {
             slot.event.keep(rest);
         }
@@ -828,6 +872,11 @@ impl Slots {
     }
 }
 
+/// Returns the result of a command that the device does not answer.
+fn unanswered<C: Command>() -> Result<C::Response, CommandError> {
+    C::Response::absent().ok_or_else(|| CommandError::of::<C>(Reason::MissingResponse))
+}
+
 /// Counts one more command without a reply.
 fn miss(missed: &mut u8) {
     *missed = if *missed < BARRIERS { missed.wrapping_add(1) } else { 1 };
@@ -842,7 +891,7 @@ impl Slot {
         code: AckCode,
         behind: Option<&RawField<'_>>,
     ) -> Option<Outcome> {
-        let kind = self.kind.filter(|kind| (kind.set, kind.descriptor) == (set, command))?;
+        let kind = self.event.kind.filter(|kind| (kind.set, kind.descriptor) == (set, command))?;
         if !self.is(State::Waiting) || self.behind > 0 {
             return None;
         }
@@ -853,14 +902,11 @@ impl Slot {
         #[allow(clippy::manual_contains)]
         let responds = behind
             .map_or(false, |field| kind.responses.iter().any(|known| *known == field.descriptor));
-        match self.wanted {
-            Some(check) if responds => {
-                check(behind?)
-                    .map(|ok| if ok { Outcome::Acknowledged } else { Outcome::Undecodable })
-            }
+        match self.event.check {
+            Some(check) if responds => check(behind?).map(|_| Outcome::Complete),
             None if responds => None,
             Some(_) => Some(Outcome::MissingResponse),
-            None => Some(Outcome::Acknowledged),
+            None => Some(Outcome::Complete),
         }
     }
 
@@ -917,8 +963,8 @@ impl<'c> Request<'c> {
     ///         println!("sent; the device does not answer it");
     ///         return Ok(());
     ///     };
-    ///     println!("{:?}", event.outcome);
-    ///     if let Some(Ok(response)) = event.response().and_then(|f| AnyField::decode(&f)) {
+    ///     println!("{:?}", event.outcome());
+    ///     if let Some(Ok(Some(response))) = event.response().map(|f| AnyField::decode(&f)) {
     ///         println!("{}: {response:?}", response.info().name);
     ///     }
     ///     Ok(())
@@ -928,6 +974,7 @@ impl<'c> Request<'c> {
     /// # Errors
     ///
     /// The field is not a command, or those of [`Request::add`].
+    #[cfg(feature = "registry")]
     #[inline]
     pub fn add_any(&mut self, field: &AnyField) -> Result<Ticket<()>, RequestError> {
         field.add_to(self).unwrap_or(Err(RequestError::NoCommand))

@@ -219,6 +219,7 @@ pub struct Writer<'a> {
     ended: bool,
     need: usize,
     got: usize,
+    member: &'static str,
 }
 
 impl<'a> Writer<'a> {
@@ -226,7 +227,7 @@ impl<'a> Writer<'a> {
     #[inline]
     #[must_use]
     pub fn new(buffer: &'a mut [u8]) -> Self {
-        Self { size: buffer.len(), free: buffer, ended: false, need: 0, got: 0 }
+        Self { size: buffer.len(), free: buffer, ended: false, need: 0, got: 0, member: "" }
     }
 
     /// Creates a writer that writes no more than a field can contain.
@@ -246,7 +247,10 @@ impl<'a> Writer<'a> {
     ) -> Result<usize, EncodeError> {
         match done {
             Ok(()) => Ok(self.length()),
-            Err(kind) => Err(EncodeError::new(kind, field, self.need, self.got)),
+            Err(kind) => {
+                let error = EncodeError::new(kind, field, self.need, self.got);
+                Err(EncodeError { member: self.member, ..error })
+            }
         }
     }
 
@@ -257,6 +261,15 @@ impl<'a> Writer<'a> {
         got: usize,
     ) -> EncodeErrorKind {
         (self.need, self.got) = (need, got);
+        kind
+    }
+
+    /// Names the member of the last error, unless a member inside it is named.
+    #[cold]
+    pub fn in_member(&mut self, kind: EncodeErrorKind, member: &'static str) -> EncodeErrorKind {
+        if self.member.is_empty() {
+            self.member = member;
+        }
         kind
     }
 

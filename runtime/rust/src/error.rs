@@ -45,6 +45,14 @@ pub enum DecodeErrorKind {
 }
 
 /// Why a field could not be encoded.
+///
+/// ```
+/// use mip_protocol::error::{EncodeError, EncodeErrorKind};
+/// use mip_protocol::PacketBuilder;
+///
+/// let error: EncodeError = PacketBuilder::new(0x80).push_raw(0x04, &[0; 254]).unwrap_err();
+/// assert_eq!((error.kind, error.need), (EncodeErrorKind::Length, 254));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -53,6 +61,8 @@ pub struct EncodeError {
     pub kind: EncodeErrorKind,
     /// The field's name in the specification, `family.field`; empty if only its bytes are known.
     pub field: &'static str,
+    /// The name of the member, if the error is about one: the first that is missing.
+    pub member: &'static str,
     /// The required value; see the kind.
     pub need: usize,
     /// The value found instead.
@@ -85,6 +95,18 @@ pub enum EncodeErrorKind {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Invalid;
 
+/// No value of an enumeration has this name; from its `FromStr`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct UnknownName;
+
+impl fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("no value has this name")
+    }
+}
+
 impl DecodeError {
     /// Adds the name of the field.
     #[must_use]
@@ -106,7 +128,7 @@ impl EncodeError {
         need: usize,
         got: usize,
     ) -> Self {
-        Self { kind, field, need, got }
+        Self { kind, field, member: "", need, got }
     }
 
     /// Creates the error for bytes that do not fit.
@@ -158,11 +180,16 @@ impl fmt::Display for DecodeError {
 
 impl fmt::Display for EncodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { kind, field, need, got } = self;
-        if !field.is_empty() {
-            write!(f, "{field}: ")?;
+        let Self { kind, field, member, need, got } = self;
+        match (field.is_empty(), member.is_empty()) {
+            (true, true) => {}
+            (false, false) => write!(f, "{field}.{member}: ")?,
+            _ => write!(f, "{field}{member}: ")?,
         }
         match kind {
+            EncodeErrorKind::Missing if *need == 1 => {
+                f.write_str("it is missing, or a value before it")
+            }
             EncodeErrorKind::Missing => write!(f, "{got} of {need} required values are present"),
             EncodeErrorKind::Count => write!(f, "{need} elements were given, {got} fit"),
             EncodeErrorKind::Tag => write!(f, "{kind}"),
@@ -175,4 +202,4 @@ impl fmt::Display for EncodeError {
     }
 }
 
-error!(DecodeError DecodeErrorKind EncodeError EncodeErrorKind);
+error!(DecodeError DecodeErrorKind EncodeError EncodeErrorKind UnknownName);

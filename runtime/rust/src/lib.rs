@@ -35,6 +35,8 @@
     clippy::ref_option,
     clippy::trivially_copy_pass_by_ref,
     clippy::unnecessary_wraps,
+    // the iterator over the fields of a packet is `fields`;
+    clippy::into_iter_without_iter,
     // the gain from inlining was measured.
     clippy::inline_always
 )]
@@ -53,6 +55,8 @@ pub mod codec;
 pub mod device;
 pub mod error;
 pub mod field;
+#[doc = include_str!("guide.md")]
+pub mod guide {}
 pub mod list;
 #[cfg(feature = "alloc")]
 mod owned;
@@ -64,13 +68,16 @@ mod slice;
 #[cfg(feature = "std")]
 mod stream;
 mod text;
+pub mod time;
 mod view;
 
+#[cfg(feature = "devices")]
 pub mod devices;
 #[cfg(feature = "dynamic")]
 #[allow(dead_code, unused_imports)] // few sets use all of it
 pub mod dynamic;
 pub mod protocol;
+#[cfg(feature = "registry")]
 pub mod registry;
 mod sets;
 pub mod types;
@@ -79,7 +86,7 @@ pub mod types;
 pub use sets::*;
 
 pub use bits::Bits;
-pub use client::{Answer, Client, CommandError, Event, Outcome, RequestError, Ticket};
+pub use client::{Client, CommandError, Event, Reason, RequestError, Ticket};
 pub use codec::{Bool, Reader, Union, Wire, Writer};
 pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid};
 pub use field::{
@@ -90,9 +97,11 @@ pub use list::{CapacityError, List};
 pub use owned::PacketBuf;
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
 pub use parser::{Feed, Parser};
+#[cfg(feature = "registry")]
 pub use registry::{AnyField, Decoded};
 pub use slice::{packets, Packets};
 #[cfg(feature = "std")]
 pub use stream::PacketReader;
 pub use text::{Text, VarText};
+pub use time::{Clock, Utc};
 pub use view::{View, Viewed};

@@ -4,7 +4,10 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::packet::{Packet, PacketBuilder, PacketError};
+use crate::error::DecodeError;
+use crate::field::{Field, RawField};
+use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, PacketError};
+use crate::time::Clock;
 
 /// A packet that owns its bytes, so that it can be kept or sent to another thread.
 ///
@@ -16,7 +19,7 @@ use crate::packet::{Packet, PacketBuilder, PacketError};
 /// let log = b"\x75\x65\x01\x02\x02\x01\xE0\xC6\x75\x65\x01\x02\x02\x01\xE0\xC6";
 /// let kept: Vec<PacketBuf> = packets(log).map(PacketBuf::from).collect();
 /// let packet: Packet<'_> = (&kept[0]).into();
-/// assert_eq!((packet.set(), kept[1].packet().fields().count()), (1, 1));
+/// assert_eq!((packet.set(), kept[1].fields().count()), (1, 1));
 /// ```
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct PacketBuf {
@@ -34,6 +37,43 @@ impl PacketBuf {
     #[must_use]
     pub fn packet(&self) -> Packet<'_> {
         Packet::trusted(&self.bytes)
+    }
+
+    /// Returns the descriptor set.
+    #[must_use]
+    pub fn set(&self) -> u8 {
+        self.packet().set()
+    }
+
+    /// Iterates over the fields.
+    #[must_use]
+    pub fn fields(&self) -> Fields<'_> {
+        self.packet().fields()
+    }
+
+    /// Decodes the first field of this type; see [`Packet::find`].
+    ///
+    /// # Errors
+    ///
+    /// The data is invalid.
+    #[inline]
+    pub fn find<T: Field>(&self) -> Result<Option<T>, DecodeError> {
+        self.packet().find()
+    }
+
+    /// Returns the time of a clock in the packet; see [`Packet::time`].
+    #[must_use]
+    pub fn time(&self, clock: Clock) -> Option<i64> {
+        self.packet().time(clock)
+    }
+}
+
+impl<'a> IntoIterator for &'a PacketBuf {
+    type Item = Result<RawField<'a>, FieldLengthError>;
+    type IntoIter = Fields<'a>;
+
+    fn into_iter(self) -> Fields<'a> {
+        self.fields()
     }
 }
 

@@ -3,21 +3,28 @@
 use std::fmt;
 use std::io::{self, Read};
 
+use crate::owned::PacketBuf;
 use crate::packet::Packet;
 use crate::parser::{judge, Candidate, Parser};
 
 /// Reads packets from a source.
+///
+/// As an iterator, it returns packets that own their bytes; [`PacketReader::next_packet`] returns
+/// borrowed ones, and copies nothing.
 ///
 /// ```
 /// use mip_protocol::PacketReader;
 ///
 /// let log: &[u8] = b"\x75\x65\x01\x02\x02\x01\xE0\xC6 and something else";
 /// let mut packets = PacketReader::new(log);
-/// while let Some(packet) = packets.next_packet()? {
-///     println!("{packet:?}");
+/// for packet in packets.by_ref() {
+///     let packet = packet?;
+///     for field in &packet {
+///         println!("{:?}", field?);
+///     }
 /// }
 /// assert_eq!(packets.parser().skipped(), 19);
-/// # Ok::<(), std::io::Error>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct PacketReader<R> {
     source: R,
@@ -99,5 +106,14 @@ impl<R: Read> PacketReader<R> {
             }
         }
         Ok(self.parser.look_behind())
+    }
+}
+
+/// The packets up to the end of the source, or to the time-out of some ports.
+impl<R: Read> Iterator for PacketReader<R> {
+    type Item = io::Result<PacketBuf>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.next_packet().map(|packet| packet.map(PacketBuf::from)).transpose()
     }
 }

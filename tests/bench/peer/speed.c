@@ -4,6 +4,7 @@
 #include "mip/definitions/data_sensor.h"
 #include "mip/mip_dispatch.h"
 #include "mip/mip_field.h"
+#include "mip/mip_interface.h"
 #include "mip/mip_parser.h"
 #include "rounds.h"
 
@@ -103,7 +104,13 @@ FUNCTION(peer_small) {
 FUNCTION(peer_all) {
     return parse(data, size, 4096, on_all);
 }
-FUNCTION(peer_three) {
+FUNCTION(peer_eight) {
+    return parse(data, size, 8, on_packet);
+}
+FUNCTION(peer_bytewise) {
+    return parse(data, size, 1, on_packet);
+}
+static size_t dispatched(const uint8_t *data, size_t size, size_t chunk) {
     static mip_dispatch_handler handlers[3];
     mip_dispatcher_init(&dispatcher);
     mip_dispatch_handler_init_extractor(&handlers[0], MIP_SENSOR_DATA_DESC_SET, MIP_DATA_DESC_SENSOR_ACCEL_SCALED,
@@ -115,10 +122,34 @@ FUNCTION(peer_three) {
     for (int i = 0; i < 3; i++) {
         mip_dispatcher_add_handler(&dispatcher, &handlers[i]);
     }
-    return parse(data, size, 4096, on_three);
+    return parse(data, size, chunk, on_three);
+}
+FUNCTION(peer_three) {
+    return dispatched(data, size, 4096);
+}
+FUNCTION(peer_small_three) {
+    return dispatched(data, size, 64);
+}
+FUNCTION(peer_device) {
+    static mip_dispatch_handler handlers[3];
+    static mip_interface device;
+    count = 0;
+    mip_interface_init(&device, 100, 1000, NULL, NULL, mip_interface_default_update, NULL);
+    mip_interface_register_extractor(&device, &handlers[0], MIP_SENSOR_DATA_DESC_SET, MIP_DATA_DESC_SENSOR_ACCEL_SCALED,
+                                     take_sensor_scaled_accel, &sensor_scaled_accel);
+    mip_interface_register_extractor(&device, &handlers[1], MIP_SENSOR_DATA_DESC_SET, MIP_DATA_DESC_SENSOR_GYRO_SCALED,
+                                     take_sensor_scaled_gyro, &sensor_scaled_gyro);
+    mip_interface_register_extractor(&device, &handlers[2], MIP_FILTER_DATA_DESC_SET, MIP_DATA_DESC_FILTER_ATT_QUATERNION,
+                                     take_filter_attitude_quaternion, &filter_attitude_quaternion);
+    for (size_t part; size > 0; data += part, size -= part) {
+        part = size < 64 ? size : 64;
+        mip_interface_input_bytes_from_device(&device, data, part, 0);
+    }
+    return count;
 }
 
-static const struct row ROWS[] = {ROW(peer_parse), ROW(peer_small), ROW(peer_all), ROW(peer_three)};
+static const struct row ROWS[] = {ROW(peer_parse), ROW(peer_small), ROW(peer_all), ROW(peer_three),
+                                  ROW(peer_eight), ROW(peer_bytewise), ROW(peer_small_three), ROW(peer_device)};
 
 int main(int arguments, char **given) {
     return run_rounds(ROWS, sizeof(ROWS) / sizeof(ROWS[0]), arguments, given);

@@ -328,7 +328,7 @@ static void send(void) {
     }
     printf("]}");
     for (const struct command *c = commands; c != NULL; c = c->next) {
-        if (c->request.state == MIP_REQUEST_SILENT) {
+        if (c->request.result.outcome == MIP_SENT) {
             event("silent", c->number);
             putchar('}');
         }
@@ -345,34 +345,34 @@ static const struct mip_entry *entry_of(const struct mip_codec *codec) {
 
 /* Decodes a response for which the command named no structure. */
 static void take_response(struct mip_request *r, const struct mip_field *field) {
-    if (r->state == MIP_REQUEST_ACKNOWLEDGED && r->asked != NULL && r->response == NULL) {
+    if (r->result.outcome == MIP_ACKNOWLEDGED && r->asked != NULL && r->response == NULL) {
         r->response = must(malloc(r->codec->size));
-        r->error = (uint8_t)mip_decode(r->codec, r->response, field, NULL);
-        r->responded = r->error == MIP_OK;
-        r->state = r->responded ? MIP_REQUEST_ACKNOWLEDGED : MIP_REQUEST_UNDECODABLE;
+        r->result.error = (uint8_t)mip_decode(r->codec, r->response, field, NULL);
+        r->result.responded = r->result.error == MIP_OK;
+        r->result.outcome = r->result.responded ? MIP_ACKNOWLEDGED : MIP_UNDECODABLE;
     }
 }
 
 static void print_answer(const struct command *c, const struct mip_field *field) {
     static const char *const names[] = {
-        [MIP_REQUEST_ACKNOWLEDGED] = "acknowledged",
-        [MIP_REQUEST_REFUSED] = "refused",
-        [MIP_REQUEST_MISSING_RESPONSE] = "missing_response",
-        [MIP_REQUEST_UNDECODABLE] = "undecodable",
+        [MIP_ACKNOWLEDGED] = "acknowledged",
+        [MIP_REFUSED] = "refused",
+        [MIP_MISSING_RESPONSE] = "missing_response",
+        [MIP_UNDECODABLE] = "undecodable",
     };
     const struct mip_request *r = &c->request;
-    event(names[r->state], c->number);
-    if (r->state == MIP_REQUEST_REFUSED) {
-        printf(",\"code\":%u", r->code);
+    event(names[r->result.outcome], c->number);
+    if (r->result.outcome == MIP_REFUSED) {
+        printf(",\"code\":%u", r->result.code);
     }
-    if (r->responded || r->state == MIP_REQUEST_UNDECODABLE) {
+    if (r->result.responded || r->result.outcome == MIP_UNDECODABLE) {
         printf(",\"response\":{\"descriptor\":%u,", field->descriptor);
     }
-    if (r->state == MIP_REQUEST_UNDECODABLE) {
-        printf("\"error\":\"%s\",", mip_error_name((mip_error)r->error));
+    if (r->result.outcome == MIP_UNDECODABLE) {
+        printf("\"error\":\"%s\",", mip_error_name((mip_error)r->result.error));
         print_hex("\"raw\":", field->data, field->size);
         putchar('}');
-    } else if (r->responded) { /* it is decoded again to count the trailing bytes */
+    } else if (r->result.responded) { /* it is decoded again to count the trailing bytes */
         void *again = must(malloc(r->codec->size));
         size_t trailing = 0;
         mip_decode(r->codec, again, field, &trailing);
@@ -384,7 +384,7 @@ static void print_answer(const struct command *c, const struct mip_field *field)
 
 static void print_timed_out(void) {
     for (struct command *c = sent; c != NULL; c = c->next) {
-        if (c->request.state == MIP_REQUEST_TIMED_OUT && !c->timed_out) {
+        if (c->request.result.outcome == MIP_TIMED_OUT && !c->timed_out) {
             c->timed_out = true;
             event("timed_out", c->number);
             putchar('}');
@@ -454,7 +454,7 @@ static void end(void) {
     poll();
     printf("%s{\"event\":\"end\",\"waiting\":[", first_event ? "" : ",");
     for (const struct command *c = sent; c != NULL; c = c->next) {
-        if (c->request.state == MIP_REQUEST_WAITING) {
+        if (c->request.result.outcome == MIP_WAITING) {
             printf("%s%u", comma, c->number);
             comma = ",";
         }

@@ -4,7 +4,19 @@
  * Input: flags, a descriptor set, a descriptor, how much room a small builder lacks; then the data of the field,
  * or with PAYLOAD the payload of a packet.
  */
-#include "library.h"
+#include "fuzz.h"
+
+#include "mip/registry.h"
+
+static bool all_zero(const void *memory, size_t size) {
+    const uint8_t *bytes = (const uint8_t *)memory;
+    for (size_t i = 0; i < size; i++) {
+        if (bytes[i] != 0) {
+            return false;
+        }
+    }
+    return true;
+}
 
 enum { PAYLOAD = 0x80 };
 

@@ -59,34 +59,35 @@ static void answered(void) {
     fresh();
     add(&r, &mip_tools_settings_command, &read, 0);
     expect(&r, &mip_tools_settings_response_codec, &response);
-    CHECK(r.state == MIP_REQUEST_WAITING && !RECEIVE(0x80, "\x04\xF1\x02\0"));
+    CHECK(r.result.outcome == MIP_WAITING && !RECEIVE(0x80, "\x04\xF1\x02\0"));
     CHECK(is_packet(mip_builder_finish(&packet), "\x75\x65\x01\x05\x05\x02\x02\x01\x01\xEB\x94", 11));
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x0B\x82\x01\x02\0\0\x25\x80\0\x07\x01"));
-    CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && r.code == MIP_ACK_CODE_OK && client.waiting == NULL);
-    CHECK(r.responded && response.baud == 9600 && response.mode == MIP_MODE_SLOW && response.limit == 7);
+    CHECK(r.result.outcome == MIP_ACKNOWLEDGED && r.result.code == MIP_ACK_CODE_OK && client.waiting == NULL);
+    CHECK(r.result.responded && response.baud == 9600 && response.mode == MIP_MODE_SLOW && response.limit == 7);
 
     /* The caller has no place for the response. One that is too short is reported, and leaves zeros. */
     fresh();
     add(&r, &mip_tools_settings_command, &read, 0);
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x0B\x82\x01\x02\0\0\x25\x80\0\x07\x01"));
-    CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && !r.responded && client.waiting == NULL);
+    CHECK(r.result.outcome == MIP_ACKNOWLEDGED && !r.result.responded && client.waiting == NULL);
     fresh();
     memset(&response, 0xAA, sizeof(response));
     add(&r, &mip_tools_settings_command, &read, 0);
     expect(&r, &mip_tools_settings_response_codec, &response);
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x04\x82\x01\x02"));
-    CHECK(r.state == MIP_REQUEST_UNDECODABLE && !r.responded && r.error == MIP_ERROR_TRUNCATED && response.port == 0);
+    CHECK(r.result.outcome == MIP_UNDECODABLE && !r.result.responded && r.result.error == MIP_ERROR_TRUNCATED && response.port == 0);
 }
 
 static void not_sent(void) {
-    struct mip_request r[2] = {{.state = MIP_REQUEST_WAITING}, {.state = MIP_REQUEST_WAITING}};
+    struct mip_request r[2] = {{.result = {.outcome = MIP_WAITING}}, {.result = {.outcome = MIP_WAITING}}};
     struct mip_tools_settings none;
     memset(&none, 0, sizeof(none));
     const size_t before = fresh()->length;
     CHECK(mip_encode(&mip_tools_settings_codec, &none, &packet) == MIP_OK); /* a codec carries any value */
     fresh();
     CHECK(mip_client_add(&client, &r[0], &packet, &mip_tools_settings_command, &none, 0) == MIP_ERROR_MISSING);
-    CHECK(r[0].state == MIP_REQUEST_CANCELLED && client.waiting == NULL && packet.error == MIP_ERROR_MISSING);
+    CHECK(r[0].result.outcome == MIP_NOT_SENT && r[0].result.error == MIP_ERROR_MISSING);
+    CHECK(client.waiting == NULL && packet.error == MIP_ERROR_MISSING);
     CHECK(packet.length == before && is_packet(mip_builder_finish(&packet), "\x75\x65\x01\x00\xDB\x05", 6));
 
     /* Nor does a command wait that does not fit, or belongs to another set; those before it do. */
@@ -95,11 +96,11 @@ static void not_sent(void) {
     CHECK(mip_builder_start(&other, bytes, 6 + 2, MIP_TOOLS_SET) == MIP_OK);
     CHECK(mip_client_add(&client, &r[0], &other, &mip_tools_ping_command, NULL, 0) == MIP_OK);
     CHECK(mip_client_add(&client, &r[1], &other, &mip_tools_ping_command, NULL, 0) == MIP_ERROR_LENGTH);
-    CHECK(r[1].state == MIP_REQUEST_CANCELLED && client.waiting == &r[0] && r[0].next == NULL);
+    CHECK(r[1].result.outcome == MIP_NOT_SENT && client.waiting == &r[0] && r[0].next == NULL);
     mip_client_cancel(&client, &r[0]);
     CHECK(mip_builder_start(&other, bytes, sizeof(bytes), 0x7F) == MIP_OK);
     CHECK(mip_client_add(&client, &r[0], &other, &mip_tools_ping_command, NULL, 0) == MIP_ERROR_SET);
-    CHECK(r[0].state == MIP_REQUEST_CANCELLED && client.waiting == NULL && other.length == MIP_HEADER_SIZE);
+    CHECK(r[0].result.outcome == MIP_NOT_SENT && client.waiting == NULL && other.length == MIP_HEADER_SIZE);
 
     /* A request that still waits and is used again waits once. */
     fresh();
@@ -116,8 +117,8 @@ static void timed_out(void) {
     fresh();
     add(&r, &mip_tools_ping_command, NULL, start);
     CHECK(expire(start) == 0 && expire(start + MIP_DEFAULT_TIMEOUT - 1) == 0);
-    CHECK(expire(start + MIP_DEFAULT_TIMEOUT) == 1 && r.state == MIP_REQUEST_TIMED_OUT);
-    CHECK(!RECEIVE(0x01, "\x04\xF1\x01\0") && r.state == MIP_REQUEST_TIMED_OUT); /* too late */
+    CHECK(expire(start + MIP_DEFAULT_TIMEOUT) == 1 && r.result.outcome == MIP_TIMED_OUT);
+    CHECK(!RECEIVE(0x01, "\x04\xF1\x01\0") && r.result.outcome == MIP_TIMED_OUT); /* too late */
 
     /* A longer time-out, from the specification or from the caller, up to the longest. */
     struct mip_tools_status status;
@@ -130,9 +131,9 @@ static void timed_out(void) {
     add(&r, &mip_tools_status_command, &status, 0);
     CHECK(expire(4999) == 0);
     mip_client_cancel(&client, &r);
-    CHECK(r.state == MIP_REQUEST_CANCELLED && client.waiting == NULL);
+    CHECK(r.result.outcome == MIP_CLOSED && client.waiting == NULL);
     mip_client_cancel(&client, &r); /* once more does no harm */
-    CHECK(expire(9999) == 0 && r.state == MIP_REQUEST_CANCELLED);
+    CHECK(expire(9999) == 0 && r.result.outcome == MIP_CLOSED);
     client.timeout = UINT32_MAX;
     fresh();
     add(&r, &mip_tools_ping_command, NULL, 1000);
@@ -154,14 +155,14 @@ static void responses(void) {
     CHECK(!mip_client_expect(&r, &mip_tools_settings_response_codec, &settings) && r.response == NULL);
     CHECK(!mip_client_expect(&r, NULL, &settings) && r.response == NULL);
     expect(&r, &mip_tools_set_time_slow_response_codec, &slow);
-    CHECK(RECEIVE(0x01, "\x04\xF1\x03\0\x06\x84\0\0\0\x07") && r.responded && slow.value == 7);
+    CHECK(RECEIVE(0x01, "\x04\xF1\x03\0\x06\x84\0\0\0\x07") && r.result.responded && slow.value == 7);
     mip_tools_set_time_write(&command, MIP_MODE_SLOW, 1); /* it asks for none */
     add(&r, &mip_tools_set_time_command, &command, 0);
     CHECK(!mip_client_expect(&r, &mip_tools_set_time_slow_response_codec, &slow));
-    CHECK(RECEIVE(0x01, "\x04\xF1\x03\0") && r.state == MIP_REQUEST_ACKNOWLEDGED);
+    CHECK(RECEIVE(0x01, "\x04\xF1\x03\0") && r.result.outcome == MIP_ACKNOWLEDGED);
     mip_tools_set_time_apply(&command, MIP_MODE_FAST, 5); /* and this is not even answered */
     add(&r, &mip_tools_set_time_command, &command, 0);
-    CHECK(r.state == MIP_REQUEST_SILENT && client.waiting == NULL);
+    CHECK(r.result.outcome == MIP_SENT && client.waiting == NULL);
 }
 
 /* A response that devices send in layouts of different sizes. */
@@ -180,18 +181,50 @@ static void sizes(void) {
     CHECK(r.asked->layout == &mip_tools_status_long_codec && r.codec == NULL);
     CHECK(!mip_client_expect(&r, &mip_tools_status_short_codec, &brief));
     expect(&r, &mip_tools_status_old_codec, &value);
-    CHECK(RECEIVE(0x01, old) && r.state == MIP_REQUEST_ACKNOWLEDGED && r.responded && value.uptime == 5);
+    CHECK(RECEIVE(0x01, old) && r.result.outcome == MIP_ACKNOWLEDGED && r.result.responded && value.uptime == 5);
 
     /* Another one: this is reported, and leaves zeros. */
     fresh();
     add(&r, &mip_tools_status_command, &ask, 0);
     expect(&r, &mip_tools_status_old_codec, &value);
-    CHECK(RECEIVE(0x01, current) && r.state == MIP_REQUEST_UNDECODABLE && r.error == MIP_ERROR_LAYOUT);
-    CHECK(!r.responded && value.uptime == 0 && r.codec == &mip_tools_status_long_codec);
+    CHECK(RECEIVE(0x01, current) && r.result.outcome == MIP_UNDECODABLE && r.result.error == MIP_ERROR_LAYOUT);
+    CHECK(!r.result.responded && value.uptime == 0 && r.codec == &mip_tools_status_long_codec);
+}
+
+/* All at once: a barrier, its reply, a reply in pieces, data behind it, and time. */
+static void steps(void) {
+    static const uint8_t barrier[] = {0x75, 0x65, 0x01, 0x04, 0x02, 0x01, 0x02, 0x01, 0xE5, 0x21};
+    static const uint8_t arriving[] = {0x75, 0x65, 0x01, 0x08, 0x04, 0xF1, 0x01, 0x00, 0x04, 0xF1, 0x01, 0x00, 0xCF,
+                                       0xC7, 0x75, 0x65, 0x01, 0x04, 0x04, 0xF1, 0x01, 0x00, 0xD5, 0x6A};
+    static struct mip_parser parser;
+    uint8_t bytes[MIP_MAX_SENT];
+    struct mip_request r;
+    struct mip_packet p;
+    const uint8_t *at = NULL;
+    size_t left = 0;
+    memset(&client, 0, sizeof(client));
+    mip_client_init(&client);
+    CHECK(mip_client_start(&client, &packet, bytes, MIP_TOOLS_SET) == 0);
+    add(&r, &mip_tools_ping_command, NULL, 0);
+    CHECK(!mip_client_step(&client, &parser, MIP_DEFAULT_TIMEOUT, &at, &left, &p));
+    CHECK(r.result.outcome == MIP_TIMED_OUT);
+    CHECK(mip_client_start(&client, &packet, bytes, MIP_TOOLS_SET) == sizeof(barrier));
+    CHECK(memcmp(bytes, barrier, sizeof(barrier) - 2) == 0);
+    add(&r, &mip_tools_ping_command, NULL, 0);
+    CHECK(mip_builder_finish(&packet).bytes == bytes + sizeof(barrier));
+    for (size_t i = 0, found = 0; i < sizeof(arriving); i++) {
+        at = arriving + i;
+        left = 1;
+        CHECK(r.result.outcome == MIP_WAITING);
+        found += mip_client_step(&client, &parser, 1, &at, &left, &p);
+        CHECK(left == 0 && found == (i == sizeof(arriving) - 1)); /* not the reply to the barrier */
+    }
+    CHECK(r.result.outcome == MIP_ACKNOWLEDGED && p.descriptor_set == 0x01);
 }
 
 int main(void) {
     mip_client_init(&client);
+    steps();
     answered();
     not_sent();
     timed_out();

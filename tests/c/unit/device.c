@@ -310,7 +310,7 @@ static void closed(void) {
     for (int i = 0; i < 100; i++) {
         CHECK(!mip_device_poll(&device));
     }
-    CHECK(request.state == MIP_REQUEST_TIMED_OUT);
+    CHECK(request.result.outcome == MIP_TIMED_OUT);
     /* The last bytes may arrive with the end; packets after noise are found in them, too. */
     fresh(all, 1);
     forget();
@@ -361,10 +361,82 @@ static void busy(void) {
     CHECK(is(inner, MIP_ACKNOWLEDGED, 0, MIP_OK) && inner_response.baud == 9600 && other.clock == 107 + 10);
 }
 
+/* A call that does not wait: its reply arrives later, in pieces, is overdue, or the command cannot be sent. */
+static struct mip_request later[2];
+
+static void call_later(void *user, const struct mip_field *field, uint32_t arrived) {
+    (void)field;
+    (void)arrived;
+    CHECK(is(mip_call_tools_ping(mip_defer((struct mip_device *)user, &later[1])), MIP_WAITING, 0, MIP_OK));
+    CHECK(!mip_device_step((struct mip_device *)user, (const uint8_t *)"\x75", 1)); /* nothing is used in a handler */
+    CHECK(((struct mip_device *)user)->parser.length == 0);
+}
+
+static void deferred(void) {
+    static const uint8_t pong[] = {0x75, 0x65, 0x01, 0x04, 0x04, 0xF1, 0x01, 0x00, 0xD5, 0x6A};
+    const struct mip_handler again = {&mip_measurements_accel_codec, MIP_ANY_SET, call_later, &device};
+    struct mip_tools_settings_response response;
+    fresh(&again, 1);
+    memset(later, 0, sizeof(later));
+    CHECK(later[0].result.outcome == MIP_NOT_SENT);
+    CHECK(is(mip_call_tools_ping(mip_defer(&device, &later[0])), MIP_WAITING, 0, MIP_OK) && line.reads == 0);
+    CHECK(line.writes == 1 && device.deferred == NULL);
+    for (size_t i = 0; i < sizeof(pong); i++) {
+        CHECK(later[0].result.outcome == MIP_WAITING);
+        CHECK(mip_device_step(&device, pong + i, 1));
+    }
+    CHECK(is(later[0].result, MIP_ACKNOWLEDGED, 0, MIP_OK) && device.client.waiting == NULL);
+
+    /* Two wait; a handler starts the second one. Each has its own reply. */
+    CHECK(is(mip_call_tools_settings_read(mip_defer(&device, &later[0]), 1, MIP_MODE_FAST, &response), MIP_WAITING, 0,
+             MIP_OK));
+    COMES(0, 0x80, ACCEL);
+    CHECK(mip_device_poll(&device) && later[1].result.outcome == MIP_WAITING);
+    COMES(0, 0x01, PONG);
+    COMES(0, 0x01, SETTINGS);
+    CHECK(mip_device_poll(&device) && response.baud == 9600 && later[0].result.responded);
+    CHECK(is(later[1].result, MIP_ACKNOWLEDGED, 0, MIP_OK));
+
+    /* Overdue; then a barrier precedes the next one. */
+    CHECK(is(mip_call_tools_ping(mip_defer(&device, &later[0])), MIP_WAITING, 0, MIP_OK));
+    line.clock += MIP_DEFAULT_TIMEOUT;
+    CHECK(mip_device_step(&device, NULL, 0));
+    CHECK(is(later[0].result, MIP_TIMED_OUT, 0, MIP_OK));
+    const unsigned writes = line.writes;
+    CHECK(is(mip_call_tools_ping(mip_defer(&device, &later[0])), MIP_WAITING, 0, MIP_OK) && line.writes == writes + 2);
+
+    /* Used again while it waits, and one that the port cannot write. */
+    line.deaf = true;
+    CHECK(is(mip_call_tools_ping(mip_defer(&device, &later[0])), MIP_NOT_SENT, 0, MIP_OK));
+    CHECK(is(later[0].result, MIP_NOT_SENT, 0, MIP_OK) && device.client.waiting == NULL);
+}
+
+/* Replies that come twice: the port takes in what waits before it writes, so that it is data. */
+static bool write_after_reading(void *user, const uint8_t *bytes, size_t size) {
+    uint8_t waiting[MIP_MAX_PACKET];
+    size_t count = 0;
+    (void)line_read(user, waiting, sizeof(waiting), &count);
+    CHECK(mip_device_step(&device, waiting, count));
+    return line_write(user, bytes, size);
+}
+
+static void twice(void) {
+    static const struct mip_port careful = {line_read, write_after_reading, line_now, &line};
+    fresh(all, 1);
+    mip_device_init(&device, &careful, 1, all);
+    forget();
+    memset(later, 0, sizeof(later));
+    COMES(0, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(mip_defer(&device, &later[0])), MIP_WAITING, 0, MIP_OK));
+    CHECK(seen.count == 1 && later[0].result.outcome == MIP_WAITING);
+    COMES(0, 0x01, PONG);
+    CHECK(mip_device_poll(&device) && is(later[0].result, MIP_ACKNOWLEDGED, 0, MIP_OK));
+}
+
 static void outcome_names(void) {
-    static const char *const names[] = {"not sent", "acknowledged", "sent", "refused", "timed out",
-                                        "missing response", "undecodable", "closed", "busy", "no such rate"};
-    for (int i = 0; i < 10; i++) {
+    static const char *const names[] = {"not sent", "acknowledged", "sent", "refused", "timed out", "missing response",
+                                        "undecodable", "closed", "waiting", "busy", "no such rate"};
+    for (int i = 0; i < 11; i++) {
         CHECK(strcmp(mip_outcome_name((enum mip_outcome)i), names[i]) == 0);
     }
     const struct mip_result nothing = {MIP_NOT_SENT, 0, MIP_OK, false};
@@ -635,6 +707,8 @@ int main(void) {
     late_answers();
     closed();
     busy();
+    deferred();
+    twice();
     outcome_names();
     handlers();
     packets();

@@ -22,7 +22,7 @@ int main() {
     bool good = mip_builder_start(&builder, buffer, sizeof buffer, MIP_TOOLS_SET) == MIP_OK &&
                 mip_tools_settings_encode(&command, &builder) == MIP_OK &&
                 mip_builder_finish(&builder).size == 15 && mip_state_flags_get_level(accel.valid_flags) == 5;
-    good = good && mip_registry_by_name(MIP_TOOLS_PING_NAME, nullptr)->codec == &mip_tools_ping_codec &&
+    good = good && mip_registry_by_name("tools.ping", nullptr)->codec == &mip_tools_ping_codec &&
            mip_reflect(&mip_measurements_accel_codec) != nullptr && mip_profile_find("model-a") == &mip_profile_model_a;
     static const mip_handler handler = {&mip_measurements_accel_codec, MIP_MORE_SET, nullptr, nullptr};
     const mip_field field = {nullptr, 0, handler.descriptor_set, handler.type->descriptor};

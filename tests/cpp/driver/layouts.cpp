@@ -99,7 +99,7 @@ mip_error cpp_encode(const mip_codec *codec, const void *value, mip_builder *bui
 
 mip_error cpp_packet_check(const std::uint8_t *bytes, std::size_t size, mip_packet *packet) {
     mip_error error;
-    if (const auto checked = mip::packet::check({bytes, size}, &error)) {
+    if (const auto checked = mip::packet::from({bytes, size}, &error)) {
         *packet = *checked;
     }
     return error;

@@ -1,6 +1,7 @@
 // What C++ adds, used as a program would.
 #include "mip/mip.hpp"
 #include "mip/ostream.hpp"
+#include "mip/profiles.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -90,8 +91,8 @@ void spans() {
 // --------------------------------------------------------------------------------- packets
 
 void fields() {
-    const auto packet = mip::packet::check(ACCEL);
-    CHECK(packet && !mip::packet::check({ACCEL, 19}));
+    const auto packet = mip::packet::from(ACCEL);
+    CHECK(packet && !mip::packet::from({ACCEL, 19}));
     int count = 0;
     for (const mip::field &field : *packet) {
         const auto accel = field.as<scaled_accel>();
@@ -354,9 +355,20 @@ void client_without_a_port() {
     CHECK(client.c().waiting == nullptr);
 }
 
+void rejected_fields() {
+    const mip_known_device known = {&mip_profile_cv7_ar, nullptr, 0};
+    const mip::descriptor_rate rates[] = {{0x04, 1}, {0x06, 1}};
+    const auto mag = mip::find_rejected(mip::mip_3dm::write_message_format{mip::sensor_set, rates}, known);
+    char text[60], part[10];
+    CHECK(mag && mag.why() == mip::rejection::absent && mag.index == 1 && mag.descriptor == 0x06);
+    CHECK(mag.text(text, known).substr(0, 10) == "3DM-CV7-AR" && mag.text(part, known) == "3DM-CV7-A");
+    CHECK(!mip::find_rejected(mip::base::ping{}, known)); // it lists no fields
+}
+
 } // namespace
 
 int main() {
+    rejected_fields();
     enumerations();
     flags();
     spans();

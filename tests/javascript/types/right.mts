@@ -16,6 +16,7 @@ import { AckCode, FunctionSelector } from "mip-protocol/protocol";
 import { registry } from "mip-protocol/registry";
 import { OverrangeFlags, OverrangeStatus, ScaledAccel, ScaledGyro } from "mip-protocol/sensor";
 import { GpsTimestamp } from "mip-protocol/shared";
+import { Clock, Times } from "mip-protocol/time";
 
 export async function commands(device: Device): Promise<string> {
     const info = await device.request(new GetDeviceInfo());
@@ -34,12 +35,15 @@ export async function commands(device: Device): Promise<string> {
 }
 
 export async function data(device: Device): Promise<number> {
+    const times = new Times();
     for await (const packet of device) {
         const [x, y, z] = packet.find(ScaledAccel)?.scaledAccel ?? [0, 0, -1];
         const flags = packet.find(OverrangeStatus)?.status ?? 0;
         const full = OverrangeFlags.has(flags, OverrangeFlags.ACCEL_X) || OverrangeFlags.namesOf(flags).includes("MAG_X");
         for (const time of packet.findAll(GpsTimestamp)) if (full && time.set === 0x80) return time.tow;
-        if (x > y && packet.time) return z;
+        if (x > y && packet.arrival) return z;
+        const time: bigint = packet.time(Clock.GPS, "3dm-gx5-25") ?? times.time(packet, Clock.DEVICE) ?? 0n;
+        if (time > 0n && packet.find(Dop)?.isValid("gdop")) return Number(time / 1_000_000n);
     }
     for await (const field of device.fields(EulerAngles)) return field.yaw;
     return (await device.next({ timeout: 1 }))?.find(Dop)?.gdop ?? 0;

@@ -42,6 +42,8 @@ device.stream([[ScaledAccel, "100"]]);
 fromHex(Uint8Array.of(1));
 // @ts-expect-error only the device answers
 packet.bytes = "7565";
+// @ts-expect-error a clock is an object, not its name
+packet.time("gps");
 // @ts-expect-error a packet has no speed
 packet.speed;
 

@@ -3,9 +3,22 @@
 from __future__ import annotations
 
 import asyncio
+import math
+from itertools import islice, pairwise
 
 import pytest
-from mip_protocol import EncodeError, NoSuchRate, Refused, aio, filter_data, gnss_data, open_port, sensor, shared
+from mip_protocol import (
+    EncodeError,
+    NoSuchRate,
+    Refused,
+    aio,
+    filter_data,
+    gnss_data,
+    mip_3dm,
+    open_port,
+    sensor,
+    shared,
+)
 from mip_protocol.streaming import decimation, set_of, steps
 from support import PATIENCE, simulated
 
@@ -16,9 +29,11 @@ CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
 def test_data_at_a_rate(model: str) -> None:
     with simulated("--tcp", "0", device=model) as place, open_port(place, timeout=PATIENCE) as device:
         rates = device.stream({sensor.ScaledAccel: 100, sensor.ScaledGyro: 50})
-        assert rates == {sensor.ScaledAccel: 100, sensor.ScaledGyro: 50}
+        stamp = shared.ReferenceTimestamp if model == CV7 else sensor.GpsTimestamp
+        assert rates == {sensor.ScaledAccel: 100, sensor.ScaledGyro: 50, stamp: 100}
         device.clear()
         packets = [device.next(PATIENCE) for _ in range(40)]
+        assert all(packet and packet.find(stamp) for packet in packets)
         assert 20 <= sum(bool(p and p.find(sensor.ScaledGyro)) for p in packets) <= 21
         rates = device.stream({filter_data.EulerAngles: 0})
         assert rates[filter_data.EulerAngles] in (500, 1000)
@@ -45,7 +60,9 @@ def test_what_a_rate_changes() -> None:
 def test_with_asyncio() -> None:
     async def run(place: str) -> None:
         async with aio.open_port(place, timeout=PATIENCE) as device:
-            assert await device.stream({sensor.ScaledAccel: 100}) == {sensor.ScaledAccel: 100}
+            rates = {sensor.ScaledAccel: 100}
+            assert await device.stream(rates) == {**rates, sensor.GpsTimestamp: 100}
+            assert await device.stream(rates, timestamp=None) == rates
             with pytest.raises(NoSuchRate):
                 await device.stream({sensor.ScaledAccel: 70})
             with pytest.raises(Refused):  # it has no such receiver
@@ -53,6 +70,28 @@ def test_with_asyncio() -> None:
 
     with simulated("--tcp", "0", device=GX5) as place:
         asyncio.run(run(place))
+
+
+@pytest.mark.parametrize("model, clocks", [(CV7, ("reference", "gps")), (GX5, ("device", "device"))])
+def test_the_time_of_fields(model: str, clocks: tuple[str, str]) -> None:
+    """The first timestamp that the device accepts is one that is always valid, if it has one."""
+    with simulated("--tcp", "0", device=model) as place, open_port(place, timeout=PATIENCE) as device:
+        for timestamp, clock in zip(("auto", "gps"), clocks):
+            device.stream({sensor.ScaledAccel: 100, sensor.ScaledGyro: 10}, timestamp=timestamp)
+            device.clear()
+            stamps = [stamp for stamp, _ in islice(device.fields(sensor.ScaledAccel), 12)]
+            assert {stamp.clock for stamp in stamps} == {clock}
+            assert [b.device - a.device for a, b in pairwise(stamps)] == pytest.approx([0.01] * 11, abs=1e-6)
+            assert all(a.arrived <= b.arrived for a, b in pairwise(stamps))
+        device.stream({sensor.ScaledAccel: 100}, timestamp=None)
+        device.clear()
+        stamp, _ = next(device.fields(sensor.ScaledAccel))
+        assert math.isnan(stamp.device) and stamp.clock == "" and stamp.arrived > 0
+        with pytest.raises(ValueError, match="'utc' is not a clock; use one of gps, external"):
+            device.stream({sensor.ScaledAccel: 100}, timestamp="utc")
+        assert device.stream({}, set=0x80) == {}  # clears the message format
+        stored = mip_3dm.MessageFormat.read(0x80) if model == CV7 else mip_3dm.ImuMessageFormat.read()
+        assert device.request(stored).descriptors == ()
 
 
 def test_the_set() -> None:
@@ -85,4 +124,4 @@ def test_decimations_are_the_nearest() -> None:
 
 def test_without_these_commands() -> None:
     with pytest.raises(NotImplementedError):
-        next(steps(None, {sensor.ScaledAccel: 1}, None))
+        next(steps(None, {sensor.ScaledAccel: 1}, None, None))

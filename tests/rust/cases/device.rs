@@ -8,8 +8,8 @@ use mip_protocol::device::{Device, DeviceError, Port, StdPort};
 use mip_protocol::protocol::{AckCode, Acknowledge};
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    measurements, tools, Answer, AnyField, Client, CommandError, EncodeErrorKind, Field, Outcome,
-    PacketBuilder, PacketReader, RequestError,
+    measurements, tools, AnyField, Client, Command, CommandError, EncodeErrorKind, Field,
+    PacketBuilder, Reason, RequestError,
 };
 
 /// A port that answers each packet with chunks, or with an error; in between, time goes on.
@@ -78,13 +78,13 @@ impl Port for Played {
 
 /// The answer to a barrier, if it is one: as many acknowledges as it has pings.
 fn barrier(bytes: &[u8]) -> Option<Vec<u8>> {
-    let mut answer = PacketBuilder::new(tools::TOOLS_SET);
+    let mut answer = PacketBuilder::new(tools::SET);
     let pings = bytes.get(4..bytes.len() - 2)?;
     for ping in pings.chunks(2) {
         answer.push(&Acknowledge { command: 1, code: AckCode::OK }).ok()?;
         (ping == [2, 1]).then_some(())?;
     }
-    (bytes[2] == tools::TOOLS_SET && pings.len() > 2).then(|| answer.bytes().to_vec())
+    (bytes[2] == tools::SET && pings.len() > 2).then(|| answer.bytes().to_vec())
 }
 
 fn ack(command: u8, code: AckCode) -> Vec<u8> {
@@ -98,7 +98,7 @@ fn packet<T: Field>(field: &T) -> Vec<u8> {
 }
 
 fn answered<T: Field>(command: u8, response: &T) -> Vec<u8> {
-    let mut builder = PacketBuilder::new(tools::TOOLS_SET);
+    let mut builder = PacketBuilder::new(tools::SET);
     builder.push(&Acknowledge { command, code: AckCode::OK }).unwrap();
     builder.push(response).unwrap();
     builder.bytes().to_vec()
@@ -137,6 +137,11 @@ fn a_response_and_the_data_around_it() {
     }
 }
 
+/// The error of a command.
+fn failed<C: Command, E>(reason: Reason) -> DeviceError<E> {
+    CommandError::new(C::NAME, reason).into()
+}
+
 #[test]
 fn what_can_become_of_a_command() {
     let mut device = device([
@@ -150,13 +155,14 @@ fn what_can_become_of_a_command() {
     ]);
     assert_eq!(device.request(&tools::Ping), Ok(()));
     let refused = device.request(&tools::Bias::read()).unwrap_err();
-    let code = CommandError::Refused(AckCode::INVALID_PARAMETER);
-    assert_eq!(refused, DeviceError::Command(code));
-    let late = DeviceError::Command(CommandError::TimedOut);
+    let code = AckCode::INVALID_PARAMETER;
+    assert_eq!(refused, failed::<tools::Bias, _>(Reason::Refused(code)));
+    let late = failed::<tools::Bias, _>(Reason::TimedOut);
     assert_eq!(device.request(&tools::Bias::read()), Err(late));
     assert_eq!(device.port().now, 1000);
-    let missing = DeviceError::Command(CommandError::MissingResponse);
+    let missing = failed::<tools::Bias, _>(Reason::MissingResponse);
     assert_eq!(device.request(&tools::Bias::read()), Err(missing));
+    let late = failed::<tools::Status, _>(Reason::TimedOut);
     assert!(matches!(device.request(&tools::Status::new(1)), Err(e) if e == late));
     assert_eq!(device.port().now, 3500); // the second command may take 2.5 s
     assert_eq!(device.port().barriers, 1);
@@ -174,6 +180,7 @@ fn what_is_not_sent() {
         panic!()
     };
     assert_eq!(error.kind, EncodeErrorKind::Missing);
+    assert_eq!(error.to_string(), "tools.bias.bias: it is missing, or a value before it");
     assert!(device.port().sent.is_empty());
     let request = error_of(error);
     let whole = DeviceError::<io::Error>::from(request);
@@ -181,8 +188,10 @@ fn what_is_not_sent() {
     // The text states the cause, so `source` does not: programs that print both would repeat it.
     assert!(whole.to_string().ends_with(&error.to_string()) && whole.source().is_none());
     let broken = tools::Bias::decode(&[]).unwrap_err();
-    let whole = DeviceError::<io::Error>::from(CommandError::Undecodable(broken));
-    assert!(whole.to_string().ends_with(&broken.to_string()) && whole.source().is_none());
+    let undecodable = Reason::Undecodable(broken);
+    let whole = failed::<tools::Bias, io::Error>(undecodable);
+    assert_eq!(whole.to_string(), format!("tools.bias: {undecodable}"));
+    assert_eq!(whole.source().unwrap().to_string(), broken.to_string());
 }
 
 fn error_of(error: mip_protocol::EncodeError) -> RequestError {
@@ -193,7 +202,7 @@ fn error_of(error: mip_protocol::EncodeError) -> RequestError {
 fn several_commands_in_one_packet_and_their_answers_in_several() {
     let reply = vec![data(1.0), ack(1, AckCode::OK), data(2.0), answered(5, &BIAS)];
     let mut device = device([reply, vec![ack(1, AckCode::OK)], vec![ack(1, AckCode::OK)]]);
-    let tickets = device.send_all(tools::TOOLS_SET, |request| {
+    let tickets = device.send_all(tools::SET, |request| {
         Ok((
             request.add(&tools::Ping)?,
             request.add(&tools::Bias::read())?,
@@ -202,23 +211,31 @@ fn several_commands_in_one_packet_and_their_answers_in_several() {
     });
     let (first, second, third) = tickets.unwrap();
     assert_eq!((device.port().sent.len(), device.port().now), (1, 1000));
-    assert_eq!(device.answer(&second), Answer::Acknowledged(BIAS));
-    assert_eq!(device.answer(&third).into_result(), Err(CommandError::TimedOut));
+    assert_eq!(device.answer(&second), Ok(BIAS));
+    assert_eq!(device.answer(&third).unwrap_err().reason, Reason::TimedOut);
     assert_eq!(next(&mut device), Some(data(1.0)));
     // An unsolicited answer takes no room from the next.
     for _ in 0..2 {
         assert_eq!(device.request(&tools::Ping), Ok(()));
     }
-    assert_eq!(device.answer(&first), Answer::TimedOut);
+    let forgotten = CommandError::new("tools.ping", Reason::Forgotten);
+    assert_eq!(device.answer(&first), Err(forgotten));
     assert_eq!(next(&mut device), Some(data(2.0)));
+    let replies = [vec![ack(1, AckCode::OK), answered(5, &BIAS)], vec![ack(1, AckCode(3))]];
+    let mut device = self::device(replies);
+    let both = (&tools::Ping, &tools::Bias::read());
+    assert_eq!(device.request_all(both), Ok(((), BIAS)));
+    assert_eq!(device.port().sent.len(), 1);
+    let rejected = failed::<tools::Ping, _>(Reason::Refused(AckCode(3)));
+    assert_eq!(device.request_all(both), Err(rejected));
     // Nothing is sent if one of them cannot be added.
     let mut small: Device<_, 1> = Device::with_client(Played::default(), Client::with_timeout(50));
-    let busy = small.send_all(tools::TOOLS_SET, |request| {
+    let busy = small.send_all(tools::SET, |request| {
         Ok((request.add(&tools::Ping)?, request.add(&tools::Ping)?))
     });
     assert_eq!(busy.unwrap_err(), DeviceError::Request(RequestError::Busy));
     assert!(small.port().sent.is_empty());
-    assert_eq!(small.request(&tools::Ping), Err(DeviceError::Command(CommandError::TimedOut)));
+    assert_eq!(small.request(&tools::Ping), Err(failed::<tools::Ping, _>(Reason::TimedOut)));
     assert_eq!(small.port().now, 50);
 }
 
@@ -240,7 +257,7 @@ fn data_are_kept_as_far_as_there_is_room() {
     let size = data(0.0).len();
     let chunks: Vec<_> = (0..count).map(|n| data(n as f32)).chain([ack(1, AckCode::OK)]).collect();
     let port = Played { replies: [chunks].into(), ..Default::default() };
-    let mut device: Device<_, 1, 600> = Device::with_client(port, Client::new());
+    let mut device: Device<_, 1, 600> = Device::with_client(port, Client::default());
     device.request(&tools::Ping).unwrap();
     let kept = 600 / size;
     assert_eq!(device.dropped() as usize, count - kept);
@@ -248,7 +265,7 @@ fn data_are_kept_as_far_as_there_is_room() {
         assert_eq!(next(&mut device), Some(data(n as f32)));
     }
     // A stream that is read loses nothing, in whatever chunks it comes.
-    let mut device: Device<_, 1, 265> = Device::with_client(Played::default(), Client::new());
+    let mut device: Device<_, 1, 265> = Device::with_client(Played::default(), Client::default());
     let stream: Vec<u8> = (0..count).flat_map(|n| data(n as f32)).collect();
     device.port_mut().coming.extend(stream.chunks(501).map(<[u8]>::to_vec));
     for n in 0..count {
@@ -258,7 +275,7 @@ fn data_are_kept_as_far_as_there_is_room() {
     // Without room, all is dropped, and commands work.
     let replies = [vec![data(1.0), ack(1, AckCode::OK)]].into();
     let port = Played { replies, ..Default::default() };
-    let mut device: Device<_, 1, 0> = Device::with_client(port, Client::new());
+    let mut device: Device<_, 1, 0> = Device::with_client(port, Client::default());
     assert_eq!((device.request(&tools::Ping), device.dropped()), (Ok(()), 1));
 }
 
@@ -294,7 +311,7 @@ fn a_program_that_was_stopped_finds_what_came_in_time() {
     device.port_mut().replies.push_back(vec![answered(5, &BIAS)]);
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
     // Reading stops when nothing is missing any more, and finally even if bytes never end.
-    let late = Err(DeviceError::Command(CommandError::TimedOut));
+    let late = Err(failed::<tools::Bias, _>(Reason::TimedOut));
     assert_eq!(stopped(vec![before]).request(&tools::Bias::read()), late);
     let mut device = stopped(vec![vec![0]; 100]);
     assert_eq!(device.request(&tools::Bias::read()), late);
@@ -318,20 +335,20 @@ fn bytes_that_keep_coming_hold_nothing_up() {
     }
     for (pace, end) in [(10, 1100), (100, 1100), (900, 2700)] {
         let mut device = talking(pace);
-        let late = Err(DeviceError::Command(CommandError::TimedOut));
+        let late = Err(failed::<tools::Bias, _>(Reason::TimedOut));
         assert_eq!(device.request(&tools::Bias::read()), late);
         assert_eq!(device.port().now, end, "{pace}");
     }
     // Each deadline has such a time of its own: an answer between two is not lost.
     let mut device = talking(100);
     device.port_mut().coming.insert(25, answered(4, &tools::StatusShort::default()));
-    let tickets = device.send_all(tools::TOOLS_SET, |request| {
+    let tickets = device.send_all(tools::SET, |request| {
         Ok((request.add(&tools::Ping)?, request.add(&tools::Status::new(1))?))
     });
     let (ping, status) = tickets.unwrap();
     assert_eq!(device.port().now, 2600);
-    assert_eq!(device.answer(&ping), Answer::TimedOut);
-    assert!(matches!(device.answer(&status), Answer::Acknowledged(_)));
+    assert_eq!(device.answer(&ping).unwrap_err().reason, Reason::TimedOut);
+    assert!(device.answer(&status).is_ok());
 }
 
 /// A stream whose reads report that there is nothing, in one of the possible ways.
@@ -374,8 +391,7 @@ impl Write for Stream {
 
 #[test]
 fn ports_of_the_standard_library() {
-    let ways: [fn() -> io::Result<usize>; 4] = [
-        || Ok(0),
+    let ways: [fn() -> io::Result<usize>; 3] = [
         || Err(ErrorKind::TimedOut.into()),
         || Err(ErrorKind::WouldBlock.into()),
         || Err(ErrorKind::Interrupted.into()),
@@ -395,14 +411,18 @@ fn ports_of_the_standard_library() {
     assert!(matches!(&error, DeviceError::Port(e) if e.kind() == ErrorKind::BrokenPipe));
     let error: Box<dyn std::error::Error> = error.into();
     assert!(error.to_string().starts_with("port: "));
+    // The other end has closed the connection.
+    let stream = Stream { nothing: || Ok(0), coming: VecDeque::new(), sent: vec![0; 9] };
+    let error = Device::new(StdPort::new(stream)).request(&tools::Ping).unwrap_err();
+    assert!(matches!(&error, DeviceError::Port(e) if e.kind() == ErrorKind::UnexpectedEof));
     // A time-out takes real time.
-    let nothing = || Ok(0);
+    let nothing = || Err(ErrorKind::WouldBlock.into());
     let stream = Stream { nothing, coming: VecDeque::new(), sent: vec![0; 9] };
     let client = Client::with_timeout(20);
     let mut device: Device<_, 1> = Device::with_client(StdPort::new(stream), client);
     let start = std::time::Instant::now();
     let error = device.request(&tools::Ping).unwrap_err();
-    assert!(matches!(error, DeviceError::Command(CommandError::TimedOut)));
+    assert!(matches!(error, DeviceError::Command(e) if e.reason == Reason::TimedOut));
     assert!(start.elapsed().as_millis() >= 20);
 }
 
@@ -412,7 +432,7 @@ fn a_packet_longer_than_the_queue_leaves_the_others_in_it() {
     large.push_raw(0x70, &[0; 200]).unwrap();
     let replies = vec![data(1.0), data(2.0), large.bytes().to_vec(), ack(1, AckCode::OK)];
     let port = Played { replies: [replies].into(), ..Default::default() };
-    let mut device: Device<Played, 1, 100> = Device::with_client(port, Client::new());
+    let mut device: Device<Played, 1, 100> = Device::with_client(port, Client::default());
     assert_eq!(device.request(&tools::Ping), Ok(()));
     assert_eq!(device.dropped(), 1);
     assert_eq!((next(&mut device), next(&mut device)), (Some(data(1.0)), Some(data(2.0))));
@@ -421,7 +441,7 @@ fn a_packet_longer_than_the_queue_leaves_the_others_in_it() {
 #[test]
 fn a_late_answer_is_not_that_of_the_next_command() {
     let other = tools::BiasVector { bias: Vector3f { x: 9.0, ..BIAS.bias } };
-    let late = DeviceError::Command(CommandError::TimedOut);
+    let late = failed::<tools::Bias, _>(Reason::TimedOut);
     let noise = b"ue\x80\xFF".to_vec();
     let mut device = device([vec![], vec![answered(5, &BIAS)], vec![], vec![]]);
     assert_eq!(device.request(&tools::Bias::read()), Err(late));
@@ -431,6 +451,7 @@ fn a_late_answer_is_not_that_of_the_next_command() {
     assert_eq!(next(&mut device), Some(data(1.0)));
     assert_eq!(next(&mut device), Some(answered(5, &other)));
     // A ping that is not answered, and a device that sends without end.
+    let late = failed::<tools::Ping, _>(Reason::TimedOut);
     assert_eq!(device.request(&tools::Ping), Err(late));
     assert_eq!(next(&mut device), None);
     device.port_mut().coming.push_back(ack(1, AckCode::OK));
@@ -449,7 +470,7 @@ fn only_after_a_missing_answer_is_there_a_barrier() {
         device.port().barriers - before
     };
     assert_eq!(answered(&mut device), 0);
-    let late = DeviceError::Command(CommandError::TimedOut);
+    let late = failed::<tools::Ping, _>(Reason::TimedOut);
     assert_eq!(device.request(&tools::Ping), Err(late));
     assert_eq!((answered(&mut device), answered(&mut device)), (1, 0));
     // A failed port is such a case, too, even with data in between.
@@ -462,7 +483,7 @@ fn only_after_a_missing_answer_is_there_a_barrier() {
 #[test]
 fn without_commands_nothing_is_sent() {
     let mut device = device([]);
-    for set in [0, tools::TOOLS_SET, 0xFF] {
+    for set in [0, tools::SET, 0xFF] {
         assert_eq!(device.send_all(set, |_| Ok(())), Ok(()));
     }
     assert!(device.port().sent.is_empty());
@@ -486,12 +507,12 @@ fn a_command_whose_type_is_known_at_run_time() {
     };
     let (first, bias) = send(tools::Bias::read().into());
     let bias = bias.unwrap();
-    assert_eq!((bias.id, bias.outcome), (first.id(), Outcome::Acknowledged));
+    assert_eq!((bias.id, bias.outcome()), (first.id(), Ok(())));
     let response = AnyField::decode_with_trailing(&bias.response().unwrap()).unwrap().unwrap();
     assert_eq!(response.field, AnyField::from(BIAS));
     let refused = send(tools::Ping.into()).1.unwrap();
-    assert_eq!(refused.outcome, Outcome::Refused(AckCode::INVALID_PARAMETER));
-    assert_eq!(send(tools::Ping.into()).1.unwrap().outcome, Outcome::TimedOut);
+    assert_eq!(refused.outcome(), Err(Reason::Refused(AckCode::INVALID_PARAMETER)));
+    assert_eq!(send(tools::Ping.into()).1.unwrap().outcome(), Err(Reason::TimedOut));
     let silent = send(tools::Settings::apply(1, Mode::FAST, 1).into());
     assert!(silent.0.is_silent() && silent.1.is_none());
     assert_eq!(device.event(&first), None);
@@ -502,15 +523,4 @@ fn a_port_can_be_lent() {
     let mut port = Played { replies: [vec![ack(1, AckCode::OK)]].into(), ..Default::default() };
     assert_eq!(Device::new(&mut port).request(&tools::Ping), Ok(()));
     assert_eq!(port.sent, [packet(&tools::Ping)]);
-}
-
-#[test]
-fn what_debugging_shows_is_short() {
-    let device = Device::new(Played::default());
-    let shown = format!("{device:?}");
-    assert!(shown.contains("Parser(0 pending, 0 skipped)"), "{shown}");
-    assert!(shown.contains("0 of 4096 bytes, 0 packets dropped"), "{shown}");
-    assert!(shown.len() < 1000, "{shown}");
-    let reader = format!("{:?}", PacketReader::new(&[1_u8][..]));
-    assert_eq!(reader, "PacketReader([1], Parser(0 pending, 0 skipped), 0 unread)");
 }

@@ -1,6 +1,6 @@
 //! Fields as trees of values, beyond what the conformance driver does with them.
 
-use mip_protocol::dynamic::{FromValue, Record, ToValue, Value, ValueError};
+use mip_protocol::dynamic::{FromValue, ToValue, Value, ValueError};
 use mip_protocol::{measurements, tools, types, AnyField, List, Text, VarText};
 
 fn record<const N: usize>(values: [(&str, Value); N]) -> Value {

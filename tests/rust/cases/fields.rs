@@ -2,12 +2,12 @@
 
 #![allow(deprecated)] // of the fields that are tested here
 
-use mip_protocol::protocol::{Read, Save, Write};
-use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, StateFlags, Vector3f};
+use mip_protocol::protocol::{ReadCall, SaveCall, WriteCall};
+use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, Vector3f};
 use mip_protocol::{
     devices, dispatch, measurements, mip_3d, protocol, registry, shared, tools, AnyField, Bool,
-    Command, DecodeErrorKind, EncodeErrorKind, Field, List, OneSet, PacketBuilder, RawField,
-    Reader, Response, ResponseOf, Role, Text,
+    Command, DecodeErrorKind, EncodeErrorKind, Field, List, PacketBuilder, RawField, Reader,
+    Response, ResponseOf, Role,
 };
 
 fn bytes<T: Field>(field: &T) -> Vec<u8> {
@@ -27,7 +27,8 @@ fn optional_parameters_can_be_set_in_order() {
     assert_eq!(gap.to_vec().map_err(|e| e.kind), Err(EncodeErrorKind::Missing));
     let mut short = tools::Settings::write(3, Mode::SLOW, 1).into_command();
     short.baud = None;
-    assert_eq!(short.to_vec().map_err(|e| e.kind), Err(EncodeErrorKind::Missing));
+    let missing = |member| Err((EncodeErrorKind::Missing, member));
+    assert_eq!(short.to_vec().map_err(|e| (e.kind, e.member)), missing("baud"));
     // A dummy value behind what the function needs is permitted, but no gap.
     let mut read = tools::Settings::read(3, Mode::SLOW).into_command();
     read.baud = Some(5);
@@ -63,8 +64,12 @@ fn a_union_must_be_what_its_tag_says() {
     command.shape = Some(tools::Shape::TURN);
     command.parameters = Some(tools::ChoiceParameters::Other(tools::Shape::TURN));
     assert_eq!(command.to_vec().map_err(|e| e.kind), Err(EncodeErrorKind::Tag));
+    assert_eq!(command.to_vec().unwrap_err().member, "parameters");
     command.shape = None;
-    assert_eq!(command.to_vec().map_err(|e| e.kind), Err(EncodeErrorKind::Missing));
+    assert_eq!(
+        command.to_vec().map_err(|e| (e.kind, e.member)),
+        Err((EncodeErrorKind::Missing, "shape"))
+    );
 }
 
 // ------------------------------------------------------------------------------------- open values
@@ -77,6 +82,8 @@ fn unknown_values_and_bits_survive() {
     let field = measurements::Arrays::decode(&data).unwrap();
     assert_eq!(field.modes[0], Mode(0xEE));
     assert_eq!(field.modes[0].name(), None);
+    assert!(Mode::VALUES.iter().all(|mode| mode.name().unwrap().parse() == Ok(*mode)));
+    assert!("7".parse::<Mode>().is_err());
     assert_eq!(format!("{:?} {}", field.modes[0], field.modes[0]), "Mode(238) 238");
     assert_eq!(bytes(&field), data);
     assert_eq!(format!("{:?} {}", Mode::FAST, Mode::FAST), "Mode(fast) fast");
@@ -167,7 +174,7 @@ fn commands_and_responses_know_each_other() {
     answered::<tools::Ping, ()>();
     answered::<tools::CaptureBias, tools::BiasVector>();
     answered::<tools::Bias, Option<tools::BiasVector>>();
-    answered::<Read<tools::Bias>, tools::BiasVector>();
+    answered::<ReadCall<tools::Bias>, tools::BiasVector>();
     assert_eq!(answers::<tools::Bias, tools::BiasVector>(), ("tools.bias", "tools.bias_vector"));
     assert_eq!(answers::<tools::CaptureBias, tools::BiasVector>().0, "tools.capture_bias");
     answers::<tools::SetTime, tools::SetTimeFastResponse>();
@@ -197,22 +204,22 @@ fn the_type_of_a_command_states_its_answer() {
     returns::<Option<tools::SettingsResponse>>(&read);
     // The response never answers another function.
     assert_eq!(tools::Settings::save(1).function, FunctionSelector::SAVE);
-    assert_eq!(<Save<tools::Settings> as Command>::RESPONSES, [0x82]);
+    assert_eq!(<SaveCall<tools::Settings> as Command>::RESPONSES, [0x82]);
 }
 
 #[test]
 fn a_call_is_a_field_with_one_function() {
     let read = tools::Settings::read(1, Mode::FAST);
-    assert_eq!(read.function, Read::<tools::Settings>::FUNCTION);
+    assert_eq!(read.function, ReadCall::<tools::Settings>::FUNCTION);
     assert_eq!(format!("{read:?}"), format!("{:?}", *read));
     let packet = PacketBuilder::with(&read).unwrap();
-    assert_eq!(packet.packet().find::<Read<tools::Settings>>(), Some(Ok(read)));
-    assert_eq!(packet.packet().find::<Write<tools::Settings>>(), None);
-    assert_eq!(packet.packet().find::<tools::Settings>(), Some(Ok(read.into())));
+    assert_eq!(packet.packet().find::<ReadCall<tools::Settings>>(), Ok(Some(read)));
+    assert_eq!(packet.packet().find::<WriteCall<tools::Settings>>(), Ok(None));
+    assert_eq!(packet.packet().find::<tools::Settings>(), Ok(Some(read.into())));
     assert_eq!(AnyField::from(read), AnyField::from(read.into_command()));
-    let other = Write::<tools::Settings>::decode(&bytes(&read)).unwrap_err();
+    let other = WriteCall::<tools::Settings>::decode(&bytes(&read)).unwrap_err();
     assert_eq!((other.kind, other.need, other.got), (DecodeErrorKind::Constant, 1, 2));
-    let empty = Write::<tools::Settings>::decode(&[]).unwrap_err();
+    let empty = WriteCall::<tools::Settings>::decode(&[]).unwrap_err();
     assert_eq!(empty.kind, DecodeErrorKind::Truncated);
 }
 
@@ -243,7 +250,7 @@ fn a_layout_has_the_name_of_its_set() {
             );
             found.title()
         });
-    assert_eq!((first, second), ("Acceleration", "Second acceleration"));
+    assert_eq!((first, second), ("Acceleration", "Acceleration"));
     // The same descriptor has another layout in one of the sets, or several in one set.
     let raw = RawField { set: 0x81, descriptor: 7, data: &[2; 40] };
     assert!(raw.is::<measurements::Own>() && !raw.is::<measurements::Radio>());
@@ -253,7 +260,7 @@ fn a_layout_has_the_name_of_its_set() {
     assert!(matches!(found, Some(Ok(tools::StatusResponses::Short(_)))));
     let neither = RawField { data: &[0x12, 0x67, 3, 0, 0, 0, 0], ..raw };
     assert_eq!(tools::StatusResponses::from_field(&neither), None);
-    assert!(AnyField::decode(&neither).is_none());
+    assert_eq!(AnyField::decode(&neither), Ok(None));
 }
 
 #[test]

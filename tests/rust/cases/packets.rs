@@ -17,12 +17,51 @@ fn a_packet_is_built_and_looked_into() {
     assert_eq!(packet.bytes(), PING);
     assert_eq!(packet.as_ref(), PING);
     let packet = Packet::new(packet.bytes()).unwrap();
-    assert_eq!((packet.set(), packet.payload()), (tools::TOOLS_SET, &PING[4..6]));
+    assert_eq!((packet.set(), packet.payload()), (tools::SET, &PING[4..6]));
     let fields: Vec<_> = packet.fields().collect();
     assert_eq!(fields, [Ok(RawField { set: 1, descriptor: 1, data: &[] })]);
-    assert_eq!(packet.find::<tools::Ping>(), Some(Ok(tools::Ping)));
-    assert_eq!(packet.find::<tools::Inventory>(), None);
+    assert_eq!(packet.find::<tools::Ping>(), Ok(Some(tools::Ping)));
+    assert_eq!(packet.find::<tools::Inventory>(), Ok(None));
     assert_eq!(format!("{packet:?}"), "Packet(756501020201e0c6)");
+}
+
+#[test]
+fn packets_and_fields_are_iterated() {
+    let mut builder = PacketBuilder::new(measurements::MEASUREMENTS_SET);
+    let accel =
+        |x| measurements::Accel { scaled_accel: [x, 0.0, 0.0].into(), ..Default::default() };
+    let both = [accel(1.0), accel(2.0)];
+    builder.push(&both[0]).unwrap();
+    builder.push(&measurements::Numbers::default()).unwrap();
+    builder.push(&both[1]).unwrap();
+    let mut log = builder.bytes().to_vec();
+    log.extend(NMEA);
+    log.extend(PING);
+    let mut reader = PacketReader::new(&log[..]);
+    let mut kept = Vec::new();
+    for packet in &mut reader {
+        kept.push(packet.unwrap());
+    }
+    assert_eq!((kept.len(), reader.parser().skipped()), (2, NMEA.len() as u64));
+    let packet = kept[0].packet();
+    assert_eq!(packet.find_all::<measurements::Accel>().collect::<Vec<_>>(), both.map(Ok));
+    assert_eq!(packet.find_all::<tools::Ping>().count(), 0);
+    let mut descriptors = Vec::new();
+    for field in &kept[0] {
+        descriptors.push(field.unwrap().descriptor);
+    }
+    assert_eq!(descriptors, packet.into_iter().map(|f| f.unwrap().descriptor).collect::<Vec<_>>());
+    assert_eq!((&packet).into_iter().count(), 3);
+    // A field of this type that its packet cuts is an error, and the last item.
+    let payload = packet.payload();
+    let mut cut = PacketBuilder::new(packet.set()).bytes()[..4].to_vec();
+    cut.extend(&payload[..payload.len() - 1]);
+    cut[3] = (payload.len() - 1) as u8;
+    cut.extend(checksum(&cut));
+    let cut = Packet::new(&cut).unwrap();
+    let found: Vec<_> = cut.find_all::<measurements::Accel>().collect();
+    assert_eq!((found.len(), found[0], found[1].is_err()), (2, Ok(both[0]), true));
+    assert_eq!(cut.find_all::<measurements::Numbers>().count(), 1);
 }
 
 fn kind(error: EncodeError) -> EncodeErrorKind {
@@ -94,7 +133,7 @@ fn the_checksum_is_right_after_each_field() {
 
 #[test]
 fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
-    let mut packet = PacketBuilder::new(tools::TOOLS_SET);
+    let mut packet = PacketBuilder::new(tools::SET);
     packet.push_raw(0x70, &[0xAA; 200]).unwrap();
     let before = packet.bytes().to_vec();
     for (data, error) in [
@@ -122,7 +161,7 @@ fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
     assert_eq!(packet.push(&tools::Ping).map_err(kind), Err(EncodeErrorKind::Length));
     assert_eq!(packet.packet().fields().count(), 2);
     packet.clear();
-    assert_eq!(packet, PacketBuilder::new(tools::TOOLS_SET));
+    assert_eq!(packet, PacketBuilder::new(tools::SET));
     assert!(Packet::new(packet.bytes()).is_ok());
     packet.push_raw(0x72, &[1; MAX_FIELD_DATA]).unwrap();
     assert!(Packet::new(packet.bytes()).is_ok());

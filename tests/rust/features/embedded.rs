@@ -14,7 +14,7 @@ use mip_protocol::device::{AsyncDevice, Device, DeviceError, EmbeddedError, Embe
 use mip_protocol::protocol::{AckCode, Acknowledge};
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    measurements, tools, Answer, AnyField, Client, CommandError, OneSet, Outcome, PacketBuilder,
+    measurements, tools, AnyField, Client, CommandError, OneSet, PacketBuilder, Reason,
 };
 
 /// A line on which each packet is answered, byte by byte; while nothing arrives, time goes on.
@@ -144,7 +144,7 @@ fn sleep(line: &Uart, milliseconds: u32) -> impl Future<Output = ()> {
 }
 
 fn ack(command: u8, code: AckCode) -> PacketBuilder {
-    let mut builder = PacketBuilder::new(tools::TOOLS_SET);
+    let mut builder = PacketBuilder::new(tools::SET);
     builder.push(&Acknowledge { command, code }).unwrap();
     builder
 }
@@ -167,7 +167,10 @@ fn replies() -> Vec<Vec<u8>> {
 }
 
 const BIAS: tools::BiasVector = tools::BiasVector { bias: Vector3f { x: 1.0, y: 2.0, z: 3.0 } };
-const REFUSED: CommandError = CommandError::Refused(AckCode::INVALID_PARAMETER);
+const REFUSED: CommandError =
+    CommandError::new("tools.bias", Reason::Refused(AckCode::INVALID_PARAMETER));
+const LATE: CommandError = CommandError::new("tools.bias", Reason::TimedOut);
+const NO_PING: CommandError = CommandError::new("tools.ping", Reason::TimedOut);
 
 #[test]
 fn a_device_at_a_port_of_embedded_io() {
@@ -182,7 +185,7 @@ fn a_device_at_a_port_of_embedded_io() {
     assert!(device.next_packet(50).unwrap().is_none());
     assert_eq!(device.request(&tools::Bias::read()), Err(DeviceError::Command(REFUSED)));
     let before = uart.now();
-    let late = DeviceError::Command(CommandError::TimedOut);
+    let late = DeviceError::Command(LATE);
     assert_eq!(device.request(&tools::Bias::read()), Err(late));
     assert_eq!(uart.now() - before, 1000);
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
@@ -205,20 +208,20 @@ fn a_device_that_is_awaited() {
         assert_eq!(uart.now() - before, 50);
         assert_eq!(device.request(&read).await, Err(DeviceError::Command(REFUSED)));
         let before = uart.now();
-        let late = DeviceError::Command(CommandError::TimedOut);
+        let late = DeviceError::Command(LATE);
         assert_eq!(device.request(&read).await, Err(late));
         assert_eq!(uart.now() - before, 1000);
         assert_eq!(device.request(&read).await, Ok(BIAS)); // behind noise
         assert_eq!(device.parser().skipped(), 4);
-        let answers = device.send_all(tools::TOOLS_SET, |request| {
+        let answers = device.send_all(tools::SET, |request| {
             Ok((request.add(&tools::Ping)?, request.add(&read)?, request.add(&read)?))
         });
         let before = uart.now();
         let (ping, first, second) = answers.await.unwrap();
         assert_eq!(uart.now() - before, 1000);
-        assert_eq!(device.answer(&ping), Answer::Acknowledged(()));
-        assert_eq!(device.answer(&first), Answer::Acknowledged(BIAS));
-        assert_eq!(device.answer(&second), Answer::TimedOut);
+        assert_eq!(device.answer(&ping), Ok(()));
+        assert_eq!(device.answer(&first), Ok(BIAS));
+        assert_eq!(device.answer(&second), Err(LATE));
         for _ in 0..2 {
             assert!(device.next_packet(50).await.unwrap().is_some());
         }
@@ -228,12 +231,10 @@ fn a_device_that_is_awaited() {
         // Commands with different time-outs.
         let slow = tools::Status::new(1);
         let (ping, _) = device
-            .send_all(tools::TOOLS_SET, |request| {
-                Ok((request.add(&tools::Ping)?, request.add(&slow)?))
-            })
+            .send_all(tools::SET, |request| Ok((request.add(&tools::Ping)?, request.add(&slow)?)))
             .await
             .unwrap();
-        assert_eq!((uart.now() - before, device.answer(&ping)), (2500, Answer::TimedOut));
+        assert_eq!((uart.now() - before, device.answer(&ping)), (2500, Err(NO_PING)));
         // Of two barriers, the first answers nothing.
         assert!(device.next_packet(50).await.unwrap().is_some());
         uart.0.borrow_mut().closed = true;
@@ -262,30 +263,7 @@ fn a_future_that_is_dropped() {
     uart.0.borrow_mut().coming.extend(answer.bytes());
     let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
     assert_eq!(packet.as_deref(), Some(answer.bytes()));
-    assert_eq!(tools::BiasVector::SET, tools::TOOLS_SET);
-}
-
-#[test]
-fn a_late_answer_is_not_that_of_the_next_command() {
-    let answer = |x| {
-        let mut answer = ack(5, AckCode::OK);
-        answer.push(&tools::BiasVector { bias: Vector3f { x, ..BIAS.bias } }).unwrap();
-        answer
-    };
-    let read = tools::Bias::read();
-    let late = DeviceError::Command(CommandError::TimedOut);
-    let [theirs, ours] = [answer(9.0), answer(BIAS.bias.x)];
-    let uart = Uart::answering(&[vec![], ours.bytes().to_vec()]);
-    let clock = uart.clone();
-    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
-    assert_eq!(block_on(&uart, device.request(&read)), Err(late));
-    uart.0.borrow_mut().coming.extend(theirs.bytes());
-    assert_eq!(block_on(&uart, device.request(&read)), Ok(BIAS));
-    let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
-    assert_eq!(packet.as_deref(), Some(theirs.bytes()));
-    // Reading what has arrived ends, even if bytes arrive all the time.
-    uart.0.borrow_mut().flooded = true;
-    assert_eq!(block_on(&uart, device.request(&tools::Ping)), Err(late));
+    assert_eq!(tools::BiasVector::SET, tools::SET);
 }
 
 #[test]
@@ -294,7 +272,7 @@ fn time_goes_on_while_noise_comes_without_end() {
     uart.0.borrow_mut().flooded = true;
     let clock = uart.clone();
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
-    let late = DeviceError::Command(CommandError::TimedOut);
+    let late = DeviceError::Command(NO_PING);
     assert_eq!(block_on(&uart, device.request(&tools::Ping)), Err(late));
     assert_eq!(uart.now(), 1000 + 64); // and the time to read what could have arrived in time
     assert!(block_on(&uart, device.next_packet(50)).unwrap().is_none());
@@ -500,6 +478,6 @@ fn commands_whose_type_is_known_at_run_time_and_no_commands() {
     block_on(&uart, device.send_all(0, |_| Ok(()))).unwrap();
     assert_eq!(uart.0.borrow().replies.len(), 1); // nothing was written
     let ping = AnyField::from(tools::Ping);
-    let ticket = block_on(&uart, device.send_all(tools::TOOLS_SET, |r| r.add_any(&ping))).unwrap();
-    assert_eq!(device.event(&ticket).map(|event| event.outcome), Some(Outcome::Acknowledged));
+    let ticket = block_on(&uart, device.send_all(tools::SET, |r| r.add_any(&ping))).unwrap();
+    assert_eq!(device.event(&ticket).map(|event| event.outcome()), Some(Ok(())));
 }

@@ -2,8 +2,10 @@
 
 use mip_protocol::dynamic::ToValue;
 use mip_protocol::types::{Mode, StateFlags, Vector3f};
-use mip_protocol::{measurements, mip_3d, mip_9_lives, tools, AnyField, Text, VarText};
+use mip_protocol::{measurements, mip_3d, mip_9_lives, tools, AnyField, Field, Text, VarText};
 use serde::{de::DeserializeOwned, Serialize};
+use serde_test::Token::{Bytes, Tuple, TupleEnd, U8};
+use serde_test::{assert_de_tokens_error, assert_tokens, Configure};
 
 /// The JSON text of a value, after a round trip.
 fn json<T: Serialize + DeserializeOwned + PartialEq + std::fmt::Debug>(value: &T) -> String {
@@ -19,7 +21,9 @@ fn fields_go_to_json_and_come_back() {
     let text =
         r#"{"function":"write","port":1,"mode":"slow","baud":9600,"limit":null,"reserved":null}"#;
     assert_eq!(json(&settings), text);
-    assert_eq!(serde_json::to_string(&call).unwrap(), text);
+    assert_eq!(json(&call), text);
+    let read = serde_json::from_str::<mip_protocol::protocol::ReadCall<tools::Settings>>(text);
+    assert!(read.unwrap_err().to_string().contains("a constant is 0x1 and not 0x2"));
     let accel = measurements::Accel {
         scaled_accel: Vector3f::from([1.0, 2.0, 3.0]),
         valid_flags: StateFlags::READY,
@@ -29,11 +33,34 @@ fn fields_go_to_json_and_come_back() {
     assert_eq!(json(&tools::List::write([1, 2]).items), "[1,2]");
     let label = tools::ChoiceParameters::Label(Text::padded("é").unwrap());
     assert_eq!(json(&tools::Choice::write(1, label).parameters), r#"{"label":"é       "}"#);
+    for (wrong, error) in [
+        (
+            r#"{"tools.pong":null}"#,
+            "invalid value: string \"tools.pong\", expected the name of a field",
+        ),
+        (r#"{"tools.bias_vector":{"size":1}}"#, "unknown field `size`"),
+    ] {
+        let text = serde_json::from_str::<AnyField>(wrong).unwrap_err().to_string();
+        assert!(text.starts_with(error) && text.len() < 200, "{text}");
+    }
     json(&measurements::Numbers::default());
     json(&measurements::Strings::default());
     json(&measurements::Arrays::default());
     let short = tools::StatusResponses::Short(tools::StatusShort { flags: 1 });
     assert_eq!(json(&short), r#"{"status_short":{"flags":1}}"#);
+}
+
+#[test]
+fn compact_formats_contain_the_bytes_of_a_field() {
+    let bias = AnyField::from(tools::BiasVector { bias: Vector3f::from([1.0, 0.0, 0.0]) });
+    let data = [0x3F, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    let tokens = |descriptor, data: &'static [u8]| {
+        [Tuple { len: 3 }, U8(1), U8(descriptor), Bytes(data), TupleEnd]
+    };
+    let data: &'static [u8] = Box::leak(Box::new(data));
+    assert_tokens(&bias.compact(), &tokens(tools::BiasVector::DESCRIPTOR, data));
+    type Compact = serde_test::Compact<AnyField>;
+    assert_de_tokens_error::<Compact>(&tokens(0xEE, &[]), "unknown field 0x1,0xee");
 }
 
 #[test]

@@ -2,33 +2,27 @@
 
 from __future__ import annotations
 
+import csv
 import random
-import struct
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import Packet, PacketBuilder
+from mip_protocol import PacketBuilder, filter_data, timestamps
 from mip_protocol.text import shortest
-from mip_tools.cli import (
-    clocks,
-    cut,
-    decoding,
-    dump,
-    info,
-    inputs,
-    intervals,
-    lines,
-    log_report,
-    messages,
-    samples,
-    scan,
-)
-from mip_tools.cli.export_mcap import encoded
-from mip_tools.cli.selection import Selection
-from mip_tools.columns import log as columns_log
-from mip_tools.columns import read_log, text, times
+from mip_tools.columns import intervals, read_log, text, timeline, times
+from mip_tools.columns import packets as columns_packets
+from mip_tools.commands import cut, dump, info
+from mip_tools.formats import messages
+from mip_tools.formats.json_messages import encoded
+from mip_tools.logs import inputs, lines, scan
+from mip_tools.logs import report as log_report
+from mip_tools.names.occurrence import occurrence_in
+from mip_tools.names.selection import Selection
 from mip_tools.sentences import Sentences
+from mip_tools.text import clocks, decoding
+from mip_tools.text.decoding import decoded, raw_fields
 from pairs import pairwise
 from program import log, mip, run
 from support import SEED, later, rounds
@@ -93,8 +87,10 @@ def plain_report(stream: bytes) -> log_report.Report:
             kind = report.fields.setdefault((raw.set, raw.descriptor), log_report.Kind(name))
             kind.count += 1
             kind.packets += raw.descriptor not in seen
+            kind.last = report.sets[number] - 1
+            kind.first = kind.last if kind.first < 0 else kind.first
             seen.add(raw.descriptor)
-        for clock, time in clocks.moments(piece.packet).items():
+        for clock, time in timestamps.moments(piece.packet).items():
             if time is not None:
                 report.clocks[clock].setdefault(number, intervals.Intervals()).add(time, piece.offset)
     damaged.end()
@@ -109,9 +105,11 @@ PIECES = [1000, 1 << 20]
 @pairwise(**each_stream, piece=PIECES)
 def test_info(stream: bytes, piece: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """The same by columns as packet by packet, however the log is divided."""
-    monkeypatch.setattr(columns_log, "_PIECE", piece)
+    monkeypatch.setattr(columns_packets, "_PIECE", piece)
     monkeypatch.setattr(log_report, "PART", 5 * piece)
     fast, slow = log_report.examine(read_log(stream)), plain_report(stream)
+    slow.timeline, slow.assumed = fast.timeline, fast.assumed  # see test_time.py
+    slow.clocks["device"] = fast.clocks["device"]
     assert info.lines("log", fast) == info.lines("log", slow)
     assert info.as_json("log", fast) == info.as_json("log", slow)
     for clock, sets in slow.clocks.items():
@@ -146,39 +144,79 @@ def test_dump(
     assert len(seen) == 1
 
 
+@pytest.mark.parametrize("form", [[], ["--json"]])
+def test_bits_that_depend_on_a_state(form: list[str], tmp_path: Path, capsys: Any, monkeypatch: Any) -> None:
+    """The same flags in the different states of a filter have different names, in lines and in tables."""
+    data = b""
+    for state, flags in ((2, 0x1000), (1, 0x1000), (2, 1), (4, 1), (1, 0x1100), (2, 0x1000)):
+        status = filter_data.Status(filter_state=state, dynamics_mode=1, status_flags=flags)
+        data += bytes(PacketBuilder(0x82).add(status.DESCRIPTOR, status.encode()).build())
+    (tmp_path / "log").write_bytes(data)
+    device = ["--device", "3dm-gx5-15"]
+    words = ["dump", tmp_path / "log", *device, *form]
+    code, fast, _ = run(capsys, *words)
+    with monkeypatch.context() as plainly:
+        plainly.setattr(dump, "_by_columns", lambda *given: False)
+        assert (code, fast) == run(capsys, *words)[:2]
+    run(capsys, "export", tmp_path / "log", "status", *device, "--names", "-o", tmp_path / "t.csv")
+    names = [
+        "run_mag_bias_est_high_warning",
+        "init_no_attitude",
+        "run_imu_unavailable",
+        "0x1",
+        "init_no_attitude|0x100",
+    ]
+    with (tmp_path / "t.csv").open(newline="") as file:
+        assert [row[-1] for row in csv.reader(file)][1:] == [*names, names[0]]
+    for word, line in zip(names, fast.splitlines()):
+        assert all(part in line for part in word.split("|"))
+
+
 Pieces = list[scan.Piece]
 
 
-def cut_plainly(pieces: Pieces, options: dict[str, str], skipped: bool) -> bytes:
+def cut_plainly(pieces: Pieces, options: dict[str, str], skipped: bool, pipe: bool) -> bytes:
     """A part of a log packet by packet."""
     only = options.get("--only", "")
     first, end = (int(n or 10**9) for n in options.get("--bytes", "0:").split(":"))
     since, until = (
         clocks.SECOND * float(options.get(word, late)) for word, late in (("--begin", "-inf"), ("--end", "inf"))
     )
-    moments = [clocks.moments(piece.packet) for piece in pieces if piece.packet]
-    known = {clock for said in moments for clock, time in said.items() if time is not None}
-    clock = next((clock for clock in clocks.CLOCKS if clock in known), "")
+    log = read_log(b"".join(piece.data for piece in pieces))
+    line = timeline.of_log(log)
+    clock = line.clocks(line.sets).steady
     if not clock and ("--begin" in options or "--end" in options):
         return b""
+    moments = iter(times.of_packets(log, clock).tolist() if clock else [times.NONE] * len(pieces))
+    added: Any = 0
     within, out, start, now = first == 0 and "--begin" not in options, b"", None, None
+    found = False
     for piece in pieces:
         if piece.packet is None:
             out += piece.data * (within and skipped)
             continue
-        now = next((t for c, t in clocks.moments(piece.packet).items() if c == clock and t is not None), now)
+        time = next(moments)
+        if piece.offset in line.restarts(clock):
+            added = None
+        if time != times.NONE:
+            added = now - time if added is None else added
+            now = time + added
         start = now if start is None else start
         timed = "--begin" not in options if now is None or start is None else since <= now - start < until
         within = first <= piece.offset < end and timed
         fields = list(decoding.raw_fields(piece.packet))
         wanted = [raw for raw in fields if not only or (raw.set, raw.descriptor) in ((0x80, 4), (0x82, 5))]
+        found = found or (within and (not only or bool(wanted)))
+        if any((raw.set, raw.descriptor) == (0x01, 0x81) for raw in fields):  # of a file, also outside the bounds
+            out += piece.data * (not pipe or piece.offset < end)
+            continue
         if not within or (only and not wanted):
             continue
         builder = PacketBuilder(piece.packet.set)
         for raw in wanted:
             builder.add(raw.descriptor, raw.data)
         out += piece.data if len(wanted) == len(fields) else bytes(builder.build())
-    return out
+    return out if found or skipped else b""
 
 
 @pairwise(
@@ -200,12 +238,12 @@ def test_cut(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The same by columns as packet by packet, from a file and from a pipe."""
-    monkeypatch.setattr(columns_log, "_PIECE", piece)
+    monkeypatch.setattr(columns_packets, "_PIECE", piece)
     monkeypatch.setattr(cut, "PART", 5 * piece)
     monkeypatch.setattr(inputs, "_BATCH", 5 * piece)
     (tmp_path / "log").write_bytes(stream)
     scanner = scan.Scanner()
-    wanted = cut_plainly([*scanner.feed(stream), *scanner.flush()], part | only, skipped)
+    wanted = cut_plainly([*scanner.feed(stream), *scanner.flush()], part | only, skipped, pipe)
     words = [*(word for option in (part | only).items() for word in option), *["--keep-skipped"] * skipped]
     name, data = ("-", stream) if pipe else (tmp_path / "log", b"")
     code, _, error = mip("cut", name, "-o", tmp_path / "part", *words, data=data)
@@ -218,19 +256,38 @@ def test_messages(
     stream: bytes, only: list[str], invalid: str, named: bool, piece: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The same by columns as packet by packet, of all fields or of some."""
-    monkeypatch.setattr(columns_log, "_PIECE", piece)
+    monkeypatch.setattr(columns_packets, "_PIECE", piece)
     monkeypatch.setattr(messages, "PART", 3 * piece)
     scanner = scan.Scanner()
     pieces = [*scanner.feed(stream), *scanner.flush()]
     selection = Selection(only, data=True)
     log = read_log(stream)
-    kinds, clock = messages.survey(log, selection)
-    seen, best = samples.survey(pieces, selection)
-    assert (set(kinds), clock) == (set(seen), best)
+    kinds, both = messages.survey(log, selection)
+    clock = both.dated or None
+    found = list(plainly(pieces, selection, clock))
+    assert set(kinds) == {one[0] for one in found}
     for some in (kinds, kinds[::2]):
-        found = samples.kept(samples.samples(pieces, some, selection, clock), invalid)
-        wanted = [(s.kind, s.time, s.own, s.packet, encoded(s.value, named)) for packet in found for s in packet]
-        assert list(messages.Messages(some, selection, clock, invalid, messages.Json(named)).of(log)) == wanted
+        wanted = [
+            (kind, time, own, number, encoded(value, named, None))
+            for kind, time, own, number, value in found
+            if kind in some and (invalid == "keep" or messages.valid(value, log.device))
+        ]
+        assert list(messages.Messages(some, selection, clock, invalid, messages.Json(named)).of_log(log)) == wanted
+
+
+def plainly(pieces: list[Any], selection: Selection, clock: str | None) -> Iterator[tuple[Any, ...]]:
+    """The fields of each packet, with the time in it, or the last one of its set."""
+    last: dict[int, tuple[int | None, int]] = {}
+    for number, piece in enumerate(piece for piece in pieces if piece.packet is not None):
+        times, set_number = timestamps.moments(piece.packet), piece.packet.set
+        own = clock in times
+        last[set_number] = (times[clock], piece.offset) if own else last.get(set_number, (None, 0))
+        time, place = last[set_number]
+        for raw in raw_fields(piece.packet):
+            one = decoded(raw)
+            if one.value is not None and one.kind is not None and selection.has(raw.set, raw.descriptor):
+                near = own or piece.offset - place <= timestamps.REACH
+                yield occurrence_in(raw.set, one.kind), time if near else None, own, number, one.value
 
 
 def test_decimals_of_numbers_of_four_bytes() -> None:
@@ -250,68 +307,3 @@ def test_decimals_of_numbers_of_four_bytes() -> None:
     )
     assert list(map(repr, text.shortest(numbers).tolist())) == [shortest(x) for x in numbers.tolist()]
     assert text.shortest(numbers[:0]).tolist() == []
-
-
-KINDS = {
-    # Their digits end in 5, between two shorter decimals; logs of quantized values have many.
-    "binary fractions": np.arange(-50_000, 50_000, 7, dtype=np.float32) / 64,
-    "small": (10 ** np.linspace(-12.9, -5, 4000)).astype(np.float32),
-    "large": (10 ** np.linspace(9, 20.9, 4000)).astype(np.float32),
-}
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_hardly_any_decimals_are_computed_alone(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Alone, they take ten times as long."""
-    numbers = KINDS[kind]
-    right = [shortest(x) for x in numbers.tolist()]
-    alone: list[float] = []
-    monkeypatch.setattr(text, "shortest_text", lambda x: alone.append(x) or shortest(x))
-    assert list(map(repr, text.shortest(numbers).tolist())) == right
-    assert len(alone) < len(numbers) / 50
-
-
-@pytest.mark.parametrize("most", [3, 10**9, 2**52, 8 * 10**18])
-@pytest.mark.parametrize("cut", [1, 7, 10_000])
-def test_intervals_of_arrays(most: int, cut: int) -> None:
-    rng = random.Random(most)
-    moments = [rng.randrange(-most, most) for _ in range(300)] + [10**9 * i for i in range(300)]
-    one, all_ = intervals.Intervals(), intervals.Intervals()
-    for at in range(0, len(moments), cut):
-        part = moments[at : at + cut]
-        all_.add_all(np.array(part, np.int64), np.arange(at, at + len(part)) * 40)
-    for i, moment in enumerate(moments):
-        one.add(moment, i * 40)
-    assert held(one) == held(all_)
-
-
-@pytest.mark.parametrize("value", [0, 4 * 10**18 - 1, 4 * 10**18, 4 * 10**18 - 200, 2**64 - 1])
-def test_times_have_one_rule(value: int) -> None:
-    packet = bytes(PacketBuilder(0x80).add(0xD5, struct.pack(">Q", value)).add(4, bytes(12)).build())
-    (found,) = read_log(packet)["sensor.scaled_accel"].time("reference").values.view(np.int64).tolist()
-    assert clocks.moments(Packet(packet)) == {"reference": None if found == times.NONE else found}
-    assert (found == times.NONE) == (value >= 4 * 10**18)
-
-
-@pytest.mark.parametrize("chunk", [1, 7, 1000, 1 << 20])
-def test_damaged_packets_are_counted_however_the_bytes_come(chunk: int) -> None:
-    rng = random.Random(5)
-    parts = [rng.choice([b"ue\x80\x05", b"u", b"e", b"ue\x80\xff", bytes(9), b"ue\x00"]) for _ in range(40_000)]
-    data = b"".join(parts)
-    assert len(data) > 3 * (1 << 16) / 2
-    whole, cut = scan.Damaged(), scan.Damaged()
-    whole._run += data
-    whole.end()
-    for at in range(0, len(data), chunk):
-        cut.feed(data[at : at + chunk])
-    cut.end()
-    assert (cut.count, cut.runs) == (whole.count, 1) and cut.count > 4000
-
-
-def test_hexadecimal_digits_can_be_exported_by_columns(tmp_path: Path, capsys: Any) -> None:
-    packet = bytes(PacketBuilder(0x80).add(4, struct.pack(">3f", 1, 2, 3)).build())
-    (tmp_path / "log.txt").write_text(packet.hex(" "))
-    assert run(capsys, "export", tmp_path / "log.txt", "-o", tmp_path / "out.parquet")[0] == 0
-    assert pq.read_table(tmp_path / "out.parquet").num_rows == 1
-    assert run(capsys, "export", tmp_path / "log.txt", "-o", tmp_path / "out.csv")[0] == 0
-    assert (tmp_path / "out.csv").read_text().endswith("\n1.0,2.0,3.0\n")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,9 +11,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import Device, MissingResponse, Packet, base, mip_3dm, registry, system, types
-from mip_tools.cli import ports
-from mip_tools.configuration.talk import Talk
+from mip_protocol import AckCode, Device, MissingResponse, Packet, Refused, base, mip_3dm, registry, system, types
+from mip_protocol.errors import Cause
+from mip_tools.configuration.talk import Talk, why
+from mip_tools.ports import connection
 from mip_tools.simulator import LivePort, VirtualDevice
 from program import mip
 
@@ -24,9 +24,9 @@ MODEL = "3dm-cv7-gnss-ins"
 class Wire(LivePort):
     """A serial line: nothing passes while its ends have different rates, and nothing is heard at those in `unheard`."""
 
-    def __init__(self, device: VirtualDevice, unheard: tuple[int, ...] = (), most: int = 4_000_000) -> None:
+    def __init__(self, device: VirtualDevice, unheard: tuple[int, ...] = ()) -> None:
         super().__init__(device, "UART 1", speed=50)
-        self.unheard, self.most, self._rate = unheard, most, 115200
+        self.unheard, self._rate = unheard, 115200
 
     @property
     def baudrate(self) -> int:
@@ -34,8 +34,6 @@ class Wire(LivePort):
 
     @baudrate.setter
     def baudrate(self, rate: int) -> None:
-        if rate > self.most:
-            raise ValueError(f"no rate above {self.most}")
         self._rate = rate
 
     def read(self, size: int) -> bytes:
@@ -53,7 +51,7 @@ class At:
         self.commands: list[str] = []
         self.device = VirtualDevice(MODEL, trace=self._trace)
         self.wire: LivePort | None = None
-        monkeypatch.setattr(ports, "opened", self._opened)
+        monkeypatch.setattr(connection, "opened", self._opened)
 
     def _trace(self, what: str, data: bytes) -> None:
         if what == "command":
@@ -63,7 +61,7 @@ class At:
                 self.commands.append(kind.NAME if function is None else f"{kind.NAME} {function.name.lower()}")
 
     @contextmanager
-    def _opened(self, name: str, options: argparse.Namespace, **more: Any) -> Iterator[Device]:
+    def _opened(self, line: connection.Line, **more: Any) -> Iterator[Device]:
         timeout = {"timeout": 1.0} if self.wire else {}  # some lines carry no reply
         with Device(self.wire or LivePort(self.device, speed=50), **timeout, **more) as link:
             yield link
@@ -188,6 +186,13 @@ def test_only_what_differs_is_written(at: At, tmp_path: Path) -> None:
     assert not any(c.endswith(" write") for c in at.commands)
 
 
+def test_the_reason_for_a_rejection_has_its_code() -> None:
+    command, code = mip_3dm.SensorRange.read(mip_3dm.SensorRangeType.ACCEL), AckCode.INVALID_PARAMETER
+    assert why(Refused(command, code, cause=Cause(0, 0x80, 4, "absent", "a field"))) == "invalid_parameter (3): a field"
+    assert why(Refused(command, code)).startswith("invalid_parameter (3): ")
+    assert why(Refused(command, AckCode(99))) == "code 99"
+
+
 def test_refused_settings_are_named_with_why(at: At, tmp_path: Path) -> None:
     path = edited(tmp_path, ("1: {mode: disabled}", "1: {mode: enabled}"), ("setting: 3", "setting: 2"))
     code, out, error = mip("config", "push", "PORT", path)
@@ -223,6 +228,8 @@ def test_refused_settings_are_named_with_why(at: At, tmp_path: Path) -> None:
         ("1: {type: none}", "1: {type: gpio}", "'3dm.event_trigger_config' needs parameters too"),
         ("sensor: {descriptors: []}", "sensor: {descriptors: [{descriptor: scaled_acel, decimation: 10}]}",
          "'descriptor' cannot be 'scaled_acel'; did you mean 'scaled_accel'"),
+        ("sensor: {descriptors: []}", "sensor: {descriptors: [{descriptor: scaled_accel, decimation: 99999}]}",
+         "decimation is 99999, needs 0 to 65535"),
         ("      sensor:", "      sensors:", "did you mean 'sensor'"),
         ("model: 3dm-cv7-gnss-ins", "model: 3dm-cv7-gnss-inz", "'3dm-cv7-gnss-inz' is not a device; did you mean"),
         ("settings:", "settngs:", "a settings file has no 'settngs'; did you mean 'settings'?"),
@@ -361,15 +368,6 @@ def test_a_rate_at_which_the_device_is_not_heard_is_taken_back(at: At, tmp_path:
     assert code == 3 and "the device stopped answering; the former value was restored" in error
     assert at.written(base.CommSpeed.read(0x11)).baud == 115200
     assert " 0 settings changed, " in out
-
-
-def test_a_rate_that_the_port_cannot_have(at: At, tmp_path: Path) -> None:
-    path = edited(tmp_path, FASTER)
-    at.wire = Wire(at.device, most=460800)
-    at.commands.clear()
-    code, _, error = mip("config", "push", "PORT", path)
-    assert code == 3 and "PORT does not support 921600 Bd: no rate above 460800" in error
-    assert "base.comm_speed write" not in at.commands
 
 
 class Deaf(LivePort):

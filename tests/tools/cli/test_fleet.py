@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 from mip_tools import fleet, read_log
 from mip_tools.errors import Failure, Misuse
-from mip_tools.fleet import dataset, pack, run, sources
+from mip_tools.fleet import dataset, run, sources
 from program import ENVIRONMENT, command, log, mip, until
 from support import NIGHTLY, SEED, SPECS, heavy, later
 
@@ -202,7 +202,7 @@ def cmdline(process: Any) -> list[str]:
 
 @heavy("Dask")
 def test_a_scheduler_elsewhere_by_its_address(tmp_path: Path) -> None:
-    """A scheduler and a worker that others have started; the worker makes the package of own definitions, too."""
+    """A scheduler and a worker that others have started; the worker uses the package that is named, too."""
     folder, out, known = logs(tmp_path / "logs", 2), tmp_path / "out", tmp_path / "scheduler.json"
     words = ["--scheduler-file", str(known), "--no-dashboard"]
     started = []
@@ -212,9 +212,8 @@ def test_a_scheduler_elsewhere_by_its_address(tmp_path: Path) -> None:
     try:
         until(lambda: known.exists() and known.read_text("utf-8"))
         address = json.loads(known.read_text("utf-8"))["address"]
-        definitions = SPECS["real"][1] / "json/mip.json"
         done = subprocess.run(
-            command("fleet", folder, "-o", out, "--scheduler", address, "--definitions", definitions),
+            command("fleet", folder, "-o", out, "--scheduler", address, "--package", SPECS["real"][1] / "python"),
             env=ENVIRONMENT, capture_output=True, text=True,
         )  # fmt: skip
         assert done.returncode == 1 and "2 logs added, 0 known, 2 failed" in done.stdout, done.stderr
@@ -227,7 +226,7 @@ def test_a_scheduler_elsewhere_by_its_address(tmp_path: Path) -> None:
 
 
 @heavy("Dask")
-def test_urls_and_what_is_wrong(tmp_path: Path, here: None) -> None:
+def test_urls_and_what_is_wrong(tmp_path: Path, here: None, monkeypatch: pytest.MonkeyPatch) -> None:
     import fsspec
 
     memory = fsspec.filesystem("memory")
@@ -240,6 +239,15 @@ def test_urls_and_what_is_wrong(tmp_path: Path, here: None) -> None:
     assert_complete(tmp_path / "out", tmp_path / "logs")
     with pytest.raises(Misuse, match=r"both called drive0\.bin"):
         fleet.build([tmp_path / "logs/a", "memory://fleet/a"], tmp_path / "out")
+    with pytest.raises(Misuse, match=r"s3://bucket/out: a data set is made in a folder"):
+        fleet.build("memory://fleet", "s3://bucket/out")
+
+    def unreachable(*_: Any) -> bool:
+        raise ConnectionError("no route to host\nwhile reading")
+
+    monkeypatch.setattr("fsspec.implementations.memory.MemoryFileSystem.isdir", unreachable)
+    with pytest.raises(Failure, match=r"^memory://fleet cannot be read: no route to host$"):
+        fleet.build("memory://fleet", tmp_path / "out")
     with dataset.alone(tmp_path / "out"), pytest.raises(Failure, match="another run is active"):
         fleet.build(tmp_path / "logs", tmp_path / "out")
     done = subprocess.run(
@@ -255,32 +263,15 @@ def test_names_of_logs(tmp_path: Path) -> None:
     for name in ("a/1.bin", "b/1.bin", "b/2.mip"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_bytes(name.encode())
-    both = sources.found([str(tmp_path)], "*.bin")
+    both = sources.find_logs([str(tmp_path)], "*.bin")
     assert [one.name for one in both] == ["a/1.bin", "b/1.bin"]
-    assert sources.found([str(tmp_path / "a"), str(tmp_path / "a/1.bin")], "*.bin")[0].name == "1.bin"
+    assert sources.find_logs([str(tmp_path / "a"), str(tmp_path / "a/1.bin")], "*.bin")[0].name == "1.bin"
     with pytest.raises(Misuse, match=r"are both called 1\.bin"):
-        sources.found([str(tmp_path / "a"), str(tmp_path / "b")], "*.bin")
+        sources.find_logs([str(tmp_path / "a"), str(tmp_path / "b")], "*.bin")
     for given, said in ((tmp_path / "c", "does not exist"), (tmp_path / "b", r"has no files that match \*.log")):
         with pytest.raises(Misuse, match=said):
-            sources.found([str(given)], "*.log")
+            sources.find_logs([str(given)], "*.log")
     code, _, error = mip("fleet", tmp_path, "-o", tmp_path / "out", "--only", "sensor.acel")
     assert code == 2 and "did you mean" in error
     code, _, error = mip("fleet", tmp_path, "-o", tmp_path / "out", "--device-from", "car")
     assert code == 2 and "has no group" in error
-
-
-def test_which_files_are_made(tmp_path: Path) -> None:
-    def source(i: int, size: int) -> Any:
-        return pack.Source(tmp_path / f"_work/{i}/0.arrow", size, str(i))
-
-    before = [dataset.Part("clock=gps/field=a/old.parquet", "gps", "a", 1, 40)]
-    fresh = [("gps", "a", source(i, 70)) for i in range(3)] + [("gps", "b", source(4, 5))]
-    packs, remaining = pack.planned(tmp_path, tmp_path / "_work", fresh, before, 100)
-    assert remaining == [] and [(name, [s.bytes for s in p.sources]) for _, name, p in packs] == [
-        ("a", [40, 70]),
-        ("a", [70, 70]),
-        ("b", [5]),
-    ]
-    again, remaining = pack.planned(tmp_path, tmp_path / "_work", fresh[3:], before, 100)
-    assert remaining == before and [p.path for *_, p in again] == [packs[2][2].path]
-    assert [[s.bytes for s in part] for part in pack._enough([source(i, 60) for i in range(3)], 100)] == [[60, 60, 60]]

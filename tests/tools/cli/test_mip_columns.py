@@ -10,8 +10,7 @@ from mip_protocol import (
     PacketBuilder,
     base,
 )
-from mip_tools import columns
-from mip_tools.columns import read_log, tables
+from mip_tools.columns import tables
 from program import log, mip, run
 from support import later
 
@@ -22,24 +21,6 @@ np, pa, pq, pyplot = (later(name) for name in ("numpy", "pyarrow", "pyarrow.parq
 def path(tmp_path: Path) -> Path:
     (tmp_path / "log.bin").write_bytes(b"noise" + log() + b"\x75\x65\x80")
     return tmp_path / "log.bin"
-
-
-@pytest.mark.parametrize("form", ["csv", "jsonl", "npz"])
-def test_an_export_does_not_keep_where_the_packets_are(
-    form: str, path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Of a log of 2 GB, that would be 160 MB."""
-    seen = []
-    monkeypatch.setattr(columns, "read_log", lambda *given: seen.append(read_log(*given)) or seen[-1])
-    assert run(capsys, "export", path, "-o", tmp_path / f"out.{form}")[0] == 0
-    assert len(seen) == 1 and not seen[0]._kept
-
-
-def test_units_are_in_the_metadata(path: Path, tmp_path: Path) -> None:
-    assert mip("export", path, "sensor.scaled_accel", "-o", tmp_path / "t.parquet") == (0, "", "")
-    schema = pq.read_schema(tmp_path / "t.parquet")
-    assert schema.names == ["time", "time_own", "scaled_accel.x", "scaled_accel.y", "scaled_accel.z"]
-    assert schema.field("scaled_accel.x").metadata[b"unit"] == b"g"
 
 
 def test_lists_and_texts_in_numpy_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

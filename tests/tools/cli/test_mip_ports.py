@@ -15,8 +15,8 @@ import struct
 import subprocess
 import termios
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from threading import Thread
 from typing import Any
@@ -25,9 +25,10 @@ import pytest
 from mip_protocol import Parser, base, mip_3dm, registry, types
 from mip_protocol.field import Command, Structure
 from mip_protocol.parameter import Parameter
-from mip_tools.cli import ports, typed
+from mip_tools.columns import read_log
+from mip_tools.names import typed
+from mip_tools.ports import connection
 from program import DEVICE, ENVIRONMENT, PATIENCE, command, log, mip, on_a_full_disk, run, running, simulated, until
-from support import heavy
 
 
 @pytest.fixture(scope="module")
@@ -50,16 +51,31 @@ def test_an_answer(place: str) -> None:
     assert mip("send", f"socket://{place}", "base.ping") == (0, "acknowledged\n", "")
     code, out, _ = mip("send", place, "message_format", "read", "descriptor_set=sensor", "--json")
     assert code == 0
-    rates = [{"descriptor": 0xD3, "decimation": 10}, {"descriptor": 4, "decimation": 10}]
+    rates = [{"descriptor": "shared.gps_timestamp", "decimation": 10}, {"descriptor": "scaled_accel", "decimation": 10}]
     assert json.loads(out) == {
         "command": "3dm.message_format",
         "outcome": "acknowledged",
-        "response": {"descriptor_set": 0x80, "descriptors": rates},
+        "response": {"descriptor_set": "sensor", "descriptors": rates},
     }
 
 
+def test_a_new_baud_rate_is_followed(tmp_path: Path) -> None:
+    port = tmp_path / "port"
+    with running("simulate", DEVICE, "--pty", port, "--strict-baud") as process:
+        assert process.stdout is not None and process.stdout.readline()
+        words = ("send", port, "base.comm_speed", "write", "1")
+        assert mip(*words, "460800") == (0, "acknowledged; use --baud 460800 from now on\n", "")
+        assert mip("send", port, "base.ping", "--baud", "460800") == (0, "acknowledged\n", "")
+        found = mip(*words, "115200", "--baud", "460800", "--json")
+        assert (
+            json.loads(found[1])["baud"] == 115200 and json.loads(mip(*words, "460800", "--json")[1])["baud"] == 460800
+        )
+        code, _, error = mip(*words[:-1], "9", "115200", "--baud", "460800")
+        assert code == 3 and error == "mip send: base.comm_speed rejected (invalid parameter)\n"
+
+
 def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
-    refused = "mip send: the device refused base.comm_speed: invalid_parameter (3)\n"
+    refused = "mip send: base.comm_speed rejected (invalid parameter)\n"
     assert mip("send", place, "base.comm_speed", "read", "9") == (3, "", refused)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         where = f"127.0.0.1:{silent.getsockname()[1]}"
@@ -167,6 +183,11 @@ def _value(p: Parameter) -> Any:
         ("3dm.message_format write sensor dop:7", "descriptor: 'dop' is not a field of sensor; `mip fields sensor` "),
         ("3dm.message_format read sensr", "descriptor_set: 'sensr' is neither a number nor a field; did you mean "),
         ("3dm.message_format read 256", "3dm.message_format cannot be sent: descriptor_set"),
+        ("3dm.message_format write 1 4:99999", "descriptors cannot be sent: decimation is 99999, needs 0 to 65535"),
+        (
+            '3dm.message_format write 1 \'[{"descriptor": 4, "decimation": -1}]\'',
+            "descriptors cannot be sent: decimation",
+        ),
         ("3dm.message_format write 1 4:5:6", "descriptors: '4:5:6' has too many parts; write descriptor:decimation"),
         ("3dm.message_format write 1 4", "descriptors has parts that are missing; write descriptor:decimation"),
         ("3dm.message_format write 1 '[{'", "descriptors: '[{' is not JSON: "),
@@ -192,7 +213,9 @@ def test_a_recording(place: str, tmp_path: Path) -> None:
     kept = out.read_bytes()
     error = f"mip record: {out} exists; name another file, or replace it with --force\n"
     assert mip("record", place, "-o", out, "--duration", "1") == (1, "", error) and out.read_bytes() == kept
-    assert mip("record", place, "-o", out, "--duration", "1", "--force") == (0, "", "")
+    assert read_log(out).device == DEVICE  # its reply is in the log
+    named = ("--duration", "1", "--force", "--device", DEVICE)  # and is not asked for
+    assert mip("record", place, "-o", out, *named) == (0, "", "") and read_log(out).device is None
     assert out.read_bytes() != kept and Parser().feed(out.read_bytes())
     assert [p.name for p in tmp_path.iterdir()] == ["log"]
 
@@ -291,45 +314,26 @@ def test_values_in_a_pipe(place: str) -> None:
     assert re.search(r"scaled_accel = \(x=\S+, y=\S+, z=-[01]\.\S+\) g$", shown[-1], re.M)
 
 
-def on_a_terminal(
-    words: list[str], end: Callable[[subprocess.Popen[bytes], int], object], *shown: bytes, term: str = "xterm"
-) -> bytes:
-    """What a program writes to a terminal until these are shown, and then until it has ended."""
+def test_values_on_a_terminal(place: str) -> None:
+    """With the standard library alone: shown in place of each other until Ctrl-C, then the screen is as before."""
     master, slave = pty.openpty()
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 100, 0, 0))
-    environment = {**ENVIRONMENT, "TERM": term}
+    words, environment = command("monitor", place, extras=False), {**ENVIRONMENT, "TERM": "xterm"}
+    seen = b""
     with subprocess.Popen(words, stdin=slave, stdout=slave, stderr=slave, env=environment) as process:
         os.close(slave)
-        seen = b""
-        while not all(text in seen for text in shown):
+        while b"Hz" not in seen:
             assert select.select([master], [], [], PATIENCE)[0]
             seen += os.read(master, 4096)
-        end(process, master)
-        try:
+        process.send_signal(signal.SIGINT)
+        with suppress(OSError):  # the other end is closed
             while select.select([master], [], [], PATIENCE)[0] and (more := os.read(master, 4096)):
                 seen += more
-        except OSError:  # the other end is closed
-            pass
         assert process.wait(PATIENCE) == 0
     os.close(master)
-    return seen
-
-
-def test_values_on_a_terminal(place: str) -> None:
-    """With the standard library alone."""
-    words = command("monitor", place, extras=False)
-    seen = on_a_terminal(words, lambda process, _: process.send_signal(signal.SIGINT), b"Hz")
     assert seen.startswith(b"\x1b[?1049h\x1b[?25l") and b"\x1b[H" in seen
     _, restored, last = seen.rpartition(b"\x1b[?25h\x1b[?1049l")
     assert restored and b"scaled_accel = (x=" in last and b"Traceback" not in seen
-
-
-@heavy("textual")
-@pytest.mark.parametrize("key", [b"q", b"\x03"])
-def test_values_on_all_of_a_terminal(place: str, key: bytes) -> None:
-    seen = on_a_terminal(command("monitor", place), lambda _, terminal: os.write(terminal, key), b"Hz", b"Filter")
-    _, restored, last = seen.rpartition(b"\x1b[?1049l")
-    assert restored and b"scaled_accel = (x=" in last and b"Traceback" not in seen and b"Filter" in seen
 
 
 def test_a_device_on_a_terminal(tmp_path: Path) -> None:
@@ -367,50 +371,6 @@ def test_lists_that_begin_with_a_negative_number(values: str, capsys: pytest.Cap
     assert run(capsys, "send", "--hex", "3dm.accel_bias", "write", values) == named
 
 
-@pytest.mark.parametrize(
-    ("words", "error"),
-    [
-        (["PORT", "base.ping", "--timeout", "-1"], "'-1' is not a time in seconds; use a number above 0"),
-        (["PORT", "base.ping", "--baud", "-1"], "'-1' is not a baud rate; use a number or `auto`"),
-        (["PORT", "base.ping", "--device", "-1"], "'-1' is "),
-        (["--hex", "-1"], "'-1' is not a field"),
-        (["-1", "base.ping"], "mip send: -1 cannot be opened"),
-    ],
-)
-def test_messages_quote_words_as_they_were_given(
-    words: list[str], error: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    code, out, said = run(capsys, "send", *words)
-    assert code and not out and error in said and " -1'" not in said, said
-
-
-def test_a_terminal_is_as_before_if_the_port_cannot_be_opened() -> None:
-    main, side = pty.openpty()
-    done = subprocess.run(command("monitor", "/dev/nothing-here"), stdout=side, stderr=subprocess.PIPE, env=ENVIRONMENT)
-    os.close(side)
-    shown = b""
-    while select.select([main], [], [], 0.2)[0]:
-        try:
-            shown += os.read(main, 4096)
-        except OSError:
-            break
-    os.close(main)
-    assert done.returncode == 1 and shown.count(b"\x1b[?1049h") == shown.count(b"\x1b[?1049l")
-
-
-@pytest.mark.parametrize("term", ["xterm", "dumb"])
-def test_progress_only_where_a_line_can_be_replaced(term: str, place: str, tmp_path: Path) -> None:
-    """Long after it is due, if it is shown at all."""
-    words = command("record", place, "-o", tmp_path / "log")
-
-    def end(process: subprocess.Popen[bytes], _: int) -> None:
-        until(lambda: any(p.stat().st_size > 10_000 for p in tmp_path.glob("log.*.part")), process)
-        process.send_signal(signal.SIGINT)
-
-    shown = on_a_terminal(words, end, *[b"bytes skipped"] * (term == "xterm"), term=term)
-    assert shown.endswith(b"bytes skipped\r\n") and (b"\x1b" in shown) == (term == "xterm")
-
-
 def test_a_duration_begins_when_the_port_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
     """Opening a serial port takes time, above all with `--baud auto`."""
     now = 0.0
@@ -419,15 +379,15 @@ def test_a_duration_begins_when_the_port_is_open(monkeypatch: pytest.MonkeyPatch
         closed = False
 
     @contextmanager
-    def opened(name: str, options: Any, **more: Any) -> Iterator[Any]:
+    def opened(line: connection.Line, **more: Any) -> Iterator[Any]:
         nonlocal now
         now += 10
         more["on_bytes"](b"first")
         yield Device
 
-    monkeypatch.setattr(ports, "opened", opened)
+    monkeypatch.setattr(connection, "opened", opened)
     monkeypatch.setattr(time, "monotonic", lambda: now)
-    found = ports.received("port", None, 1.0)  # type: ignore[arg-type]
+    found = connection.received(connection.Line("port", None, "record"), 1.0)
     assert next(found) == b"first"
     now += 2
     assert list(found) == []

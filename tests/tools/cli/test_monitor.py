@@ -10,19 +10,19 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
-from mip_tools.cli.monitor import Latest
-from mip_tools.cli.scan import Piece, Scanner
-from mip_tools.cli.selection import Selection
 from mip_tools.errors import Failure
+from mip_tools.logs.scan import Piece, Scanner
+from mip_tools.monitor.latest import Latest
+from mip_tools.names.selection import Selection
 from program import PATIENCE, log
 from support import heavy
 
 
 def view(events: list[Any], end: Failure | None = None) -> Any:
     """The view with these events: bytes that arrive, texts of notices, and waiting until one is set."""
-    from mip_tools.cli.monitor_screen import MonitorScreen
+    from mip_tools.monitor.screen import MonitorScreen
 
-    def pieces(options: argparse.Namespace, say: Callable[[str], object]) -> Iterator[Piece | None]:
+    def pieces(options: argparse.Namespace, latest: Latest, say: Callable[[str], object]) -> Iterator[Piece | None]:
         scanner = Scanner()
         for event in events:
             if isinstance(event, bytes):
@@ -103,10 +103,10 @@ def test_what_the_keys_do() -> None:
 
 @heavy("textual")
 def test_old_values_are_marked_and_a_lost_port_ends_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    from mip_tools.cli import monitor
+    from mip_tools.monitor import latest
     from textual.widgets import DataTable
 
-    monkeypatch.setattr(monitor, "STALE", 0.2)
+    monkeypatch.setattr(latest, "STALE", 0.2)
     done = threading.Event()
     app = view([log(0.2), done], Failure("port was closed"))
 

@@ -5,11 +5,8 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import signal
-import socket
 import subprocess
 import sys
-import threading
 from collections.abc import Iterable
 from dataclasses import replace
 from datetime import date
@@ -18,22 +15,21 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import Device, Parser, _index, base, devices, mip_3dm, types
+from mip_protocol import Device, _sets, base, devices, mip_3dm, types
 from mip_protocol import profile as profiles
-from mip_tools.cli import device_file, listing
 from mip_tools.errors import Failure
+from mip_tools.ports import device_file, listing
 from mip_tools.simulator import LivePort, VirtualDevice
-from mip_tools.simulator.fault_kinds import parse_faults
 from mip_tools.simulator.faults import Faults
+from mip_tools.simulator.faults.kinds import parse_faults
 from mipgen import model as m
 from mipgen.resolve.load import load_model
-from program import ENVIRONMENT, PATIENCE, command, mip, running, until
+from program import ENVIRONMENT, mip, running
 from support import ROOT, SPECS, heavy
 
 SPEC = SPECS["real"][0]
-SETS = {number: names[0] for number, names in _index.SETS.items()}
+SETS = {number: names[0] for number, names in _sets.SETS.items()}
 DAY = "2026-01-31"
-Key = tuple[int, int]
 
 
 def told(device: VirtualDevice) -> listing.Listing:
@@ -47,8 +43,8 @@ def facts(device: VirtualDevice | str) -> device_file.Facts:
 
 
 @cache
-def told_of(id: str) -> listing.Listing:
-    return told(VirtualDevice(id))
+def told_of(device_id: str) -> listing.Listing:
+    return told(VirtualDevice(device_id))
 
 
 def unknown(**changes: Any) -> profiles.Device:
@@ -57,15 +53,15 @@ def unknown(**changes: Any) -> profiles.Device:
     return replace(of, **{"title": "3DM-XY9: INS", "model_number": 6999, **changes})
 
 
-def loaded(folder: Path, id: str) -> m.Device:
+def loaded(folder: Path, device_id: str) -> m.Device:
     """A device as mipgen reads it, with the folder over the specification."""
-    found = load_model(SPEC, folder).device(id)
+    found = load_model(SPEC, folder).device(device_id)
     assert found is not None
     return found
 
 
-def put(folder: Path, id: str, text: str) -> Path:
-    path = folder / "devices" / f"{id}.yaml"
+def put(folder: Path, device_id: str, text: str) -> Path:
+    path = folder / "devices" / f"{device_id}.yaml"
     path.parent.mkdir(exist_ok=True)
     path.write_bytes(text.encode())
     return path
@@ -106,7 +102,7 @@ def test_the_file_of_a_model_that_is_not_known(tmp_path: Path) -> None:
     put(tmp_path, "3dm-xy9-ins", text)
     made = loaded(tmp_path, "3dm-xy9-ins")
     assert {(s.set, s.field.descriptor) for s in made.certain} == devices.DEVICES["3dm-gq7"].fields
-    assert not made.probable and made.incomplete and made.model_number == 6999
+    assert not made.likely and not made.assumed and made.incomplete and made.model_number == 6999
     assert [e.undefined for e in made.evidence] == [((0x3F, 0x01), (0x3F, 0x02), (0x80, 0x7E))]
     assert made.ports == ()  # it has no command that reads the protocols
     assert made.evidence[0].note == "Main was set to 115200 Bd."
@@ -127,7 +123,7 @@ def test_ports_of_a_model_that_is_not_known(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("title", "number", "id", "shown"),
+    ("title", "number", "device_id", "shown"),
     [
         ("3DM-GQ7-GNSS/INS", 6284, "3dm-gq7", "3DM-GQ7-GNSS/INS"),
         ("Something", 6284, "3dm-gq7", "3DM-GQ7-GNSS/INS"),  # the number says what it is
@@ -137,10 +133,10 @@ def test_ports_of_a_model_that_is_not_known(tmp_path: Path) -> None:
         ("\x00\x07Ä 1", None, "1", "Ä 1"),
     ],
 )
-def test_which_model_it_is(title: str, number: int | None, id: str, shown: str) -> None:
+def test_which_model_it_is(title: str, number: int | None, device_id: str, shown: str) -> None:
     info = base.BaseDeviceInfo(1202, title, f"{number or 0:04}-4220", "0000.12345", "", "")
     found = device_file.model(listing.Listing(info, ()))
-    assert (found.id, found.title) == (id, shown)
+    assert (found.id, found.title) == (device_id, shown)
     assert listing.Listing(info, ()).firmware == "1.2.02"
 
 
@@ -255,7 +251,7 @@ evidence:
     firmware: 5.0.00
     sources:
       - {manual: mscl, section: Issue 1}
-    note: "Kept: as it is."
+    notes: ["Kept: as it is."]
     fields: {base: [ping]} # last
   - {kind: listed, firmware: 4.0.00, fields: {base: [ping]}}
 """
@@ -272,7 +268,7 @@ evidence:
     date: 2026-01-31
     sources:
       - {manual: mscl, section: Issue 1}
-    note: "Kept: as it is."
+    notes: ["Kept: as it is."]
     fields:
       base: [ping, set_idle, get_device_info, get_device_descriptors, resume]
       3dm: [data_stream_control] # last
@@ -283,14 +279,6 @@ evidence:
     assert again == text
     later = device_file.Facts(facts("3dm-mv5-ar").model, told(VirtualDevice("3dm-mv5-ar")), "2027-01-01")
     assert device_file.merged(later, tmp_path / "devices/3dm-mv5-ar.yaml")[0] == text  # the same list: the same day
-
-
-def test_a_note_is_added_to_a_list_without_one(tmp_path: Path) -> None:
-    device = VirtualDevice(unknown())
-    it = facts(device)
-    old = f"device: {it.model.id}\nevidence:\n  - {{kind: listed, firmware: 7.0.00, fields: {{base: [ping]}}}}\n"
-    text, _ = device_file.merged(it, put(tmp_path, it.model.id, old))
-    assert it.note() and f'note: "{it.note()}"' in text and text.count("kind: listed") == 1
 
 
 def test_rates(tmp_path: Path) -> None:
@@ -339,22 +327,22 @@ def test_profiles_of_the_specification(tmp_path: Path) -> None:
     shutil.copytree(SPEC, spec)
     lines, found = 0, list(wholes())
     assert len(found) > 5
-    for id in found:
-        path = spec / f"devices/{id}.yaml"
+    for device_id in found:
+        path = spec / f"devices/{device_id}.yaml"
         before = path.read_text("utf-8")
-        text, contradictions = device_file.merged(facts(id), path)
-        assert not contradictions, id
+        text, contradictions = device_file.merged(facts(device_id), path)
+        assert not contradictions, device_id
         rest = iter(text.splitlines())
         for line in before.splitlines():  # in this order; there may be more in brackets, and a rate that was not known
             now = "".join(MORE.get(c, re.escape(c)) for c in line)
-            assert any(line == x or re.fullmatch(now, x) for x in rest), (id, line)
+            assert any(line == x or re.fullmatch(now, x) for x in rest), (device_id, line)
         lines += len(text.splitlines()) - len(before.splitlines())
         path.write_text(text, "utf-8")
     made = load_model(spec)
-    for id in found:
-        of, kept = made.device(id), devices.DEVICES[id]
-        assert of is not None and {(s.set, s.field.descriptor) for s in of.certain} == kept.fields, id
-        assert {r.set.number: r.hertz for r in of.base_rates}.items() >= kept.base_rates.items(), id
+    for device_id in found:
+        of, kept = made.device(device_id), devices.DEVICES[device_id]
+        assert of is not None and {(s.set, s.field.descriptor) for s in of.certain} == kept.fields, device_id
+        assert {r.set.number: r.hertz for r in of.base_rates}.items() >= kept.base_rates.items(), device_id
     assert lines > 100
 
 
@@ -470,23 +458,6 @@ def test_command_line(place: str, tmp_path: Path) -> None:
     assert error == f"mip profile: {path} exists; to read it, pyyaml is missing; pip install pyyaml\n"
 
 
-def test_contradictions_are_reported(place: str, tmp_path: Path) -> None:
-    path = put(tmp_path, "3dm-gq7", "extend: 3dm-gq7\nbase_rates: {sensor: 5}\n")
-    code, _, error = mip("profile", place, "--spec", tmp_path)
-    said = f"{path}:2:22: the device says 1000 Hz for sensor, not 5; the file is kept"
-    assert (code, error) == (0, f"mip profile: {said}\n") and "sensor: 5," in path.read_text("utf-8")
-
-
-@pytest.mark.usefixtures("no_reply_comes")
-def test_a_port_without_a_device(tmp_path: Path) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as silent:
-        where = f"127.0.0.1:{silent.getsockname()[1]}"
-        code, out, error = mip("profile", where, "--spec", tmp_path)
-    assert (code, out) == (4, "")
-    assert error == f"mip profile: {where} did not answer base.ping; check the port and --baud\n"
-    assert not list(tmp_path.iterdir())
-
-
 def test_what_cannot_be(place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     missing = tmp_path / "missing"
     error = f"mip profile: {missing} is not a folder; create it, or name another one with --spec\n"
@@ -502,39 +473,6 @@ def test_what_cannot_be(place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert path.read_text("utf-8") == "extend: 3dm-gq7\n" and [*path.parent.iterdir()] == [path]
 
 
-def test_ctrl_c_resumes(tmp_path: Path) -> None:
-    """A device that falls silent after it was set to idle is resumed when the user interrupts the program."""
-    seen: list[int] = []
-    device = VirtualDevice("3dm-gq7")
-    link = device.connect()
-
-    def serve(server: socket.socket) -> None:
-        connection, _ = server.accept()
-        connection.settimeout(PATIENCE)
-        parser = Parser()
-        while data := connection.recv(4096):
-            for packet in parser.feed_all(data):
-                seen.append(packet.payload[1])
-                if seen[-1] != 0x03:  # get_device_info is not answered
-                    link.write(bytes(packet))
-                    device.advance(0.05)
-                    connection.sendall(link.read())
-
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        thread = threading.Thread(target=serve, args=(server,), daemon=True)
-        thread.start()
-        process = subprocess.Popen(
-            command("profile", f"127.0.0.1:{server.getsockname()[1]}", "--spec", tmp_path),
-            env=ENVIRONMENT, stderr=subprocess.PIPE,
-        )  # fmt: skip
-        until(lambda: 0x03 in seen, process)
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=PATIENCE)
-        thread.join(PATIENCE)
-    assert process.returncode == 130 and seen[:3] == [0x01, 0x02, 0x03] and seen[-1] == 0x06
-    assert not device.idle and not list(tmp_path.iterdir())
-
-
 # --------------------------------------------------------------------------- there and back
 
 ALL = list(devices.DEVICES)
@@ -544,9 +482,9 @@ AGAIN = """\
 import sys
 from pathlib import Path
 from mip_protocol import Device, devices
-from mip_tools.cli import device_file, listing
+from mip_tools.ports import device_file, listing
 from mip_tools.simulator import LivePort, VirtualDevice
-from mip_tools.simulator.profiles import certain
+from mip_tools.devices.profiles import certain
 
 out = Path(sys.argv[1])
 for id in sys.argv[2:]:
@@ -561,17 +499,17 @@ for id in sys.argv[2:]:
 @pytest.mark.parametrize("ids", [pytest.param(FEW, id="few"), pytest.param(ALL, id="all", marks=heavy("all models"))])
 def test_there_and_back(tmp_path: Path, ids: list[str]) -> None:
     """A device is queried, mipgen generates a package with the result, and a device of this package is queried: it has
-    the same for certain. The devices of the first package have yes and probable together."""
+    the same for certain. The devices of the first package have yes, likely and assumed together."""
     over, package = tmp_path / "over", tmp_path / "package"
     over.mkdir()
     first = {}
-    for id in ids:
-        it = facts(id)
-        assert it.model.id == id and {*it.told.descriptors} == devices.DEVICES[id].fields
-        first[id] = it.told
-        put(over, id, device_file.new(it, over))
+    for device_id in ids:
+        it = facts(device_id)
+        assert it.model.id == device_id and {*it.listing.descriptors} == devices.DEVICES[device_id].fields
+        first[device_id] = it.listing
+        put(over, device_id, device_file.new(it, over))
     words = ["generate", "--spec", SPEC, "--spec", over, "--target", "python", "--out", package]
-    words += [word for id in ids if ids == FEW for word in ("--device", id)]
+    words += [word for device_id in ids if ids == FEW for word in ("--device", device_id)]
     environment = {**ENVIRONMENT, "PYTHONPATH": str(ROOT / "generator")}
     made = subprocess.run([sys.executable, "-m", "mipgen", *map(str, words)], env=environment, capture_output=True)
     assert made.returncode == 0, made.stderr.decode()
@@ -582,6 +520,10 @@ def test_there_and_back(tmp_path: Path, ids: list[str]) -> None:
     assert done.returncode == 0, done.stderr
     second = {line.split("|")[0]: line.split("|")[1:] for line in done.stdout.splitlines()}
     assert second == {
-        id: [str(sorted(t.descriptors)), str(sorted(t.base_rates.items())), str(sorted(t.ports, key=lambda p: p.id))]
-        for id, t in first.items()
+        device_id: [
+            str(sorted(t.descriptors)),
+            str(sorted(t.base_rates.items())),
+            str(sorted(t.ports, key=lambda p: p.id)),
+        ]
+        for device_id, t in first.items()
     }

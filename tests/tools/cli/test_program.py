@@ -14,15 +14,18 @@ from pathlib import Path
 import pytest
 from mip_protocol import registry
 from mip_tools import __main__
+from mip_tools.devices.profiles import device_named
+from mip_tools.names import search
+from mip_tools.simulator import VirtualDevice
 from program import DEVICE, ENVIRONMENT, log, mip, on_a_full_disk, run
 from random_values import chance
-from support import rounds
+from support import ROOT, rounds
 
 
 @pytest.mark.parametrize("name", __main__.COMMANDS)
 def test_help(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     code, out, error = run(capsys, name, "--help")
-    text = __main__.COMMANDS[name][1]
+    text = __main__.COMMANDS[name]
     assert (code, error) == (0, "") and out.startswith("usage: mip ") and text[1:] in " ".join(out.split())
     assert name == "simulate" or all(len(line) <= 100 for line in out.splitlines()), max(out.splitlines(), key=len)
     assert name == "completion" or "examples:" in out
@@ -80,9 +83,15 @@ def test_options_may_stand_between_the_words(
 
 
 #: Messages about the command line itself, not about files or results.
+#: Commands that read or speak MIP, and where a device can be named.
+OF_A_DEVICE = (
+    "dump LOG", "info LOG", "doctor LOG", "export LOG -o OUT", "plot LOG sensor.scaled_accel -o OUT.png",
+    "cut LOG -o OUT", "cut - -o OUT", "monitor LOG", "stream LOG", "send --hex base.ping", "fleet FOLDER -o OUT",
+    "fields", "bandwidth sensor.scaled_accel@10",
+)  # fmt: skip
 MISUSE = (
     "is not a (field|device|stream|data field|data set|TCP port|motion)|has a number above|not a known format|several|"
-    "is unknown|is in every data set"
+    "is unknown|not a folder of|is in every data set"
 )
 
 
@@ -91,11 +100,14 @@ MISUSE = (
     [
         ("dump NOWHERE", "dump: NOWHERE cannot be read: No such file or directory"),
         ("dump FOLDER", "dump: FOLDER cannot be read: Is a directory"),
-        ("dump EMPTY", "dump: no packet in 0 bytes: packets begin with 75 65"),
+        ("dump EMPTY", "dump: no packet in 0 bytes: no bytes; is the device on"),
         ("dump ODD", "dump: ODD has an odd number of hexadecimal digits; each byte needs two"),
         ("dump LOG --only sensr", "dump: 'sensr' is not a field; "),
         ("dump LOG --only 0x80:256", "dump: '0x80:256' has a number above 255; use 0 to 255"),
-        ("dump LOG --device gx5", "dump: 'gx5' is not a device; "),
+        *((f"{words} --device gx5", f"{words.split()[0]}: 'gx5' is not a device; ") for words in OF_A_DEVICE),
+        ("fleet FOLDER -o s3://bucket/data", "fleet: s3://bucket/data is not a folder of this machine; write to one"),
+        ("serve --simulate gx5", "serve: 'gx5' is not a device; "),
+        ("simulate gx5", "simulate: 'gx5' is not a device; "),
         ("cut LOG -o FOLDER", "cut: FOLDER is a folder; name a file in it"),
         ("cut LOG -o NOWHERE/x", "cut: NOWHERE/x cannot be written: No such file or directory"),
         ("export LOG -o OUT.xls", "export: '.xls' is not a known format; use --format csv, jsonl, npz, parquet, arrow"),
@@ -107,8 +119,7 @@ MISUSE = (
         ("fields nope", "fields: 'nope' is not a field; `mip fields` lists the sets"),
         ("fields temperature", "fields: 'temperature' is not a field; "),
         ("fields sensor --search banana", "fields: no field matches NAME, --search and --device together; leave one "),
-        ("fields --search acel", "fields: no field has 'acel' in its name or description; did you mean accel"),
-        ("fields --search qqqq", "fields: no field has 'qqqq' in its name or description; `mip fields` lists the sets"),
+        ("fields --search qqqq", "fields: no field has a word of 'qqqq'; `mip fields` lists the sets"),
         ("bandwidth sensor.scaled_accel", "bandwidth: 'sensor.scaled_accel' is not a stream; write NAME@HZ, as in "),
         ("bandwidth base.ping@1", "bandwidth: base.ping is not a data field; only data is streamed"),
         ("bandwidth shared.gps_timestamp@1", "bandwidth: shared.gps_timestamp is in every data set; name one: "),
@@ -135,6 +146,18 @@ def test_errors_are_one_line(
 # --------------------------------------------------------------------------- fields
 
 
+@pytest.mark.parametrize("name", ["3dm-cv7-ahrs", "3DM-CV7-AHRS", "cv7-ahrs", "CV7 AHRS"])
+def test_a_device_has_one_set_of_names(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    for words in (["fields", "sensor"], ["bandwidth", "sensor.scaled_accel@10"]):
+        assert run(capsys, *words, "--device", name) == run(capsys, *words, "--device", "3dm-cv7-ahrs")
+    assert device_named(name).id == VirtualDevice(name).profile.id == "3dm-cv7-ahrs"
+
+
+def test_the_site_leaves_out_the_same_words() -> None:
+    text = (ROOT / "tools/workbench/rank.mjs").read_text().partition("FILLING = new Set(")[2].partition(".split")[0]
+    assert {*"".join(re.findall('"([^"]*)"', text)).split()} == search.FILLING
+
+
 def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "fields")
     assert code == 0 and [int(line[:4], 16) for line in out.splitlines()] == list(registry.MODULES)
@@ -143,9 +166,25 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     one = run(capsys, "fields", "sensor.scaled_accel")[1]
     assert one.startswith("sensor.scaled_accel (0x80,0x04), data\n") and "  scaled_accel: float[3] [g]\n" in one
     assert all(run(capsys, "fields", name)[1] == one for name in ("0x80:0x04", "0x80,4", "ScaledAccel"))
+    status = run(capsys, "fields", "filter_data.status")[1]
+    assert "bit 12  init_no_attitude " in status and "Only while `filter_state` is `Gx5FilterState.INIT`" in status
+    *_, flags = json.loads(run(capsys, "fields", "filter_data.status", "--json")[1])[0]["parameters"]
+    (five,) = (v for v in flags["variants"] if "3dm-gx5-15" in v["keys"])
+    assert five["states"]["init_no_attitude"] == {"filter_state": [1]} and five["bits"]["init_no_attitude"] == 0x1000
     found = run(capsys, "fields", "--search", "TEMPERATURE", "--device", "3dm-gx5-15")[1]
     assert "sensor.temperature" in found or "sensor.scaled_pressure" in found
     assert "gnss_1" not in found
+    first = {
+        "bias gyro": "filter_data.gyro_bias",
+        "accelerometre": "sensor.scaled_accel",
+        "waas": "3dm.gnss_sbas_settings",
+        "low_pass_filter_responses": "3dm.low_pass_filter_response",
+        "gyrobias": "filter_data.gyro_bias",
+        "how do I set the baud rate of the uart": "baud",
+        "rate of turn": "sensor.scaled_gyro",
+    }
+    for text, field in first.items():
+        assert field in run(capsys, "fields", "--search", text)[1].splitlines()[0], text
     assert (
         "mip send PORT 3dm.message_format write descriptor_set descriptors"
         in run(capsys, "fields", "3dm.message_format")[1]

@@ -31,23 +31,23 @@ def kept(virtual: VirtualDevice) -> dict[Any, Any]:
 #: The devices that `make test` samples: of each generation, with few settings and with many.
 SAMPLE = ("3dm-cv7-gnss-ins", "3dm-gx5-45", "3dm-gq7", "3dm-gx3-35", "3dm-mv5-ar")
 #: A device, and which third of the values it has; one of the sample has all.
-CASES = [*((SAMPLE[0], only) for only in range(3)), *((id, i % 3) for i, id in enumerate(SAMPLE[1:]))]
-ALL = [(id, only) for id in sorted(devices.DEVICES) for only in range(3)]
+CASES = [*((SAMPLE[0], only) for only in range(3)), *((device_id, i % 3) for i, device_id in enumerate(SAMPLE[1:]))]
+ALL = [(device_id, only) for device_id in sorted(devices.DEVICES) for only in range(3)]
 
 
 @pytest.mark.parametrize(
-    ("id", "only"), [*CASES, *(pytest.param(*x, marks=heavy("all models")) for x in ALL if x not in CASES)]
+    ("device_id", "only"), [*CASES, *(pytest.param(*x, marks=heavy("all models")) for x in ALL if x not in CASES)]
 )
-def test_all_settings_of_a_device(tmp_path: Path, id: str, only: int) -> None:
-    found = model("real").device(id)
+def test_all_settings_of_a_device(tmp_path: Path, device_id: str, only: int) -> None:
+    found = model("real").device(device_id)
     assert found is not None
-    first, second = VirtualDevice(id), VirtualDevice(id)
+    first, second = VirtualDevice(device_id), VirtualDevice(device_id)
     names = told(found, first, only)
     assert names or only or not settable(found)
     path = tmp_path / "settings.yaml"
     path.write_text(pulled(first))
     done = pushed(second, path)
-    assert not done.refused and not done.different
+    assert not done.refused and not done.read_differently
     assert pulled(second) == path.read_text()
     for place, value in kept(first).items():
         if not any(word in place[0] for word in ROUNDED):
@@ -76,22 +76,28 @@ def in_browser(requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
 def test_the_browser_reads_and_writes_the_same_files(tmp_path: Path, ids: Iterable[str]) -> None:
     """The same commands in the same order, from and to a file, with values of each setting."""
     path, requests, held = tmp_path / "settings.yaml", [], []
-    for id in ids:
-        virtual, found = VirtualDevice(id), model("real").device(id)
+    for device_id in ids:
+        virtual, found = VirtualDevice(device_id), model("real").device(device_id)
         assert found is not None
         told(found, virtual, 0)
         path.write_text(pulled(virtual))
-        commands = [bytes(c.packet()).hex() for c in parsed.parsed(path).held.values()]
-        about = {"model": id, "firmware": "1.0.00", "date": "2026-01-31"}
-        requests += [{"device": id, "text": path.read_text()}, {"device": id, "packets": commands, **about}]
-        held.append((id, commands))
+        commands = [bytes(c.packet()).hex() for c in parsed.parsed(path).commands.values()]
+        about = {"model": device_id, "firmware": "1.0.00", "date": "2026-01-31"}
+        requests += [
+            {"device": device_id, "text": path.read_text()},
+            {"device": device_id, "packets": commands, **about},
+        ]
+        held.append((device_id, commands))
     answers = in_browser(requests)
     assert sum(len(commands) for _, commands in held) > 100
-    for (id, commands), read, written in zip(held, answers[::2], answers[1::2], strict=True):
-        assert read == {"model": id, "packets": commands}, id
+    for (device_id, commands), read, written in zip(held, answers[::2], answers[1::2], strict=True):
+        assert read == {"model": device_id, "packets": commands}, device_id
         path.write_text(written["text"])
-        assert [bytes(c.packet()).hex() for c in parsed.parsed(path).held.values()] == commands, id
-    assert in_browser([{"device": id, "text": x["text"]} for (id, _), x in zip(held, answers[1::2])]) == answers[::2]
+        assert [bytes(c.packet()).hex() for c in parsed.parsed(path).commands.values()] == commands, device_id
+    assert (
+        in_browser([{"device": device_id, "text": x["text"]} for (device_id, _), x in zip(held, answers[1::2])])
+        == answers[::2]
+    )
 
 
 #: Parts of files with mistakes.

@@ -1,4 +1,4 @@
-"""Which data each setting of a virtual device changes; as a program, writes the table of docs/simulate.md."""
+"""Which data each setting of a virtual device changes; as a program, writes the table of docs/simulate-reference.md."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from mip_protocol import aiding, base, gnss, mip_3dm
 from mip_protocol import filter as commands
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.motion import Circle
-from mip_tools.simulator.values import encoder
+from mip_tools.simulator.streams.values import encoder
 from simulated_world import SETS, TYPES
 from simulator_host import Host
 
 ROOT = Path(__file__).parents[3]
-PAGE = ROOT / "docs/simulate.md"
+PAGE = ROOT / "docs/simulate-reference.md"
 HEAD = "| Setting | Tried on | Data fields that it changes |\n|---|---|---|\n"
 BEGIN, END = "<!-- settings and data -->\n", "<!-- end -->"
 

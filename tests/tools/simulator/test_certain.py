@@ -1,4 +1,4 @@
-"""`mip simulate --certain`, and what a simulated device lists: what it has, for certain and probably."""
+"""`mip simulate --certain`, and what a simulated device lists: what it has, for certain, likely and as is assumed."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import pytest
 from mip_protocol import Parser, base, devices, mip_3dm, types
 from mip_protocol.devices import Support
 from mip_tools import __main__
+from mip_tools.devices.profiles import assumed_rates, certain
 from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.profiles import assumed_rates, certain
 from simulator_host import Host
 
 IDS = list(devices.DEVICES)
@@ -22,23 +22,23 @@ def listed(device: VirtualDevice) -> set[tuple[int, int]]:
     return {divmod(number, 256) for number in found}
 
 
-def said(id: str, *answers: Support) -> set[tuple[int, int]]:
+def said(device_id: str, *answers: Support) -> set[tuple[int, int]]:
     """The fields for which any evidence has one of these answers."""
     return {
-        (set, descriptor)
-        for e in devices.DEVICES[id].evidence
+        (set_number, descriptor)
+        for e in devices.DEVICES[device_id].evidence
         if e.answer in answers
-        for set, descriptors in e.descriptors.items()
+        for set_number, descriptors in e.descriptors.items()
         for descriptor in descriptors
     }
 
 
-@pytest.mark.parametrize("id", IDS)
-def test_what_a_device_lists(id: str) -> None:
-    probable = {(0x01, 0x04), (0x01, 0x07)} & said(id, Support.YES, Support.PROBABLE)
-    assert listed(VirtualDevice(id)) == said(id, Support.YES, Support.PROBABLE)
-    if probable <= said(id, Support.YES) and (0x01, 0x04) in probable:
-        assert listed(VirtualDevice(certain(devices.DEVICES[id]))) == said(id, Support.YES)
+@pytest.mark.parametrize("device_id", IDS)
+def test_what_a_device_lists(device_id: str) -> None:
+    probable = {(0x01, 0x04), (0x01, 0x07)} & said(device_id, Support.YES, Support.LIKELY, Support.ASSUMED)
+    assert listed(VirtualDevice(device_id)) == said(device_id, Support.YES, Support.LIKELY, Support.ASSUMED)
+    if probable <= said(device_id, Support.YES) and (0x01, 0x04) in probable:
+        assert listed(VirtualDevice(certain(devices.DEVICES[device_id]))) == said(device_id, Support.YES)
 
 
 def test_a_device_that_is_certain_refuses_the_rest() -> None:
@@ -50,14 +50,14 @@ def test_a_device_that_is_certain_refuses_the_rest() -> None:
 
 @pytest.mark.parametrize("option", [(), ("--certain",)])
 def test_the_first_line_says_how_many(option: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
-    for id in ("3dm-gq7", "3dm-cv7-gnss-ins"):
-        assert __main__.main(["simulate", id, "--tcp", "0", "--duration", "0.01", *option]) == 0
+    for device_id in ("3dm-gq7", "3dm-cv7-gnss-ins"):
+        assert __main__.main(["simulate", device_id, "--tcp", "0", "--duration", "0.01", *option]) == 0
         out, error = capsys.readouterr()
-        sure = said(id, Support.YES)
-        rest = len(said(id, Support.PROBABLE) - sure)
-        more = " and left out" if option and rest else ""
-        title = devices.DEVICES[id].title
-        counts = f"{title}: {len(sure)} commands and data fields are certain, {rest} probable{more}"
+        sure = said(device_id, Support.YES)
+        likely, assumed = len(said(device_id, Support.LIKELY)), len(said(device_id, Support.ASSUMED))
+        more = " (left out)" if option and likely + assumed else ""
+        title = devices.DEVICES[device_id].title
+        counts = f"{title}: {len(sure)} commands and data fields are certain, {likely} likely, {assumed} assumed{more}"
         assert out.startswith("localhost:") and error.splitlines()[0] == f"mip simulate: {counts}"
 
 
@@ -78,10 +78,12 @@ def test_a_base_rate_that_no_source_states_is_that_of_other_devices() -> None:
     assert len(Parser().feed(host.link.read())) == 10
 
 
-@pytest.mark.parametrize("id", IDS)
-def test_only_unknown_base_rates_are_assumed(id: str) -> None:
-    profile = devices.DEVICES[id]
+@pytest.mark.parametrize("device_id", IDS)
+def test_only_unknown_base_rates_are_assumed(device_id: str) -> None:
+    profile = devices.DEVICES[device_id]
     rates = assumed_rates(profile)
     assert not rates.keys() & profile.base_rates.keys()
-    assert {set for set, _ in profile.fields if 0x80 <= set < 0xFF} <= rates.keys() | profile.base_rates.keys()
+    assert {
+        set_number for set_number, _ in profile.fields if 0x80 <= set_number < 0xFF
+    } <= rates.keys() | profile.base_rates.keys()
     assert all(rate <= 10 for rate in rates.values()) or profile.generation in (4, 5, 7)

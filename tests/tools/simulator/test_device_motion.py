@@ -12,8 +12,10 @@ from mip_tools.simulator.motion import Circle, Standing
 from simulator_host import Host
 
 
-def format_of(set: int, *fields: tuple[Any, int]) -> Any:
-    return mip_3dm.MessageFormat.write(set, tuple(types.DescriptorRate(kind.DESCRIPTOR, n) for kind, n in fields))
+def format_of(set_number: int, *fields: tuple[Any, int]) -> Any:
+    return mip_3dm.MessageFormat.write(
+        set_number, tuple(types.DescriptorRate(kind.DESCRIPTOR, n) for kind, n in fields)
+    )
 
 
 def received(host: Host, kind: Any, seconds: float) -> list[Any]:

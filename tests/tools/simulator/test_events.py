@@ -53,8 +53,8 @@ def switching(instance: int, trigger: int, pin: int, mode: types.EventActionGpio
     return mip_3dm.EventActionConfig.write(instance, trigger, types.EventActionType.GPIO, effect)
 
 
-def sending(instance: int, trigger: int, decimation: int, *fields: int, set: int = 0x80) -> Command:
-    message = types.EventActionMessage(set, decimation, fields)
+def sending(instance: int, trigger: int, decimation: int, *fields: int, set_number: int = 0x80) -> Command:
+    message = types.EventActionMessage(set_number, decimation, fields)
     return mip_3dm.EventActionConfig.write(instance, trigger, types.EventActionType.MESSAGE, message)
 
 
@@ -223,7 +223,7 @@ def test_what_the_device_does_not_send_is_refused(host: Host) -> None:
     assert host.refused(inside(1, (0x80, 0x04, 4), 0, 1)) == INVALID, "three numbers"
     assert host.refused(inside(1, (0x80, 0x7F, 1), 0, 1)) == INVALID
     assert host.refused(sending(1, 1, 0, 0x7F)) == INVALID
-    assert host.refused(sending(1, 1, 0, 0x04, set=0x99)) == INVALID
+    assert host.refused(sending(1, 1, 0, 0x04, set_number=0x99)) == INVALID
 
 
 def test_saved_events_work_after_a_restart(host: Host) -> None:

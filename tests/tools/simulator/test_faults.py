@@ -14,8 +14,8 @@ import pytest
 from mip_protocol import DecodeError, Packet, PacketBuilder, Parser, RawField, base, mip_3dm, registry, sensor, types
 from mip_tools.errors import Failure
 from mip_tools.simulator.device import VirtualDevice
-from mip_tools.simulator.fault_kinds import KINDS, parse_faults, plan
 from mip_tools.simulator.faults import Faults, Injected, json_log
+from mip_tools.simulator.faults.kinds import KINDS, parse_faults, plan
 from random_values import chance
 from support import rounds
 
@@ -191,12 +191,6 @@ def test_exact_places() -> None:
         ("lose_packet", 9),
     ]
     assert list(run.damaged) == [run.sent[2], run.sent[9]]
-
-
-def test_the_log_holds_every_packet_on_request() -> None:
-    run = Run(stream(20), every_packet=True, lose_packet=0.3)
-    assert [entry.packet for entry in run.log if entry.kind == "sent"] == run.sent
-    assert run.damaged and not any(entry.damaged for entry in run.log if entry.kind == "sent")
 
 
 def test_the_log_as_json() -> None:
@@ -384,13 +378,6 @@ def test_what_cannot_be_read(text: str, error: str) -> None:
     with pytest.raises(Failure) as raised:
         parse_faults(text)
     assert str(raised.value).startswith(error)
-
-
-def test_code_is_checked_in_the_same_way() -> None:
-    with pytest.raises(Failure, match="do you mean 'noise'"):
-        Faults(nose=0.1)
-    with pytest.raises(Failure, match="not a probability"):
-        Faults(noise=3)
 
 
 # --------------------------------------------------------------------------- a device

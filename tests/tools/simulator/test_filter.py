@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import degrees, pi, radians, remainder, sin
 from typing import Any
 
 import pytest
 from mip_protocol import aiding, filter_data, mip_3dm
 from mip_protocol import filter as commands
+from mip_tools.geometry.attitude import euler
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.motion import Circle, Standing
-from mip_tools.simulator.state import euler
+from mip_tools.simulator.world.quantities import quantity
 from simulated_world import SETS, TYPES
 from simulator_host import Host
 from support import heavy
 
 CV7 = "3dm-cv7-gnss-ins"
 INIT, VERTICAL_GYRO, AHRS, FULL_NAV = 1, 2, 3, 4
-STABLE, CONVERGING, HEADING, POSITION, VELOCITY = 1, 2, 8, 16, 32
+STABLE, CONVERGING, HEADING, POSITION, VELOCITY, NO_PULSE = 1, 2, 8, 16, 32, 1024
 
 
 def show(device: VirtualDevice, name: str) -> Any:
@@ -133,7 +135,7 @@ def errors(device: VirtualDevice) -> tuple[list[float], list[float]]:
     e, u = show(device, "filter_data.euler_angles"), show(device, "filter_data.euler_angles_uncertainty")
     v, uv = show(device, "filter_data.ned_velocity"), show(device, "filter_data.ned_velocity_uncertainty")
     p, up = show(device, "filter_data.llh_position"), show(device, "filter_data.llh_position_uncertainty")
-    roll, pitch, yaw = (world.quantity(f"attitude.{x}") for x in ("roll", "pitch", "yaw"))
+    roll, pitch, yaw = (quantity(world, f"attitude.{x}") for x in ("roll", "pitch", "yaw"))
     assert (e.roll, e.pitch, e.yaw) == pytest.approx((roll, pitch, yaw), abs=1e-6)
     wrong = [remainder(a - b, 2 * pi) for a, b in zip((e.roll, e.pitch, e.yaw), euler(s.dcm))]
     wrong += [a - b for a, b in zip((v.north, v.east, v.down), s.velocity)]
@@ -181,7 +183,7 @@ def test_an_outage_of_gnss_and_the_recovery() -> None:
         device.advance(40)
         grown.append(show(device, "filter_data.llh_position_uncertainty").north)
     assert before < 1 and 10 < grown[0] < grown[1] < grown[2] and grown[2] > 5 * grown[0], "faster than the time"
-    assert state(device) == FULL_NAV and flags(device) == CONVERGING | POSITION | VELOCITY
+    assert state(device) == FULL_NAV and flags(device) == CONVERGING | POSITION | VELOCITY | NO_PULSE
     assert show(device, "gnss_1.fix_info").fix_type.name == "FIX_NONE"
     assert show(device, "gnss_1.llh_position").valid_flags == 0
     aids = [TYPES["filter_data.aiding_measurement_summary"].decode(x.data) for x in device.encoder(0x82, 0x46)()]
@@ -248,3 +250,13 @@ def test_a_range_limits_a_sensor() -> None:
     host.ok(mip_3dm.SensorRange.write(2, 4))
     assert show(host.device, "sensor.overrange_status").status == 0
     assert filter_data.Status.DESCRIPTOR == 0x10
+
+
+def test_estimates_change_gradually_between_epochs() -> None:
+    device = VirtualDevice(CV7)
+    speeds = []
+    for _ in range(500):
+        device.advance(0.002)
+        speeds.append(device.world.place.velocity)
+    assert max(abs(a - b) for v, w in pairwise(speeds) for a, b in zip(v, w)) < 0.01
+    assert max(abs(a - b) for a, b in zip(speeds[0], speeds[-1])) > 0.01, "yet they change"

@@ -6,7 +6,7 @@ from math import atan2, cos, degrees, dist, hypot, isclose, pi, radians, sin, sq
 from typing import Any
 
 import pytest
-from mip_tools.simulator import earth
+from mip_tools.geometry import earth
 from mip_tools.simulator.motion import Circle, Standing
 from pairs import pairwise
 from simulated_world import Shown

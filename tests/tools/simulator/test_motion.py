@@ -11,7 +11,7 @@ from tempfile import NamedTemporaryFile
 from typing import Any
 
 import pytest
-from mip_tools.simulator import VirtualDevice
+from mip_tools.geometry.attitude import euler, matrix, quaternion, rotation, rotation_vector
 from mip_tools.simulator.motion import (
     Circle,
     Motion,
@@ -23,7 +23,6 @@ from mip_tools.simulator.motion import (
     Waypoint,
     parse_motion,
 )  # fmt: skip
-from mip_tools.simulator.state import euler, matrix, quaternion, rotation, rotation_vector
 from support import rounds
 
 A, F = 6378137.0, 1 / 298.257223563
@@ -229,12 +228,6 @@ def test_motions_by_name(tmp_path: Path) -> None:
     for text, motion in described.items():
         for t in (0.0, 3.7, 20.0):
             assert parse_motion(text).at(t) == motion.at(t), text
-
-
-def test_a_device_takes_a_motion_by_name() -> None:
-    assert VirtualDevice("3dm-gx5-15", motion="circle:radius=7,speed=3").world.motion.at(1) == Circle(7, 3).at(1)
-    with pytest.raises(MotionError, match="circle: radius=0 must be above 0"):
-        VirtualDevice("3dm-gx5-15", motion="circle:radius=0")
 
 
 @pytest.mark.parametrize(

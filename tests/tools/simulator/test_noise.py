@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 from mip_protocol import mip_3dm, sensor, types
+from mip_tools.devices.facts import NOISE
 from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.facts import NOISE
 from mip_tools.simulator.motion import Standing
-from mip_tools.simulator.noise import Noise
+from mip_tools.simulator.surroundings.noise import Noise
 from simulated_world import Shown
 from simulator_host import Host
 
@@ -64,8 +64,8 @@ def spread(device: VirtualDevice, command: Any, decimation: int) -> float:
     """The standard deviation of the angular rate at 1000 Hz divided by a decimation, after a command."""
     host = Host(device)
     host.ok(command)
-    format = (types.DescriptorRate(sensor.ScaledGyro.DESCRIPTOR, decimation),)
-    host.ok(mip_3dm.MessageFormat.write(0x80, format))
+    layout = (types.DescriptorRate(sensor.ScaledGyro.DESCRIPTOR, decimation),)
+    host.ok(mip_3dm.MessageFormat.write(0x80, layout))
     device.advance(600 * decimation / 1000)
     host.data.clear()
     host.ok(mip_3dm.MessageFormat.read(0x80))

@@ -63,7 +63,7 @@ def test_data_of_any_form() -> None:
     code = """
 from mip_protocol import Parser, devices, registry
 from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.facts import VALUES
+from mip_tools.devices.facts import VALUES
 
 for name in devices.DEVICES:
     device = VirtualDevice(name)

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 from mip_protocol import PacketBuilder
-from mip_tools.simulator.earth import WEEK
+from mip_tools.geometry.earth import WEEK
 from mip_tools.simulator.motion import Circle, Motion, MotionError, Replay, Standing, parse_motion
-from mip_tools.simulator.world import START
+from mip_tools.simulator.surroundings.surroundings import START
 from simulated_world import SETS, TYPES, Shown
 
 SECOND = 10**9
@@ -140,7 +140,7 @@ def test_packets_without_a_time_are_spread(log: Path) -> None:
     builder = bytearray()
     for i in range(20):
         if i % 10 == 0:
-            shown.world.start += 1000 * SECOND if i else 0
+            shown.world.ahead += 1000 * SECOND if i else 0
             builder += bytes(PacketBuilder(0x80).add(0xD3, shown.at(i / 10).raw("shared.gps_timestamp")[0]).build())
         builder += bytes(PacketBuilder(0x80).add(0x17, TYPES["sensor.scaled_pressure"](900.0 + i).encode()).build())
     builder += bytes(PacketBuilder(0x80).add(0xD3, shown.at(2.0).raw("shared.gps_timestamp")[0]).build())

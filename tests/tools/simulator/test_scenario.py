@@ -13,10 +13,10 @@ import yaml
 from mip_protocol import Parser, base, gnss_data, mip_3dm, sensor, types
 from mip_tools.errors import Failure
 from mip_tools.simulator import Faults, Injected, ScriptedEvent, VirtualDevice
-from mip_tools.simulator.endpoints import pty_at, tcp_at, udp_at
+from mip_tools.simulator.endpoints.endpoint import pty_at, tcp_at, udp_at
+from mip_tools.simulator.motion.trajectory import COLUMNS
 from mip_tools.simulator.scenario import SCHEMA, read_scenario
 from mip_tools.simulator.script import KINDS
-from mip_tools.simulator.trajectory import COLUMNS
 from program import DEVICE, run, running, until
 from support import ROOT, later
 from test_serve import ACKNOWLEDGE, PING, Client, serving, stream
@@ -30,6 +30,7 @@ devices:
     ports: ["pty:ins", "USB 1=tcp:0", "UART 1=udp:127.0.0.1:0"]
     motion: circle:radius=20,speed=5
     seed: 4
+    sync: false
     storage: kept
     events:
       - {at: 1.5, event: faults, for: 2, faults: "lose=0.1,noise=0.1:16"}
@@ -56,6 +57,7 @@ def test_what_a_file_says(tmp_path: Path) -> None:
     assert (first.profile.id, second.profile.id) == (DEVICE, "3dm-gx5-15")
     assert [(e.kind, e.port) for e in first.endpoints] == [("pty", None), ("tcp", "USB 1"), ("udp", "UART 1")]
     assert [e.kind for e in second.endpoints] == ["pty"]
+    assert (first.sync, second.sync) == (False, None)
     assert first.seed == 4 and first.storage == tmp_path / "kept" and first.motion is not None
     assert second.motion is not None and second.motion.at(5).velocity[0] == pytest.approx(1)
     assert first.events[:-1] == second.events and first.events[-1].faults == "lose=0.1,noise=0.1:16"
@@ -68,7 +70,7 @@ MISTAKES = [
     ("devices: [{device: 3dm-cv7-gnss-ins, port: []}]", "1:38: a device has no 'port'; did you mean 'ports'?", True),
     ("devices: [{ports: ['tcp:0']}]", "1:11: 'device' is missing; `mip simulate --list` names the devices", True),
     ("devices: []", "1:10: 'devices' must be a list with at least one item", True),
-    ("devices: [{device: 3dm-cv7}]", "1:20: device '3dm-cv7' is unknown; do you mean 3dm-cv7-", False),
+    ("devices: [{device: 3dm-cv7}]", "1:20: '3dm-cv7' is not a device; did you mean 3dm-cv7-", False),
     ("devices: [{device: 3dm-gx5-15, ports: ['tcp:']}]", "1:40: '' is not a TCP port", True),
     ("devices: [{device: 3dm-gx5-15, ports: [ftp:0]}]", "1:40: 'ftp:0' cannot be read; write NAME=pty:PATH, ", True),
     ("devices: [{device: 3dm-gx5-15, ports: ['X=tcp:0']}]", "1:40: 3DM-GX5-15 has no port 'X'; its ports: ", False),
@@ -78,6 +80,7 @@ MISTAKES = [
         "3:11: FOLDER/s.yaml:1:1: 'devices:' is not a column",
         False,
     ),
+    ("devices: [{device: 3dm-gx5-15, sync: maybe}]", "1:38: 'maybe' cannot be read; write true or false", True),
     ("devices: [{device: 3dm-gx5-15, seed: 1.5}]", "1:38: 'seed' needs a whole number, 0 or more", True),
     ("device: [{device: 3dm-gx5-15}]", "1:1: a scenario has no 'device'; did you mean 'devices'?", True),
     ("[]", "1:1: this is not a scenario; it needs 'devices', 'events' or both", True),
@@ -138,7 +141,7 @@ def test_the_schema(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_the_page(tmp_path: Path) -> None:
     """Its scenarios and its trajectory are what the program reads, and it names every event and every column."""
-    page = (ROOT / "docs/simulate.md").read_text("utf-8")
+    page = (ROOT / "docs/simulate-reference.md").read_text("utf-8")
     motion, scenarios = (
         page.partition(f"\n## {title}\n")[2].partition("\n## ")[0] for title in ("Motion", "Scenarios")
     )
@@ -336,13 +339,3 @@ def test_options_that_a_scenario_has(tmp_path: Path, capsys: pytest.CaptureFixtu
     ):
         code, _, text = run(capsys, "simulate", "--scenario", path, *given)
         assert code == 2 and f"{named} is for one device, but {path} names its own; remove one of them" in text
-
-
-def test_the_size_of_a_queue(capsys: pytest.CaptureFixture[str]) -> None:
-    _, _, text = run(capsys, "simulate", DEVICE, "--queue", "10")
-    assert "'10' is not a queue; use at least 1024 bytes" in text
-    device = VirtualDevice(DEVICE)
-    with serving(device, tcp_at("0"), speed=50, capacity=3000) as server, Client(server.places[0], room=4096) as idle:
-        idle.send(stream(1000))
-        until(lambda: [c for c in server._channels if c.dropped > 10])
-        assert all(c.size <= 3000 for c in server._channels)

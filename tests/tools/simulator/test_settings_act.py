@@ -7,9 +7,11 @@ from typing import Any
 import pytest
 from mip_protocol import filter as commands
 from mip_protocol import mip_3dm
-from mip_tools.simulator import VirtualDevice, facts
-from mip_tools.simulator.filter_effects import FILTER_EFFECTS
-from mip_tools.simulator.knowledge import without_effect
+from mip_tools.devices import facts
+from mip_tools.simulator import VirtualDevice
+from mip_tools.simulator.commands.filter_effects import FILTER_EFFECTS
+from mip_tools.simulator.commands.knowledge import without_effect
+from mip_tools.simulator.world import quantities
 from mipgen import model as m
 from settings_act import AR, BEGIN, COMMANDS, CV7, ELSEWHERE, PAGE, SHOWN, block, changed, row
 from simulator_host import Host
@@ -84,4 +86,4 @@ def test_it_waits_for_an_attitude() -> None:
     host.device.advance(10)
     assert not host.device.world.filter.level
     host.ok(commands.SetInitialAttitude(0.0, 0.0, 1.0))
-    assert host.device.world.quantity("attitude.yaw") == pytest.approx(1.0, abs=1e-6)
+    assert quantities.quantity(host.device.world, "attitude.yaw") == pytest.approx(1.0, abs=1e-6)

@@ -11,11 +11,13 @@ import pytest
 from mip_protocol import devices, reflection
 from mip_protocol.parameter import Parameter
 from mip_protocol.profile import Device
-from mip_tools.simulator import facts, knowledge, quantities
+from mip_tools.devices import facts
+from mip_tools.devices.names import value_named
+from mip_tools.simulator.commands import knowledge
 from mip_tools.simulator.motion import Circle, Motion, Standing
-from mip_tools.simulator.names import named
-from mip_tools.simulator.values import encoder
-from mip_tools.simulator.world import World
+from mip_tools.simulator.streams.values import encoder
+from mip_tools.simulator.world import quantities
+from mip_tools.simulator.world.world import World
 from random_values import chance
 from simulated_world import SETS, TYPES, profile
 from support import model, rounds
@@ -108,7 +110,7 @@ def check_flags(name: str, source: facts.FieldValues, field: Any, device: Device
             flags, _, bit = said.partition(".")
             value = getattr(field, flags)
             kind = device.readings.get(f"{name}.{flags}") or type(value)
-            mask = named(kind, (bit,)) if bit else 1
+            mask = value_named(kind, (bit,)) if bit else 1
             assert kind is not type(value) or mask, said
             assert not mask or bool(value & mask) == (p.name in source.parameters), (name, said)
 
@@ -123,18 +125,18 @@ DRAWN = [profile(FULL), *chance("devices with values").sample(PROFILES, rounds(2
 @pytest.mark.parametrize("device", DRAWN, ids=lambda d: d.id)
 def test_every_data_field_of_every_device(device: Device, motion: Motion) -> None:
     world = World(motion, seed=7)
-    encoders = [(set, kind, encoder(kind, device, world, set)) for set, kind in sent(device)]
+    encoders = [(set_number, kind, encoder(kind, device, world, set_number)) for set_number, kind in sent(device)]
     assert device.id != FULL or len(encoders) > 100
     for time in (0, 1_000_000, 3_600_000_000_000, 86_400 * 365 * 10**9):
         world.move_to(time)
-        for set, kind, encode in encoders:
-            found, full = encode(), kind.name_in(set)
+        for set_number, kind, encode in encoders:
+            found, full = encode(), kind.name_in(set_number)
             assert found, full
             for data in found:
                 field, trailing = kind.decode_with_trailing(data)
                 assert trailing == 0 and field.encode() == data
-                source = facts.shown(kind, set)
-                if source.valid_if and not world.quantity(source.valid_if):
+                source = facts.shown(kind, set_number)
+                if source.valid_if and not quantities.quantity(world, source.valid_if):
                     assert not any(data), f"{full}: values that are not valid"
                     continue
                 if not source.parameters:
@@ -169,11 +171,11 @@ def test_values_of_the_device_itself() -> None:
 def test_names_of_bits_and_values() -> None:
     status = reflection.info(TYPES["filter_data.status"]).parameters[2]
     kind = profile().readings["filter_data.status.status_flags"]
-    assert status.type is None and named(kind, ("filter_condition.stable",)) == 1
-    assert named(kind, ("filter_condition.unstable", "heading_warning", "nothing")) == 0b1011
-    assert named(kind, ("nothing.stable",)) == 0 == named(None, ("stable",))
+    assert status.type is None and value_named(kind, ("filter_condition.stable",)) == 1
+    assert value_named(kind, ("filter_condition.unstable", "heading_warning", "nothing")) == 0b1011
+    assert value_named(kind, ("nothing.stable",)) == 0 == value_named(None, ("stable",))
     fix = reflection.info(TYPES["gnss_1.fix_info"]).parameters[0].type
-    assert named(fix, ("unheard_of", "fix_rtk_float", "fix_3d")) == 5
+    assert value_named(fix, ("unheard_of", "fix_rtk_float", "fix_3d")) == 5
 
 
 #: Unit on the wire and of the quantity -> what the quantity is multiplied by; all others have one unit.

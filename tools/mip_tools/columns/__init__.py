@@ -1,11 +1,17 @@
 """Columns of a log: an array for each parameter of each type of field.
 
 Needs NumPy, the extra `numpy`; frames also need pandas, Polars or PyArrow.
+
+kernel.c does the same as `scan` and `walk`, if tools/setup.py compiled it. `tests/tools/test_columns.py` compares
+columns with objects, compiled code with Python, and both wheels; `tests/tools/test_log_tables.py` compares tables
+with plain rows.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
+
+from ..binding import MissingExtra
 
 try:
     import numpy as _numpy  # noqa: F401
@@ -13,8 +19,6 @@ except ImportError:
     if not TYPE_CHECKING:  # type checkers would accept any name
 
         def __getattr__(name: str) -> Any:
-            from ..binding import MissingExtra
-
             if name.startswith("__"):
                 raise AttributeError(name)
             raise MissingExtra("numpy", "numpy")
@@ -25,6 +29,6 @@ else:
     from .general import Ragged
     from .log import Log, read_log
     from .native import compiled
-    from .times import Times
+    from .stamps import Times
 
 __all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "compiled", "read_log"]

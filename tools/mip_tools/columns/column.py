@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
 
@@ -12,12 +12,21 @@ from ..binding import Field, Flag, Parameter, Structure, info
 from .general import Ragged, Values
 from .piece import Where
 from .scan import Array
-
-if TYPE_CHECKING:
-    from .log import Log
-    from .times import Times
+from .sender import Sender
+from .stamps import Times
 
 F = TypeVar("F", bound=Field)
+
+
+class Owner(Protocol):
+    """What a column uses of its log."""
+
+    sender: Sender
+
+    @property
+    def device(self) -> str | None: ...
+    def times(self, column: Column[Any], clock: str | None = None) -> Times: ...
+    def objects(self, kind: type[F], set_number: int | None = None) -> Iterator[F]: ...
 
 
 class Column(Generic[F]):
@@ -30,7 +39,7 @@ class Column(Generic[F]):
     are absent in a row are masked (`numpy.ma`).
     """
 
-    def __init__(self, log: Log, kind: type[F], values: dict[str, Values], where: Where, only: int | None) -> None:
+    def __init__(self, log: Owner, kind: type[F], values: dict[str, Values], where: Where, only: int | None) -> None:
         self._log = log
         self._values = values
         #: The source of the rows, for `times`.
@@ -93,8 +102,17 @@ class Column(Generic[F]):
     def parameters(self) -> Mapping[str, Parameter]:
         """The description of each column: type, unit, frame, range, flags."""
         device = self._log.device
-        known = described(info(self.type).parameters, "")
-        return {name: p if device is None else p.on(device) for name, p in known}
+        described_parameters = described(info(self.type).parameters, "")
+        return {name: self._recognized(name, p) if device is None else p.on(device) for name, p in described_parameters}
+
+    def _recognized(self, name: str, p: Parameter) -> Parameter:
+        """Returns the parameter as it is on the device that sent the flags in the log."""
+        record = name.rpartition(".")[0]
+        for attribute in p.holders:
+            path = f"{record}.{attribute}" if record else attribute
+            if len(self) and isinstance(self._values[path], np.ndarray):
+                return self._log.sender.recognized(self._log, self.type, p, path)
+        return p
 
     @cached_property
     def titles(self) -> Mapping[str, str]:

@@ -41,12 +41,12 @@ class Fields:
     def spans(self, packets: Array) -> list[Spans]:
         """Returns the spans of the selected fields of these packets, with the header and checksum of each packet."""
         at, end = self._piece.at, self._piece.end
-        found = [(at[packets], at[packets] + HEADER), (end[packets] - (OVERHEAD - HEADER), end[packets])]
+        spans = [(at[packets], at[packets] + HEADER), (end[packets] - (OVERHEAD - HEADER), end[packets])]
         for run in self._runs:
             begin = at[run.packet] + (HEADER - 2) + run.offset
             begin = begin[packets[run.packet]]
-            found.append((begin, begin + (run.length + 2)))
-        return found
+            spans.append((begin, begin + (run.length + 2)))
+        return spans
 
 
 def cut(piece: Piece, spans: list[Spans], changed: Array) -> bytes:
@@ -67,6 +67,6 @@ def cut(piece: Piece, spans: list[Spans], changed: Array) -> bytes:
 
 def _checksums(data: Array, begin: Array, end: Array) -> Spans:
     """Computes both bytes of the checksums of some spans, from running sums of all data."""
-    one = np.cumsum(np.concatenate(([0], data)), dtype=np.uint8)
-    two = np.cumsum(one, dtype=np.uint8)
-    return one[end] - one[begin], two[end] - two[begin] - (end - begin).astype(np.uint8) * one[begin]
+    first = np.cumsum(np.concatenate(([0], data)), dtype=np.uint8)
+    second = np.cumsum(first, dtype=np.uint8)
+    return first[end] - first[begin], second[end] - second[begin] - (end - begin).astype(np.uint8) * first[begin]

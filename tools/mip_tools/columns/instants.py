@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .distinct import distinct, places
 from .scan import Array
-from .times import NONE
+from .stamps import NONE
 
 #: Packets with the same timestamp belong to one instant if they begin within this many bytes: a clock may restart.
 TOGETHER = 1 << 16
@@ -33,21 +34,21 @@ class Instants(NamedTuple):
     first: Array  # … and, for each, the offset of the first packet of its instant
 
 
-def found(fields: Sequence[Fields], by: str) -> Instants:
+def assign(fields: Sequence[Fields], by: str) -> Instants:
     """Finds the rows of some types of fields. `by` is "time" or "packet"."""
-    packets = np.unique(np.concatenate([f.offset for f in fields]))
+    packets = distinct(*(f.offset for f in fields))
     first = packets if by == "packet" else _first(packets, fields)
-    begins = np.unique(first)
-    number = np.searchsorted(begins, first)
+    begins = distinct(first)
+    number = places(begins, first)
     kept, keys = [], []
     for f in fields:
-        row = number[np.searchsorted(packets, f.offset)]
+        row = number[places(packets, f.offset)]
         turn = _turn(row)
         only = np.flatnonzero(turn == 0) if f.once and by == "time" else np.arange(len(row))
         kept.append(only)
         keys.append(row[only] * _MOST + turn[only])
-    rows = np.unique(np.concatenate(keys))
-    return Instants(begins[rows // _MOST], kept, [np.searchsorted(rows, key) for key in keys], packets, first)
+    rows = distinct(*keys)
+    return Instants(begins[rows // _MOST], kept, [places(rows, key) for key in keys], packets, first)
 
 
 def _first(packets: Array, fields: Sequence[Fields]) -> Array:
@@ -55,7 +56,7 @@ def _first(packets: Array, fields: Sequence[Fields]) -> Array:
     instant by itself."""
     time = np.full(len(packets), NONE, np.int64)
     for f in fields:
-        time[np.searchsorted(packets, f.offset)] = f.time
+        time[places(packets, f.offset)] = f.time
     stamped = np.flatnonzero(time != NONE)
     order = stamped[np.argsort(time[stamped], kind="stable")]
     when, where = time[order], packets[order]

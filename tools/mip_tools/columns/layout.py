@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..binding import Field, Structure, wire
+from ..binding import SCALARS, Field, Parameter, Structure, info
 from .scan import Array
 
 
@@ -31,39 +31,36 @@ def layout(kind: type[Field]) -> Layout | None:
 
 
 def _layout(kind: type[Field]) -> Layout | None:
-    dtype = None if kind._ALWAYS is not None else _record(kind)
+    parameters = info(kind).parameters
+    dtype = None if any(p.required or p.optional for p in parameters) else _record(parameters)
     if dtype is None:
         return None
     bases = {d.base for d in _scalars(dtype)}
     base = bases.pop() if len(bases) == 1 else None
-    return Layout(dtype, base, not _constant(kind))
+    return Layout(dtype, base, not _constant(parameters))
 
 
-def _constant(kind: type[Structure]) -> bool:
-    """Does the structure contain a constant?"""
-    return any(isinstance(what, int) or (_inner(what) and _constant(_inner(what))) for _, _, what in kind._LAYOUT)
+def _constant(parameters: Sequence[Parameter]) -> bool:
+    """Does one of them contain a constant?"""
+    return any(p.constant is not None or _constant(_inside(p)) for p in parameters)
 
 
-def _inner(what: Any) -> Any:
-    """Returns the structure of a member, which may be an array of structures."""
-    what = what.kind if isinstance(what, wire.Items) else what
-    return what if wire.is_structure(what) else None
+def _inside(p: Parameter) -> Sequence[Parameter]:
+    """Returns the members of a structure, which may be an element of an array."""
+    return info(p.type).parameters if p.type is not None and issubclass(p.type, Structure) else ()
 
 
-def _record(kind: type[Structure]) -> np.dtype[Any] | None:
+def _record(parameters: Sequence[Parameter]) -> np.dtype[Any] | None:
     parts: list[tuple[str, Any, tuple[int, ...]]] = []
-    for name, letters, what in kind._LAYOUT:
-        inner, shape = _inner(what), tuple[int, ...]()
-        element: Any = _record(inner) if inner else f">{letters[:1] or 'B'}"
-        if isinstance(what, (wire.Text, wire.Items)):
-            if not isinstance(what.length, int):
-                return None
-            shape = (what.length, *([len(letters)] if len(letters) > 1 else []))
-        elif what is tuple or isinstance(what, (wire.Each, wire.Bits)) or wire.is_vector(what):
-            shape = (len(letters),)
-        if element is None or isinstance(what, (wire.Union, wire.Counts)):
+    for p in parameters:
+        if p.kind in ("switch", "counter") or isinstance(p.length, str):
             return None
-        parts.append((name, element, shape))
+        inner = _inside(p)
+        element: Any = _record(inner) if inner else f">{SCALARS[p.scalar].letter}" if p.kind != "bits" else ">B"
+        if element is None:
+            return None
+        sizes = p.size if p.kind == "bits" else p.length, len(p.elements)
+        parts.append((p.attribute, element, tuple(size for size in sizes if size)))
     return np.dtype(parts)
 
 
@@ -90,9 +87,9 @@ def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple
         record = rows.reshape(-1).view(shape.dtype.newbyteorder("="))
     right: Array | None = None
     columns: dict[str, Array] = {}
-    for name, what, column in _leaves(kind, record, ""):
-        if isinstance(what, int):
-            same = column == what
+    for name, p, column in _leaves(info(kind).parameters, record, ""):
+        if p.constant is not None:
+            same = column == p.constant
             while same.ndim > 1:
                 same = same.all(axis=-1)
             right = same if right is None else right & same
@@ -104,17 +101,17 @@ def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple
     return columns, None
 
 
-def _leaves(kind: type[Structure], record: Array, prefix: str) -> Iterator[tuple[str, Any, Array]]:
-    for own, _, what in kind._LAYOUT:
-        name, column = prefix + own, record[own]
+def _leaves(parameters: Sequence[Parameter], record: Array, prefix: str) -> Iterator[tuple[str, Parameter, Array]]:
+    for p in parameters:
+        name, column = prefix + p.attribute, record[p.attribute]
         if column.dtype.names is not None:
-            yield from _leaves(_inner(what), column, name + ".")
-        elif isinstance(what, wire.Text):
-            yield name, what, texts(column)
+            yield from _leaves(_inside(p), column, name + ".")
+        elif p.kind == "text":
+            yield name, p, texts(column)
         elif column.dtype.isnative:
-            yield name, what, column
+            yield name, p, column
         else:
-            yield name, what, column.astype(column.dtype.newbyteorder("="))
+            yield name, p, column.astype(column.dtype.newbyteorder("="))
 
 
 def texts(column: Array) -> Array:

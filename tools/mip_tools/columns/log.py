@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from copy import copy
 from html import escape
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, overload
 
-import numpy as np
-
-from ..binding import Field, device_id
-from ..occurrence import every, of
-from . import contents, frames, scan, times, walk
+from ..binding import Field
+from ..names.occurrence import every, occurrence_in
+from . import contents, frames, timeline, times
 from .column import Column
 from .contents import TypeCount
-from .piece import NOTHING, Piece
-from .reader import Kind, Reader
-from .source import Source
-from .times import Stamps, Times
+from .packets import Kind, Packets
+from .reader import Reader
+from .sender import Sender
+from .stamps import Times
 
 if TYPE_CHECKING:
     import pandas
@@ -31,15 +28,11 @@ By: TypeAlias = Literal["time", "packet"]
 #: Treatments of values that are not valid according to their flags.
 Invalid: TypeAlias = Literal["keep", "mask", "drop"]
 Method: TypeAlias = Literal["linear", "nearest", "last"]
+Names: TypeAlias = Literal["full", "plain"]
 Library: TypeAlias = Literal["pandas", "polars", "pyarrow"]
 
-_PIECE = 1 << 20  # bytes that are read at once
-#: The number of packets whose offsets are stored, so that they are found only once: some 250 MB. Later
-#: packets are found again for each request.
-_KEPT = 10_000_000
 
-
-class Log:
+class Log(Packets):
     """The packets that begin within a range of bytes of a log.
 
     They are exactly those that `Parser` finds, however the file is divided: a packet belongs to the
@@ -48,26 +41,7 @@ class Log:
     opened from a path can be pickled for other processes, as the path and the range.
     """
 
-    def __init__(self, source: Any, begin: int = 0, end: int | None = None, device: str | None = None) -> None:
-        """See `read_log`."""
-        #: The id of the device that sent the log, if it is known.
-        self.device = None if device is None else device_id(device)
-        if begin < 0 or (end is not None and end < begin):
-            raise ValueError(f"bytes {begin} to {end}: `begin` must be 0 or more, and not after `end`")
-        self._earlier: Log | None = None
-        self.source = source if isinstance(source, Source) else Source(source)
-        #: The size of the whole file, in bytes.
-        self.size = self.source.size
-        #: The range of bytes in which the packets begin.
-        self.begin = min(begin, self.size)
-        self.end = self.size if end is None else min(end, self.size)
-        self._kept: dict[int, Piece] = {}
-        self._first: int | None = None
-        self._counts: tuple[int, int] | None = None  # of packets, of skipped bytes
-        self._types: list[TypeCount] | None = None
-        #: (set, clock) -> timestamps, for `times`, including those of packets shortly before this part.
-        self.own_stamps: dict[tuple[int, str], Stamps] = {}
-        self.stamps: dict[tuple[int, str], Stamps] = {}
+    _types: list[TypeCount] | None = None
 
     def __enter__(self) -> Log:
         return self
@@ -84,7 +58,7 @@ class Log:
         origin = self.source.origin
         if origin is None:
             raise TypeError("a log of an open file or a buffer cannot be pickled: read it from a path or from bytes")
-        return Log, (origin, self.begin, self.end, self.device)
+        return Log, (origin, self.begin, self.end, self.sender.named)
 
     def __repr__(self) -> str:
         origin = self.source.origin
@@ -94,9 +68,9 @@ class Log:
     def _repr_html_(self) -> str:
         """Shows the contents in notebooks."""
         rows = "".join(
-            f"<tr><td>{escape(one.name)}</td><td style='text-align: right'>{one.count}</td>"
-            f"<td style='text-align: right'>{'' if one.rate is None else f'{one.rate:.4g}'}</td></tr>"
-            for one in self.types()
+            f"<tr><td>{escape(count.name)}</td><td style='text-align: right'>{count.count}</td>"
+            f"<td style='text-align: right'>{'' if count.rate is None else f'{count.rate:.4g}'}</td></tr>"
+            for count in self.types()
         )
         facts = f"{self.packets} packets, {self.skipped} bytes outside packets"
         head = "<tr><th>field</th><th>count</th><th>rate in Hz</th></tr>"
@@ -104,73 +78,13 @@ class Log:
 
     def _ipython_key_completions_(self) -> list[str]:
         """Returns the names that complete `log[...]`."""
-        return list(dict.fromkeys(one.name for one in self.types() if one.type is not None))
+        return list(dict.fromkeys(count.name for count in self.types() if count.type is not None))
 
-    def parts(self, size: int = 1 << 26) -> Iterator[Log]:
-        """Yields the log in parts of this many bytes; together they have every packet once."""
-        if size < 1:
-            raise ValueError(f"a part must have 1 byte or more, not {size}")
-        for begin in range(self.begin, self.end, size):
-            yield Log(self.source, begin, min(begin + size, self.end), self.device)
-
-    # ----------------------------------------------------------------- packets
-
-    @property
-    def packets(self) -> int:
-        """The number of packets."""
-        return self._counted()[0]
-
-    @property
-    def skipped(self) -> int:
-        """The number of bytes that are not part of a packet."""
-        return self._counted()[1]
-
-    def _counted(self) -> tuple[int, int]:
-        if self._counts is None:
-            for _ in self.pieces(fields=False):
-                pass
-        assert self._counts is not None
-        return self._counts
-
-    def pieces(self, fields: bool = True) -> Iterator[Piece]:
-        """Yields the pieces of the log in order, with their packets and the fields in them. For `Reader`."""
-        if self._first is None:
-            self._first = self._beginning()
-        free, number = self._first, 0
-        covered = min(free, self.end) - self.begin
-        for begin in range(self.begin, self.end, _PIECE):
-            limit = min(_PIECE, self.end - begin)
-            data, length = self.source.piece(begin, limit, scan.AHEAD)
-            piece = self._kept.get(begin)
-            if piece is None:
-                piece = Piece(begin, limit, number, *scan.packets(data, max(0, free - begin), limit, length))
-                if number < _KEPT:
-                    self._kept[begin] = piece
-            if fields and piece.runs is None:
-                piece.runs = walk.runs(data, piece.at, piece.end)
-            own = copy(piece)  # other requests may use the same piece meanwhile
-            own.data = data
-            yield own
-            own.data = NOTHING
-            self.source.forget(begin, begin + limit)
-            number += len(piece.at)
-            if len(piece.end):
-                free = begin + int(piece.end[-1])
-                covered += int((piece.end - piece.at).sum())
-        if number:  # the last packet may end after this part
-            covered -= max(0, free - self.end)
-        self._counts = number, self.end - self.begin - covered
-
-    def _beginning(self) -> int:
-        """Returns the offset at which the first packet may begin: after one that reaches into this part."""
-        back = 8 * scan.REACH
-        while True:
-            begin = max(0, self.begin - back)
-            data, length = self.source.piece(begin, self.begin - begin, scan.AHEAD)
-            found = scan.clear(data, self.begin - begin, length, begin == 0)
-            if found is not None:
-                return begin + found
-            back *= 4
+    def assumed(self) -> list[str]:
+        """Returns in a line each what is assumed about the device: who it is, or how its flags are read."""
+        if self.device is None:
+            timeline.of_log(self)  # reads the flags of all timestamps
+        return self.sender.assumed(self)
 
     # ----------------------------------------------------------------- columns
 
@@ -197,28 +111,30 @@ class Log:
             kinds = every(kind)
         return any(map(len, self.columns(kinds)))
 
-    def column(self, kind: Kind, set: int | None = None) -> Column[Any]:
-        """Returns the fields of a type; with `set`, only those in packets of this set.
+    def column(self, kind: Kind, set_number: int | None = None) -> Column[Any]:
+        """Returns the fields of a type; with `set_number`, only those in packets of this set.
 
         Raises LookupError as `log[kind]` does.
         """
-        return self.columns([kind], set)[0]
+        return self.columns([kind], set_number)[0]
 
-    def columns(self, kinds: Sequence[Kind] | None = None, set: int | None = None) -> list[Column[Any]]:
+    def columns(self, kinds: Sequence[Kind] | None = None, set_number: int | None = None) -> list[Column[Any]]:
         """Returns the columns of several types, read in one pass; by default those of all types in the log, separately
         for each set."""
         if kinds is None:
-            known = [count for count in self.types() if set is None or count.set == set]
-            kinds = list(dict.fromkeys(of(count.set, count.type) for count in known if count.type is not None))
-        readers = [Reader(self, kind, set) for kind in kinds]
+            counts = [count for count in self.types() if set_number is None or count.set == set_number]
+            kinds = list(
+                dict.fromkeys(occurrence_in(count.set, count.type) for count in counts if count.type is not None)
+            )
+        readers = [Reader(self, kind, set_number) for kind in kinds]
         for piece in self.pieces():
             for reader in readers:
                 reader.add(piece)
         return [reader.column() for reader in readers]
 
-    def objects(self, kind: type[F], set: int | None = None) -> Iterator[F]:
+    def objects(self, kind: type[F], set_number: int | None = None) -> Iterator[F]:
         """Yields the fields of a type as objects. Raises LookupError as `log[kind]` does."""
-        return Reader(self, kind, set).objects()
+        return Reader(self, kind, set_number).objects()
 
     # ----------------------------------------------------------------- what is in it
 
@@ -239,6 +155,8 @@ class Log:
         invalid: Invalid = ...,
         units: bool = ...,
         position: bool = ...,
+        index: Literal["time"] | None = ...,
+        names: Names = ...,
     ) -> pandas.DataFrame: ...
     @overload
     def frame(
@@ -274,6 +192,8 @@ class Log:
         invalid: Invalid = "keep",
         units: bool = True,
         position: bool = False,
+        index: Literal["time"] | None = None,
+        names: Names = "full",
     ) -> Any:
         """Returns a data frame of one or several types, with a row for each instant that has any of them.
 
@@ -281,18 +201,22 @@ class Log:
         a packet without a timestamp is an instant by itself. If an instant has several fields of one
         type, it has several rows. With `by="packet"`, there is a row for each packet.
 
-        `library` is "pandas", "polars" or "pyarrow". `time` is a clock, "auto" for the first one
-        that the log has, None for no time; `time_own` is False if the packet itself has no timestamp
+        `library` is "pandas", "polars" or "pyarrow". `time` is a clock, None for no time. With "auto",
+        `time` has dates, and `time_device` seconds by a clock without a date, if rows have no date.
+        `time_own` is False if the packet itself has no timestamp
         (see `Times`). `invalid="mask"` leaves out values that are not valid according to their flags,
         `"drop"` leaves out fields that have such a value. Vectors have a column for each element,
         "scaled_accel.x [g]"; `units` includes their units, in the names or in the metadata of Arrow.
         A type without parameters has one column, which is True in its rows. `position` adds the number
         of the row's first packet, its descriptor set and its offset in the file.
 
-        Raises LookupError as `log[kind]` does, ValueError for other choices, MissingExtra if the library
-        is missing.
+        In pandas, `index="time"` makes the time the index, and `frame.attrs["units"]` has the unit of
+        each column. With `names="plain"`, names are identifiers without units: "scaled_accel_x".
+
+        Raises LookupError as `log[kind]` does, ValueError for other choices or if a type is named twice,
+        MissingExtra if the library is missing.
         """
-        return frames.frame(self, several(kinds), by, library, time, invalid, units, position)
+        return frames.frame(self, several(kinds), by, library, time, invalid, units, position, index, names)
 
     @overload
     def resample(
@@ -344,7 +268,7 @@ class Log:
         are normalized. Integers, flags, text and matrices keep the value before. Values whose flags mark
         them as invalid, and values in packets without a timestamp, are ignored. There is no value where
         the neighbours are further apart than 2.5 usual intervals of their field. After a pause of more
-        than 10 s, or if time goes back by as much, the rows restart.
+        than 10 s, or if the clock restarts, the rows restart.
 
         All times are of one clock, as for `frame`. Times of a set without this clock are converted from
         another clock, using packets that have both; the metadata of `time` state this (in pandas,
@@ -365,7 +289,8 @@ class Log:
     def nmea(self, *, library: Library = "pandas", time: str | None = "auto") -> Any:
         """Returns a data frame of the NMEA sentences between the packets that have a correct checksum.
 
-        Its columns are `time` (of the last packet with a timestamp before the sentence), `time_own`
+        Its columns are `time` or `time_device`, as those of `frame`, of the last packet with a timestamp
+        before the sentence, `time_own`
         (False), `offset` (in the file), `talker` ("GP"), `type` ("GGA"), `sentence` (the whole line), and
         `fields` (the texts between its commas). Raises ValueError and MissingExtra as `frame` does.
         """
@@ -373,28 +298,9 @@ class Log:
 
     # ----------------------------------------------------------------- time
 
-    def sets(self) -> list[int]:
-        """Returns the descriptor sets of the packets, each once."""
-        counts = np.zeros(256, np.int64)
-        for piece in self.pieces(fields=False):
-            counts += np.bincount(piece.sets(), minlength=256)
-        return [int(number) for number in np.flatnonzero(counts)]
-
-    def before_offset(self, offset: int) -> int:
-        """Counts the packets that begin before an offset in the file."""
-        return sum(int(np.searchsorted(piece.at, offset - piece.begin)) for piece in self.pieces(fields=False))
-
-    def before(self, size: int) -> Log | None:
-        """Returns the part of this many bytes before this one, if there is any. For `times`."""
-        if not self.begin:
-            return None
-        if self._earlier is None:
-            self._earlier = Log(self.source, max(0, self.begin - size), self.begin, self.device)
-        return self._earlier
-
     def times(self, column: Column[Any], clock: str | None = None) -> Times:
         """Returns the time of each row of a column; see `Column.time`."""
-        return times.of(self, column, clock)
+        return times.row_times(self, column, clock)
 
 
 def several(kinds: Kind | Iterable[Kind]) -> list[Kind]:
@@ -408,11 +314,12 @@ def several(kinds: Kind | Iterable[Kind]) -> list[Kind]:
     return chosen
 
 
-def read_log(source: Any, begin: int = 0, end: int | None = None, device: str | None = None) -> Log:
+def read_log(source: Any, begin: int = 0, end: int | None = None, device: str | Sender | None = None) -> Log:
     """Opens a log: a file (a path or a binary file, which is mapped into memory) or bytes.
 
     With `begin` and `end`, in bytes, the log has only the packets that begin in this range. `device` is
     the id or name of the device that sent it: the flags that mark values as valid depend on the device.
+    Without it, a reply of the device in the log identifies it; `log.assumed()` says what was assumed.
 
     Raises OSError, TypeError if `source` is something else, ValueError if `begin` is negative or
     after `end`, LookupError if there is no such device.

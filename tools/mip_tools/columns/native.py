@@ -6,6 +6,7 @@ They return the same results as `scan` and `walk`, which are used if they are mi
 
 from __future__ import annotations
 
+import ctypes
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
@@ -34,8 +35,6 @@ class Kernel:
 
     def __init__(self, path: Path) -> None:
         """Loads the library. Raises OSError if this fails, AttributeError if it is another library."""
-        import ctypes
-
         loaded = ctypes.CDLL(str(path))
         place, number = ctypes.c_void_p, ctypes.c_int64
 
@@ -86,7 +85,7 @@ def _at(array: Array) -> int:
     return int(array.ctypes.data)
 
 
-def found(folder: Path = Path(__file__).parent) -> Kernel | None:
+def load_kernel(folder: Path = Path(__file__).parent) -> Kernel | None:
     """Loads the compiled code, if it exists and was built for this machine."""
     for suffix in EXTENSION_SUFFIXES:
         path = folder / f"_kernel{suffix}"
@@ -99,7 +98,7 @@ def found(folder: Path = Path(__file__).parent) -> Kernel | None:
 
 
 #: None: NumPy does everything.
-kernel: Kernel | None = found()
+kernel: Kernel | None = load_kernel()
 
 
 def compiled() -> bool:

@@ -3,51 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
 from ..binding import DecodeError, Field, chosen, info, registry
-from ..occurrence import listed, named_set
+from ..names.occurrence import listed, named_set
 from . import general, layout, walk
 from .column import Column
+from .packets import Kind, Packets
 from .piece import Piece, Where
 from .rows import Rows
 from .scan import Array
-
-if TYPE_CHECKING:
-    from .log import Log
-
-
-#: A type of field: its class, its name, or a set and a class as in `registry.all_types`.
-Kind: TypeAlias = "type[Field] | str | tuple[int, type[Field]]"
 
 
 class Reader:
     """Collects the rows of a column."""
 
-    def __init__(self, log: Log, kind: Kind, set: int | None) -> None:
+    def __init__(self, log: Packets, kind: Kind, set_number: int | None) -> None:
         """Prepares for fields of this type. Raises LookupError if the specification does not define it in that set."""
-        name, said = repr(kind), None
+        name, named_number = repr(kind), None
         if isinstance(kind, str):
             kind = registry.by_name(name := kind)
-            said = named_set(name, kind)
+            named_number = named_set(name, kind)
         elif isinstance(kind, tuple) and len(kind) == 2:
-            said, kind = kind
+            named_number, kind = kind
         if not (isinstance(kind, type) and issubclass(kind, Field) and hasattr(kind, "SETS")):
             raise LookupError(f"{name} is not a field: a column needs a class such as sensor.ScaledAccel, or its name")
-        if set is not None and said not in (None, set, 0, registry.SHARED_SET):
-            raise KeyError(f"set 0x{set:02X} has no field {name}")
+        if set_number is not None and named_number not in (None, set_number, 0, registry.SHARED_SET):
+            raise KeyError(f"set 0x{set_number:02X} has no field {name}")
         sets = listed(kind)
-        if set is None:
-            set = said if sets or said not in (0, registry.SHARED_SET) else None
+        if set_number is None:
+            set_number = named_number if sets or named_number not in (0, registry.SHARED_SET) else None
         self._log, self._kind = log, kind
-        self._set = sets[0] if set is None and len(sets) == 1 else set
+        self._set = sets[0] if set_number is None and len(sets) == 1 else set_number
         self._known: dict[int, bool] = {}
         #: The sets to search; empty means all.
         self._sets = sets if self._set is None else (self._set,)
         if not all(map(self._in, self._sets or kind.SETS[:1])):
-            where = "the specification" if set is None else f"set 0x{set:02X}"
+            where = "the specification" if set_number is None else f"set 0x{set_number:02X}"
             raise KeyError(f"{where} has no field {kind.NAME}")
         several = any(len(registry.types(n, kind.DESCRIPTOR)) > 1 for n in self._sets)
         self._layout = None if several else layout.layout(kind)

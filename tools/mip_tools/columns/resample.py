@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..binding import UNIT_KEYS
-from . import tables, times
+from . import tables, timeline, times
 from .column import Column
+from .distinct import distinct
+from .packets import Packets
 from .scan import Array
+from .stamps import NONE
 from .tables import Form, Series
-from .times import NONE
-
-if TYPE_CHECKING:
-    from .log import Log
 
 METHODS = ("linear", "nearest", "last")
 _SECOND = 1_000_000_000
@@ -35,34 +34,40 @@ def step(rate: str | float) -> int:
     match = _RATE.fullmatch(rate if isinstance(rate, str) else f"{rate}Hz")
     try:
         value = float(match[1]) * _UNITS[match[2]] if match else 0.0
-        found = round(_SECOND / value if match and match[2].endswith("Hz") else _SECOND * value)
+        nanoseconds = round(_SECOND / value if match and match[2].endswith("Hz") else _SECOND * value)
     except (ValueError, OverflowError, ZeroDivisionError):
-        found = 0
-    if not 1000 <= found <= 3600 * _SECOND:
+        nanoseconds = 0
+    if not 1000 <= nanoseconds <= 3600 * _SECOND:
         raise ValueError(f"rate {rate!r}: write '100Hz', '10ms', or a number in Hz, from once an hour to 1 MHz")
-    return found
+    return nanoseconds
 
 
-def resampled(log: Log, columns: Sequence[Column[Any]], every: int, method: str, form: Form) -> list[Series]:
+def resampled(log: Packets, columns: Sequence[Column[Any]], every: int, method: str, form: Form) -> list[Series]:
     """Makes the columns of the table, with a row every `every` nanoseconds. Raises ValueError."""
     if method not in METHODS:
         raise ValueError(f"method {method!r}: {', '.join(METHODS)}")
-    if not form.clock:
+    clock = timeline.Clocks(form.dated, form.undated, form.covers).steady
+    if not clock:
         raise ValueError("the log has no valid timestamps to resample by")
-    known: list[Array] = []
+    row_times: list[Array] = []
     converted: dict[str, str] = {}
     for column in columns:
-        time, others = times.merged(log, column, form.clock)
-        known.append(time)
+        time, others = times.merged(log, column, clock)
+        row_times.append(time)
         converted |= others
-    spans = _spans(columns, known)
+    if not any((time != NONE).any() for time in row_times):
+        raise ValueError(f"none of these fields is in packets with a time by the {clock} clock; leave out the rate")
+    spans = _spans(columns, row_times, timeline.of_log(log).restarts(clock))
     grids = [np.arange(-(-first // every) * every, last + 1, every) for first, last, *_ in spans]
     facts = {}
     if converted:
-        facts["converted"] = ", ".join(f"{set} from {other}" for set, other in sorted(converted.items()))
+        facts["converted"] = ", ".join(f"{set_number} from {other}" for set_number, other in sorted(converted.items()))
     grid = np.concatenate(grids) if grids else np.zeros(0, np.int64)
-    series = [tables.time_column(grid, form.clock, **facts)]
-    for column, time in zip(columns, known):
+    series = [tables.time_column(grid, clock, **facts)]
+    if form.dated and form.undated and (form.shown is None or form.dated in form.shown):
+        dates = [times.dates(log, part, span[2:], clock, form.dated) for part, span in zip(grids, spans)]
+        series.insert(0, tables.time_column(np.concatenate([*dates, np.zeros(0, np.int64)]), form.dated))
+    for column, time in zip(columns, row_times):
         usual = _usual(time)
         for group in tables.groups(column, form, len(columns) == 1):
             parts: list[list[Series]] = []
@@ -78,8 +83,10 @@ def _after_each_other(parts: list[Series]) -> Series:
     return parts[0]._replace(values=np.concatenate([p.values for p in parts]), mask=np.concatenate(masks))
 
 
-def _spans(columns: Sequence[Column[Any]], known: Sequence[Array]) -> list[tuple[int, int, int, int]]:
-    """Returns the first and the last time of each part without a pause, and where it begins in the file."""
+def _spans(
+    columns: Sequence[Column[Any]], known: Sequence[Array], restarts: list[int]
+) -> list[tuple[int, int, int, int]]:
+    """Returns the first and the last time of each part without a pause, and where it begins and ends in the file."""
     offset = np.concatenate([column.offset for column in columns])
     time = np.concatenate(known)
     there = time != NONE
@@ -87,7 +94,8 @@ def _spans(columns: Sequence[Column[Any]], known: Sequence[Array]) -> list[tuple
     order = np.argsort(offset, kind="stable")
     offset, time = offset[order], time[order]
     steps = np.diff(time)
-    cuts = np.flatnonzero((steps > PAUSE) | (steps < -PAUSE)) + 1
+    begins = np.searchsorted(offset, restarts)
+    cuts = distinct(np.flatnonzero((steps > PAUSE) | (steps < -PAUSE)) + 1, begins[begins < len(time)])
     spans = []
     for begin, end in zip([0, *cuts.tolist()], [*cuts.tolist(), len(time)]):
         if end > begin:
@@ -99,16 +107,16 @@ def _spans(columns: Sequence[Column[Any]], known: Sequence[Array]) -> list[tuple
 
 def _usual(time: Array) -> float:
     """Returns the time for which a value remains valid, in nanoseconds."""
-    steps = np.diff(np.unique(time[time != NONE]))
+    steps = np.diff(distinct(time[time != NONE]))
     return float(np.median(steps)) * _USUAL if len(steps) else 0.0
 
 
 def _sampled(group: list[Series], time: Array, here: Array, grid: Array, method: str, reach: float) -> list[Series]:
     """Resamples a group of columns on a grid; values further away than `reach` nanoseconds are not used."""
     there = here.copy()
-    for one in group:
-        if one.mask is not None:
-            there &= ~one.mask
+    for series in group:
+        if series.mask is not None:
+            there &= ~series.mask
     rows = np.flatnonzero(there)
     rows = rows[np.argsort(time[rows], kind="stable")]
     when = time[rows]
@@ -117,51 +125,53 @@ def _sampled(group: list[Series], time: Array, here: Array, grid: Array, method:
     rows, when = rows[last], when[last]
     if not len(rows):
         size, gone = len(grid), np.ones(len(grid), bool)
-        empty = [np.zeros((size, *one.values.shape[1:]), one.values.dtype) for one in group]
-        return [one._replace(values=values, mask=gone) for one, values in zip(group, empty)]
+        empty = [np.zeros((size, *series.values.shape[1:]), series.values.dtype) for series in group]
+        return [series._replace(values=values, mask=gone) for series, values in zip(group, empty)]
     left = np.clip(np.searchsorted(when, grid, side="right") - 1, 0, len(rows) - 1)
     right = np.clip(left + 1, 0, len(rows) - 1)
     right = np.where(when[left] >= grid, left, right)  # there is a value at that very time, or none before it
     before, after = when[left] <= grid, when[right] >= grid
-    floats = all(one.values.dtype.kind == "f" and one.values.ndim == 1 for one in group) and len(group) < 9
+    floats = all(series.values.dtype.kind == "f" and series.values.ndim == 1 for series in group) and len(group) < 9
     if method == "linear" and floats:
         missing = ~(before & after) | (when[right] - when[left] > reach)
         span = np.maximum(when[right] - when[left], 1)
         weight = np.where(missing, 0.0, (grid - when[left]) / span)
-        a = [one.values[rows[left]].astype(np.float64) for one in group]
-        b = [one.values[rows[right]].astype(np.float64) for one in group]
-        found = _between(group, a, b, weight, [one.values[rows] for one in group])
-        return [one._replace(values=v.astype(one.values.dtype), mask=missing) for one, v in zip(group, found)]
+        a = [series.values[rows[left]].astype(np.float64) for series in group]
+        b = [series.values[rows[right]].astype(np.float64) for series in group]
+        results = _between(group, a, b, weight, [series.values[rows] for series in group])
+        return [
+            series._replace(values=v.astype(series.values.dtype), mask=missing) for series, v in zip(group, results)
+        ]
     chosen = left
     if method == "nearest":
         chosen = np.where(np.abs(when[right] - grid) < np.abs(grid - when[left]), right, left)
         missing = np.abs(when[chosen] - grid) > reach / 2
     else:
         missing = ~before | (grid - when[left] > reach)
-    return [one._replace(values=one.values[rows[chosen]], mask=missing) for one in group]
+    return [series._replace(values=series.values[rows[chosen]], mask=missing) for series in group]
 
 
 def _between(group: list[Series], a: list[Array], b: list[Array], weight: Array, every: list[Array]) -> list[Array]:
     """Interpolates between two values: quaternions by direction, angles the short way round."""
-    if tuple(one.name.rpartition(".")[2] for one in group) == _QUATERNION:
+    if tuple(series.name.rpartition(".")[2] for series in group) == _QUATERNION:
         sign = np.where(sum(x * y for x, y in zip(a, b)) < 0, -1.0, 1.0)  # both are the same rotation
         mixed = [x + weight * (sign * y - x) for x, y in zip(a, b)]
         size = np.sqrt(np.sum(np.square(mixed), axis=0))
         exact = (weight == 0) | (size == 0)
         return [np.where(exact, x, m / np.where(exact, 1.0, size)) for x, m in zip(a, mixed)]
-    found: list[Array] = []
-    for one, x, y, values in zip(group, a, b, every):
-        unit = one.facts.get("unit", "")
+    results: list[Array] = []
+    for series, x, y, values in zip(group, a, b, every):
+        unit = series.facts.get("unit", "")
         circle = _CIRCLES.get(UNIT_KEYS.get(unit, unit), 0.0)
         low = _lowest(values, circle)
         if low is None:
-            found.append(x + weight * (y - x))
+            results.append(x + weight * (y - x))
             continue
         way = (y - x + circle / 2) % circle - circle / 2
         angle = x + weight * way
         outside = (angle < low) | (angle >= low + circle)
-        found.append(np.where(outside & (weight > 0), (angle - low) % circle + low, angle))
-    return found
+        results.append(np.where(outside & (weight > 0), (angle - low) % circle + low, angle))
+    return results
 
 
 def _lowest(values: Array, circle: float) -> float | None:

@@ -46,13 +46,13 @@ def candidates(data: Array, first: int, limit: int, length: int) -> tuple[Array,
     if native.kernel is not None:
         return native.kernel.packets(data, first, limit, length, True)
     limit = min(limit, length - OVERHEAD + 1)
-    found: list[tuple[Array, Array]] = [(np.zeros(0, np.intp),) * 2]
+    spans: list[tuple[Array, Array]] = [(np.zeros(0, np.intp),) * 2]
     for begin in range(0, limit, _PART):
         at, end = _forms(data, max(begin, first), min(begin + _PART, limit), length)
         if len(at):
             right = _right(data[begin:], at - begin, end - begin)
-            found.append((at, end) if right.all() else (at[right], end[right]))
-    at, end = (np.concatenate(parts) for parts in zip(*found))
+            spans.append((at, end) if right.all() else (at[right], end[right]))
+    at, end = (np.concatenate(parts) for parts in zip(*spans))
     return at, end
 
 
@@ -62,8 +62,8 @@ def clear(data: Array, begin: int, length: int, whole: bool) -> int | None:
     `whole`: nothing precedes the data. Returns None if candidates overlap so far back that these data do not suffice.
     """
     at, end = candidates(data, 0, begin, length)
-    known = 0 if whole else REACH  # any packet that begins before the data ends here at the latest
-    reach = np.maximum.accumulate(np.concatenate(([known], end)))
+    reach_before = 0 if whole else REACH  # any packet that begins before the data ends here at the latest
+    reach = np.maximum.accumulate(np.concatenate(([reach_before], end)))
     # the last position that no candidate spans: there the parser certainly starts afresh
     free = np.flatnonzero(np.concatenate((at, [begin])) >= reach)
     if not len(free):
@@ -113,19 +113,19 @@ def _right(data: Array, at: Array, end: Array) -> Array:
     def before(place: Array) -> tuple[Array, Array]:
         word = place >> 3
         more = (place & 7).astype(np.uint8)  # bytes of this word
-        one, two = _sums(words[word] << ((64 - 8 * more).astype(np.uint64)))
+        first, second = _sums(words[word] << ((64 - 8 * more).astype(np.uint64)))
         start = ones[word]
-        return one.astype(np.uint8) + start, two.astype(np.uint8) + twos[word] + more * start
+        return first.astype(np.uint8) + start, second.astype(np.uint8) + twos[word] + more * start
 
-    one, two = before(np.append(at, end[-1]))
-    one_end, two_end = one[1:].copy(), two[1:].copy()  # most packets end where the next one begins
+    first, second = before(np.append(at, end[-1]))
+    one_end, two_end = first[1:].copy(), second[1:].copy()  # most packets end where the next one begins
     apart = np.flatnonzero(at[1:] != end[:-1])
     one_end[apart], two_end[apart] = before(end[apart])
-    one, two = one[:-1], two[:-1]
+    first, second = first[:-1], second[:-1]
     # the checksum itself was added, too: S(end) = S(end - 2) + a + b, where S(end - 2) - S(at) = a
     a, b = data[end - 2], data[end - 1]
-    right = one_end - one == 2 * a + b
-    right &= two_end - two == 2 * one_end + ((end - at).astype(np.uint8) - 2) * one
+    right = one_end - first == 2 * a + b
+    right &= two_end - second == 2 * one_end + ((end - at).astype(np.uint8) - 2) * first
     return np.asarray(right)
 
 

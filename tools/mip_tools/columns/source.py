@@ -18,23 +18,25 @@ _AROUND = 1 << 21
 class Source:
     """Bytes that are read piece by piece."""
 
-    def __init__(self, given: Any) -> None:
+    def __init__(self, source: Any) -> None:
         self._map: mmap.mmap | None = None
         self._begin = 0  # where the log begins in that file
+        #: Facts about all of it, which parts of a log share.
+        self.notes: dict[Any, Any] = {}
         #: A source for another process: a path or bytes.
-        self.origin: str | bytes | None = given if isinstance(given, bytes) else None
-        if isinstance(given, (str, os.PathLike)):
-            self.origin = os.path.abspath(os.fsdecode(given))
-            with open(given, "rb") as file:
+        self.origin: str | bytes | None = source if isinstance(source, bytes) else None
+        if isinstance(source, (str, os.PathLike)):
+            self.origin = os.path.abspath(os.fsdecode(source))
+            with open(source, "rb") as file:
                 data = self._mapped(file)
-        elif hasattr(given, "read"):
-            data = self._mapped(given)
+        elif hasattr(source, "read"):
+            data = self._mapped(source)
         else:
-            data = given
+            data = source
         try:
             self._view = memoryview(data).cast("B")
         except TypeError:
-            name = type(given).__name__
+            name = type(source).__name__
             raise TypeError(f"a log is a path, a binary file or bytes without gaps, not {name}") from None
         self.size = len(self._view)
 

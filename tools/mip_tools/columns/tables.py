@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..binding import CLOCKS, SETS, Field, Parameter, timestamps
-from ..occurrence import listed, of
-from . import contents, instants, times
+from ..binding import CLOCKS, SETS, Field, Parameter, timestamps, to_text
+from ..names.occurrence import listed, occurrence_in
+from . import contents, instants, timeline, times
 from .column import Column, absent
 from .general import Ragged, Values
+from .packets import Packets
 from .scan import Array
-
-if TYPE_CHECKING:
-    from .log import Log
+from .stamps import NONE, Times
+from .states import different
 
 #: Columns of a table besides the parameters of fields.
-OWN = ("time", "time_own", "packet", "set", "offset")
+OWN = ("time", "time_device", "time_own", "time_host", "packet", "set", "offset")
 #: Bytes of a log whose rows are in memory at the same time.
 PART = 1 << 20
 
@@ -38,8 +38,11 @@ class Series(NamedTuple):
 
 
 def time_column(values: Array, clock: str, **facts: str) -> Series:
-    """Makes the column of times, in nanoseconds: dates if the clock has one, else durations since its start."""
-    return Series("time", values.view(times.dtype(clock)), values == times.NONE, {"clock": clock, **facts})
+    """Makes the column of times from nanoseconds: dates if the clock has one, else seconds since its start."""
+    if CLOCKS.get(clock):
+        return Series("time", values.view(times.dtype(clock)), values == NONE, {"clock": clock, **facts})
+    seconds = np.where(values == NONE, 0, values) / 1e9
+    return Series("time_device", seconds, values == NONE, {"unit": "s", "clock": clock, **facts})
 
 
 class Table(NamedTuple):
@@ -56,12 +59,15 @@ class Form(NamedTuple):
     """The content of a table; see `Log.frame`."""
 
     by: str = "time"
-    clock: str = ""  # the clock of the time; "" for none
-    time: bool = True
+    dated: str = ""  # the clock of the dates; "" for none
+    undated: str = ""  # the clock of times without a date
+    covers: bool = True  # as in `timeline.Clocks`
+    shown: tuple[str, ...] | None = None  # the clocks that have a column, if not all
     invalid: str = "keep"
     position: bool = False
     named: bool = False
     wanted: Callable[[int, int], bool] | None = None  # is the field with this set and descriptor selected?
+    arrivals: Array | None = None  # when each packet of the log arrived, in ns since 1970, UTC
 
     def check(self) -> None:
         """Raises ValueError if a choice does not exist."""
@@ -76,23 +82,23 @@ class _Part(NamedTuple):
 
     column: Column[Any]
     rows: Array  # which rows of the column
-    time: times.Times | None
+    times: list[Times]  # by the clock with dates and by the one without, as far as there are such clocks
     once: bool
 
 
 def apart(kind: type[Field]) -> bool:
     """Has a shared field separate columns for each set? Timestamps have not: all those of an instant are equal."""
-    return not listed(kind) and kind.SET != 0 and timestamps.clock_of(0x80, kind.DESCRIPTOR) is None
+    return not listed(kind) and kind.SET != 0 and not timestamps.clocks_of(0x80, kind.DESCRIPTOR)
 
 
-def whole(log: Log, columns: Sequence[Column[Any]], form: Form) -> Table:
+def whole(log: Packets, columns: Sequence[Column[Any]], form: Form) -> Table:
     """Makes the table of some columns of a log."""
     if form.by == "time":
         columns = list(_sets_apart(log, columns))
     return _table([_part(column, form) for column in columns], form, slice(None))
 
 
-def _sets_apart(log: Log, columns: Sequence[Column[Any]]) -> Iterator[Column[Any]]:
+def _sets_apart(log: Packets, columns: Sequence[Column[Any]]) -> Iterator[Column[Any]]:
     for column in columns:
         if len(columns) > 1 and len(column.sets) > 1 and apart(column.type):
             yield from log.columns([(number, column.type) for number in column.sets])
@@ -100,40 +106,36 @@ def _sets_apart(log: Log, columns: Sequence[Column[Any]]) -> Iterator[Column[Any
             yield column
 
 
-def survey(log: Log, form: Form) -> tuple[list[tuple[int, type[Field]]], str]:
-    """Finds the types of fields for the tables of a log, by set and descriptor, and their clock, in bounded memory."""
+def survey(log: Packets, form: Form) -> tuple[list[tuple[int, type[Field]]], timeline.Clocks]:
+    """Finds the types of fields for the tables of a log, by set and descriptor, and their clocks, in bounded memory."""
     present: dict[tuple[int, type[Field]], None] = {}
     sets: set[int] = set()
-    stamped: dict[str, set[int]] = {clock: set() for clock in CLOCKS}
+    line = timeline.Timeline()
     for part in log.parts(2 * PART):
+        line.add(part)
         for number, kind in contents.kinds(part):
             if form.wanted is None or form.wanted(number, kind.DESCRIPTOR):
                 sets.add(number)
-                one = (number, kind) if form.by == "time" and apart(kind) else of(number, kind)
-                present.setdefault((one[0], kind))
-        for clock, have in stamped.items():
-            have |= {n for n in sets - have if n >= 0x80 and times.read(part, n, clock).some}
-            if have == sets:
-                break
-    every = [clock for clock, have in stamped.items() if have and have == sets]
-    clock = next(iter([*every, *(clock for clock, have in stamped.items() if have)]), "")
-    return sorted(present, key=lambda one: (one[0], one[1].DESCRIPTOR, one[1].NAME)), clock
+                pair = (number, kind) if form.by == "time" and apart(kind) else occurrence_in(number, kind)
+                present.setdefault((pair[0], kind))
+    if log.whole() is log:
+        log.source.notes.setdefault("timeline", line)
+    clocks = line.clocks(number for number in sets if number >= 0x80)
+    return sorted(present, key=lambda pair: (pair[0], pair[1].DESCRIPTOR, pair[1].NAME)), clocks
 
 
-def parts(log: Log, kinds: Sequence[Any], form: Form) -> Iterator[tuple[Table, int]]:
+def parts(log: Packets, kinds: Sequence[Any], form: Form) -> Iterator[tuple[Table, int]]:
     """Yields the table of a log in parts, in bounded memory, and the offset at which each part ends. All parts have the
     same columns.
 
     An instant whose packets are in two parts is one row, in the second part.
     """
-    from .log import Log
-
     begin = stop = log.begin
     number = 0
     done: Array = np.zeros(0, np.int64)
     while True:
         stop = min(log.end, stop + PART)
-        part = Log(log.source, begin, stop, log.device)
+        part = log.part(begin, stop)
         chosen = [_part(column, form, done) for column in part.columns(kinds)]
         rows, last = _found(chosen, form), stop >= log.end
         limit = stop - instants.TOGETHER
@@ -161,21 +163,22 @@ def _part(column: Column[Any], form: Form, done: Array | None = None) -> _Part:
             if column.parameters[name].flags:
                 valid = column.valid(name)
                 there &= valid if valid.ndim == 1 else valid.all(axis=1)
-    time = column.time(form.clock) if form.clock else None
+    clocks = [column.time(clock) for clock in (form.dated, form.undated) if clock]
     kind = column.type
     once = not listed(kind) and kind.SET != 0 and not apart(kind)
-    return _Part(column, np.flatnonzero(there), time, once)
+    return _Part(column, np.flatnonzero(there), clocks, once)
 
 
 def _found(chosen: Sequence[_Part], form: Form) -> instants.Instants:
     fields = []
-    for column, rows, time, once in chosen:
-        own: Array = np.full(len(rows), times.NONE)
-        if time is not None:
-            own = np.where(time.own[rows], time.values.view(np.int64)[rows], times.NONE)
+    for column, rows, clocks, once in chosen:
+        own: Array = np.full(len(rows), NONE)
+        for time in reversed(clocks):  # the date counts, if there is one
+            there = time.own[rows] & ~np.isnat(time.values[rows])
+            own = np.where(there, time.values.view(np.int64)[rows], own)
         fields.append(instants.Fields(column.offset[rows], own, once and len(chosen) > 1))
     # With only one type, the rows have the order of the log.
-    return instants.found(fields, form.by if len(fields) > 1 else "packet")
+    return instants.assign(fields, form.by if len(fields) > 1 else "packet")
 
 
 def _table(
@@ -200,8 +203,8 @@ def _table(
     single = len(chosen) == 1
     for (column, *_), left, place in zip(chosen, lefts, places):
         first = len(columns)
-        for one in _values(column, form, single):
-            columns.append(_spread(one, left, place, count))
+        for values in _values(column, form, single):
+            columns.append(_spread(values, left, place, count))
         if not column.names:
             there = np.zeros(count, bool)
             there[place] = True
@@ -215,23 +218,31 @@ def _beside(
 ) -> Iterator[Series]:
     """Yields the columns of the time and the position in the log, from the first packet of each row."""
     count = len(begin)
-    if form.clock and form.time:
-        values = np.full(count, "NaT", times.dtype(form.clock))
-        own = np.zeros(count, bool)
+    clocks = [clock for clock in (form.dated, form.undated) if clock]
+    own = np.zeros(count, bool)
+    for i, clock in enumerate(clocks):
+        values = np.full(count, NONE, np.int64)
         for part, left, place in zip(chosen, lefts, places):
-            assert part.time is not None
-            values[place], own[place] = part.time.values[left], part.time.own[left]
-        yield time_column(values.view(np.int64), form.clock)
+            there = ~np.isnat(part.times[i].values[left])
+            values[place[there]] = part.times[i].values.view(np.int64)[left[there]]
+            own[place] |= part.times[i].own[left]
+        if form.shown is None or clock in form.shown:
+            yield time_column(values, clock)
+    if clocks and form.shown != ():
         yield Series("time_own", own, None, {})
-    if not form.position:
+    if not form.position and form.arrivals is None:
         return
-    packet, set = np.zeros(count, np.int64), np.zeros(count, np.uint8)
+    packet, set_number = np.zeros(count, np.int64), np.zeros(count, np.uint8)
     for part, left, place in zip(chosen, lefts, places):
         first = part.column.offset[left] == begin[place]
         packet[place[first]] = part.column.packet[left[first]] + number
-        set[place[first]] = part.column.set[left[first]]
+        set_number[place[first]] = part.column.set[left[first]]
+    if form.arrivals is not None:
+        yield Series("time_host", form.arrivals[packet].view("datetime64[ns]"), None, {"clock": "host"})
+    if not form.position:
+        return
     yield Series("packet", packet, None, {})
-    yield Series("set", set, None, {})
+    yield Series("set", set_number, None, {})
     yield Series("offset", begin, None, {})
 
 
@@ -239,14 +250,14 @@ def heading(column: Column[Any], name: str, single: bool) -> str:
     """Returns the name of a parameter in a table: its name in the specification, after set and field if there are
     several types."""
     number = column.only
-    set, _, field = column.name.partition(".")
+    set_number, _, field = column.name.partition(".")
     if number is not None and not listed(column.type):  # a shared field of one set
-        set = SETS[number][0] if number in SETS else f"0x{number:02X}"
+        set_number = SETS[number][0] if number in SETS else f"0x{number:02X}"
     if not name:
-        return field if single else f"{set}.{field}"
+        return field if single else f"{set_number}.{field}"
     if single:
         return f"{field}.{name}" if name in OWN else name
-    return f"{set}.{name}" if name.split(".")[0] == field else f"{set}.{field}.{name}"
+    return f"{set_number}.{name}" if name.split(".")[0] == field else f"{set_number}.{field}.{name}"
 
 
 class _Values(NamedTuple):
@@ -273,20 +284,20 @@ def _values(column: Column[Any], form: Form, single: bool) -> Iterator[_Values]:
             yield _Values(name, values, values.mask, facts | units)
             continue
         gone = absent(values) if isinstance(values, np.ma.MaskedArray) else None
-        held = np.asarray(values)
-        if held.dtype == object:
-            held = _stripped(held)
-        if form.named and p.type is not None and held.dtype.kind in "iu" and held.ndim == 1:
-            held = _names(p, held)
-        if p.elements and held.ndim == 2:
+        array = np.asarray(values)
+        if array.dtype == object:
+            array = _stripped(array)
+        if form.named and p.type is not None and array.dtype.kind in "iu" and array.ndim == 1:
+            array = _names(p, *different(column, path, array))
+        if p.elements and array.ndim == 2:
             for i, element in enumerate(p.elements):
                 unit = p.units[min(i, len(p.units) - 1)] if p.units else ""
                 wrong = bad if bad is None or bad.ndim == 1 else bad[:, i]
                 own = {"unit": unit} if unit not in ("", "1") else {}
-                yield _Values(f"{name}.{element}", held[:, i], _either(gone, wrong), facts | own, name)
+                yield _Values(f"{name}.{element}", array[:, i], _either(gone, wrong), facts | own, name)
         else:
             wrong = bad if bad is None or bad.ndim == 1 else np.asarray(bad.all(axis=1))
-            yield _Values(name, held, _either(gone, wrong), facts | units)
+            yield _Values(name, array, _either(gone, wrong), facts | units)
 
 
 def _stripped(texts: Array) -> Array:
@@ -297,12 +308,11 @@ def _stripped(texts: Array) -> Array:
     return short
 
 
-def _names(p: Parameter, numbers: Array) -> Array:
+def _names(p: Parameter, values: list[tuple[Any, Any]], place: Array) -> Array:
     """Converts numbers to the names of enumeration values or flags."""
-    known, place = np.unique(numbers, return_inverse=True)
-    names = np.empty(len(known), object)
-    names[:] = [p.format(number) for number in known.tolist()]
-    return np.asarray(names[place.reshape(-1)])
+    names = np.empty(len(values), object)
+    names[:] = [to_text(p, number, state, None) for number, state in values]
+    return np.asarray(names[place])
 
 
 def _lists(ragged: Ragged) -> tuple[int, str]:
@@ -329,31 +339,31 @@ def _either(first: Array | None, second: Array | None) -> Array | None:
 def groups(column: Column[Any], form: Form, single: bool) -> list[list[Series]]:
     """Returns the columns of a table for all rows of one type, in groups: the elements of a vector together."""
     every = np.arange(len(column))
-    found: dict[str, list[Series]] = {}
-    for one in _values(column, form, single):
-        found.setdefault(one.group or one.name, []).append(_spread(one, every, every, len(every)))
-    return list(found.values())
+    by_group: dict[str, list[Series]] = {}
+    for values in _values(column, form, single):
+        by_group.setdefault(values.group or values.name, []).append(_spread(values, every, every, len(every)))
+    return list(by_group.values())
 
 
-def _spread(one: _Values, left: Array, place: Array, count: int) -> Series:
+def _spread(column: _Values, left: Array, place: Array, count: int) -> Series:
     """Puts some of the values in their rows; the other rows have none."""
-    if isinstance(one.values, Ragged):
-        every = one.values.rows()
+    if isinstance(column.values, Ragged):
+        every = column.values.rows()
         items = np.empty(count, object)
         for row, i in zip(place.tolist(), left.tolist()):
             items[row] = _listed(every[i])
         mask = np.ones(count, bool)
-        mask[place] = False if one.mask is None else one.mask[left]
-        return Series(one.name, items, mask, one.facts, _lists(one.values))
-    if len(left) == count == len(one.values) and (place[1:] > place[:-1]).all():
-        return Series(one.name, one.values, one.mask, one.facts)  # all, in this order
-    values = np.zeros((count, *one.values.shape[1:]), one.values.dtype)
-    values[place] = one.values[left]
-    if len(left) == count and one.mask is None:
-        return Series(one.name, values, None, one.facts)
+        mask[place] = False if column.mask is None else column.mask[left]
+        return Series(column.name, items, mask, column.facts, _lists(column.values))
+    if len(left) == count == len(column.values) and (place[1:] > place[:-1]).all():
+        return Series(column.name, column.values, column.mask, column.facts)  # all, in this order
+    values = np.zeros((count, *column.values.shape[1:]), column.values.dtype)
+    values[place] = column.values[left]
+    if len(left) == count and column.mask is None:
+        return Series(column.name, values, None, column.facts)
     mask = np.ones(count, bool)
-    mask[place] = False if one.mask is None else one.mask[left]
-    return Series(one.name, values, mask, one.facts)
+    mask[place] = False if column.mask is None else column.mask[left]
+    return Series(column.name, values, mask, column.facts)
 
 
 class Aligned:
@@ -364,7 +374,7 @@ class Aligned:
         self._base = base
         self._before: dict[int, Series] = {}  # column number -> its last value
 
-    def of(self, table: Table) -> Table:
+    def aligned(self, table: Table) -> Table:
         """Converts the next part."""
         columns = list(table.columns)
         count = len(table)
@@ -377,15 +387,15 @@ class Aligned:
                 whole = self._with_before(number, columns[number])
                 self._before[number] = whole.rows(last[-1:])
                 columns[number] = whole.rows(last[base + 1])
-        kept = [one.rows(base) for one in columns[: table.types[0][0].start]]
+        kept = [series.rows(base) for series in columns[: table.types[0][0].start]]
         return Table([*kept, *columns[len(kept) :]], [(which, np.arange(len(base))) for which, _ in table.types])
 
-    def _with_before(self, number: int, one: Series) -> Series:
+    def _with_before(self, number: int, series: Series) -> Series:
         """Adds a row before the others of a column: the last value of the earlier parts."""
         before = self._before.get(number)
         if before is None:
-            nothing = np.zeros((1, *one.values.shape[1:]), one.values.dtype)
-            before = one._replace(values=nothing, mask=np.ones(1, bool))
-        mask = np.zeros(len(one.values), bool) if one.mask is None else one.mask
+            nothing = np.zeros((1, *series.values.shape[1:]), series.values.dtype)
+            before = series._replace(values=nothing, mask=np.ones(1, bool))
+        mask = np.zeros(len(series.values), bool) if series.mask is None else series.mask
         gone = np.zeros(1, bool) if before.mask is None else before.mask
-        return one._replace(values=np.concatenate((before.values, one.values)), mask=np.concatenate((gone, mask)))
+        return series._replace(values=np.concatenate((before.values, series.values)), mask=np.concatenate((gone, mask)))

@@ -25,8 +25,8 @@ class Run(NamedTuple):
 
 def runs(data: Array, at: Array, end: Array) -> list[Run]:
     """Finds all fields of these packets."""
-    if native.kernel is not None and (known := native.kernel.fields(data, at)) is not None:
-        return [Run(*fields) for fields in known]
+    if native.kernel is not None and (rows := native.kernel.fields(data, at)) is not None:
+        return [Run(*fields) for fields in rows]
     keys = [data[at + 2].astype(np.uint16), *_fields(data, at)]
     mixed = keys[0].copy()
     for key in keys[1:]:
@@ -96,7 +96,7 @@ def places(runs: list[Run], packets: int) -> tuple[Array, Array]:
 
 
 def in_order(
-    found: Iterable[Run], made: Callable[[int, int, list[Run]], tuple[Array, Array, list[T]]]
+    field_runs: Iterable[Run], made: Callable[[int, int, list[Run]], tuple[Array, Array, list[T]]]
 ) -> tuple[Array, list[T]]:
     """Sorts rows into the order of the log. Returns their packets, and the rows.
 
@@ -104,7 +104,7 @@ def in_order(
     offsets in the payloads, which determine the order within a packet, and the rows.
     """
     alike: dict[tuple[int, int], list[Run]] = {}
-    for run in found:
+    for run in field_runs:
         alike.setdefault((run.set, run.descriptor), []).append(run)
     packets, offsets = [np.zeros(0, np.int64)], [np.zeros(0, np.uint8)]
     rows: list[T] = []

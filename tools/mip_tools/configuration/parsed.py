@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import Any
 
 from ..binding import DEVICES, Device, EncodeError, Parameter, Structure, UnknownName, device_id, info
-from ..cli import typed, yaml_text
-from ..cli.yaml_reader import Wrong, YamlReader, hint
-from ..cli.yaml_text import kind_of
+from ..devices.checks import SAME, inside, set_of
+from ..devices.settings import home
 from ..errors import Failure
-from ..simulator.checks import SAME, inside, set_of
-from ..simulator.settings import home
-from .settings import UNKNOWN, Place, of, on, parameters, settings
+from ..names import typed
+from ..text import yaml_text
+from ..text.yaml_reader import Wrong, YamlReader, hint
+from ..text.yaml_text import kind_of
+from .settings import UNKNOWN, Place, on, parameters, settings, stored_settings
 from .words import numbers
 from .written import Beside, selectors
 
@@ -32,7 +33,7 @@ class File:
     path: Path
     model: str
     profile: Device
-    held: dict[Place, Any] = field(default_factory=dict)
+    commands: dict[Place, Any] = field(default_factory=dict)
     at: dict[Place, str] = field(default_factory=dict)
 
 
@@ -87,7 +88,7 @@ class _Reader(YamlReader):
     def has(self, kind: Any, node: Any, own: str) -> bool:
         """Does the device have this setting, with this command?"""
         assert self.device is not None
-        available = of(self.device)
+        available = stored_settings(self.device)
         if kind in available:
             return True
         key = next(key for key, _ in node.value if key.value == own)
@@ -113,25 +114,31 @@ class _Reader(YamlReader):
 
     def setting(self, kind: Any, selected: dict[str, int], key: Any, node: Any, file: File) -> None:
         before = len(self.mistakes)
-        place = Place.of(kind.NAME, selected)
+        place = Place.selected_by(kind.NAME, selected)
         members = [p for p in parameters(kind) if p.attribute not in place.selected]
         required = {p.attribute for p in members if "write" in p.required}
-        given = self.members(kind.NAME, node, members, required, {**place.selected}, None)
+        values = self.members(kind.NAME, node, members, required, {**place.selected}, None)
         if len(self.mistakes) > before:
             return
         try:
-            command = kind.write(**{n: v for n, v in given.items() if not info(kind)[n].reserved})
+            command = kind.write(**{n: v for n, v in values.items() if not info(kind)[n].reserved})
             command.packet()
         except EncodeError as error:
             self.wrong(Wrong(node, f"'{kind.NAME}' cannot be sent: {error.detail}"))
             return
-        if place in file.held:
+        if place in file.commands:
             self.wrong(Wrong(key, f"this setting is already at {file.at[place]}; remove one"))
             return
-        file.held[place], file.at[place] = command, self.place(key)
+        file.commands[place], file.at[place] = command, self.place(key)
 
     def members(
-        self, what: str, node: Any, members: list[Parameter], required: set[str], given: dict[str, Any], set: int | None
+        self,
+        what: str,
+        node: Any,
+        members: list[Parameter],
+        required: set[str],
+        values: dict[str, Any],
+        set_number: int | None,
     ) -> dict[str, Any]:
         """Reads the values of parameters, in an order in which each finds the values that it depends on."""
         before = len(self.mistakes)
@@ -140,63 +147,70 @@ class _Reader(YamlReader):
         missing = []
         for p in sorted(members, key=_depends):
             if p.name in nodes:
-                here = p.of(Beside(given), self.profile.id or None)  # type: ignore[arg-type]
+                here = p.of(Beside(values), self.profile.id or None)  # type: ignore[arg-type]
                 try:
-                    given[p.attribute] = self.value(here, nodes[p.name], given, set)
+                    values[p.attribute] = self.value(here, nodes[p.name], values, set_number)
                 except Wrong as mistake:
                     self.wrong(mistake)
-                    given[p.attribute] = None
-            elif p.kind == "switch" and p.cases.get(given.get(p.tag, 0)) is None:
-                given[p.attribute] = None
+                    values[p.attribute] = None
+            elif p.kind == "switch" and p.cases.get(values.get(p.tag, 0)) is None:
+                values[p.attribute] = None
             elif p.attribute in required:
                 missing.append(p.name)
         if missing and not unknown:
             self.wrong(Wrong(node, f"'{what}' needs {', '.join(missing)} too"))
-        return given
+        return values
 
     # ----------------------------------------------------------------- values
 
-    def value(self, p: Parameter, node: Any, given: Mapping[str, Any], inside: int | None) -> Any:
-        set = set_of(p, Beside(given)) if p.fields_of else inside
+    def value(self, p: Parameter, node: Any, values: Mapping[str, Any], inside: int | None) -> Any:
+        set_number = set_of(p, Beside(values)) if p.fields_of else inside
         if p.kind == "switch":
-            case = p.cases.get(given.get(p.tag) or 0)
+            case = p.cases.get(values.get(p.tag) or 0)
             if case is None:
                 raise Wrong(node, f"'{p.name}' is not used with this '{p.tag}'; remove it")
-            return self.value(replace(case, name=p.name), node, given, set)
+            return self.value(replace(case, name=p.name), node, values, set_number)
         if p.length is not None and p.kind == "array":
-            return self.items(replace(p, length=None, fields_of=""), node, given, set, p.length)
+            return self.items(replace(p, length=None, fields_of=""), node, values, set_number, p.length)
         if isinstance(p.type, type) and issubclass(p.type, Structure):
-            return self.structure(p, node, set)
+            return self.structure(p, node, set_number)
         if p.elements:
             return self.vector(p, node)
-        return self.one(p, node, set)
+        return self.one(p, node, set_number)
 
-    def items(self, p: Parameter, node: Any, given: Mapping[str, Any], set: int | None, length: Any) -> tuple[Any, ...]:
+    def items(
+        self, p: Parameter, node: Any, values: Mapping[str, Any], set_number: int | None, length: Any
+    ) -> tuple[Any, ...]:
         if kind_of(node) != "sequence":
             raise Wrong(node, f"'{p.name}' needs a list, [...]")
         if isinstance(length, int) and len(node.value) != length:
             raise Wrong(node, f"'{p.name}' needs {length} values, not {len(node.value)}")
-        found = []
-        one = replace(p, kind="scalar")
+        items = []
+        item_parameter = replace(p, kind="scalar")
         for item in node.value:
             try:
-                found.append(self.value(one, item, given, set))
+                items.append(self.value(item_parameter, item, values, set_number))
             except Wrong as mistake:
                 self.wrong(mistake)
-        return tuple(found)
+        return tuple(items)
 
-    def structure(self, p: Parameter, node: Any, set: int | None) -> Any:
+    def structure(self, p: Parameter, node: Any, set_number: int | None) -> Any:
         before = len(self.mistakes)
         members = parameters(p.type)
-        given = self.members(p.name, node, members, {m.attribute for m in members}, {}, set)
-        return None if len(self.mistakes) > before else p.type(**given)
+        values = self.members(p.name, node, members, {m.attribute for m in members}, {}, set_number)
+        if len(self.mistakes) > before:
+            return None
+        try:
+            return p.type(**values)
+        except EncodeError as error:
+            raise Wrong(node, f"'{p.name}' cannot be sent: {error.detail}") from None
 
     def vector(self, p: Parameter, node: Any) -> tuple[float, ...]:
-        found = self.keys(node, p.elements, f"'{p.name}'")
-        missing = [name for name in p.elements if name not in found]
+        nodes = self.keys(node, p.elements, f"'{p.name}'")
+        missing = [name for name in p.elements if name not in nodes]
         if missing:
             raise Wrong(node, f"'{p.name}' needs {', '.join(missing)} too")
-        values = tuple(self.one(p, found[name], None) for name in p.elements)
+        values = tuple(self.one(p, nodes[name], None) for name in p.elements)
         least, most = p.magnitude
         size = sum(x * x for x in values) ** 0.5
         if (least is not None and size < least) or (most is not None and size > most):
@@ -204,12 +218,12 @@ class _Reader(YamlReader):
             raise Wrong(node, f"the magnitude of '{p.name}' must be {limits}")
         return values
 
-    def one(self, p: Parameter, node: Any, set: int | None) -> Any:
+    def one(self, p: Parameter, node: Any, set_number: int | None) -> Any:
         if isinstance(p.type, type) and issubclass(p.type, IntFlag):
             value = self.flags(p, node)
         else:
-            value = self.word(p, node, set)
-        self.check(p, value, node, set)
+            value = self.word(p, node, set_number)
+        self.check(p, value, node, set_number)
         return value
 
     def flags(self, p: Parameter, node: Any) -> Any:
@@ -220,15 +234,15 @@ class _Reader(YamlReader):
             bits |= int(self.scalar(p, word, word.value))
         return p.type(bits)
 
-    def word(self, p: Parameter, node: Any, set: int | None) -> Any:
+    def word(self, p: Parameter, node: Any, set_number: int | None) -> Any:
         if kind_of(node) != "scalar":
             raise Wrong(node, f"'{p.name}' needs one value")
-        known = numbers(p, set, self.profile)
-        if node.value in known:
-            return p.type(known[node.value]) if p.type is not None else known[node.value]
-        if known and not node.value[:1].isdigit():
-            few = f"; known: {', '.join(known)}" if len(known) <= 12 else ""
-            raise Wrong(node, f"'{p.name}' cannot be '{node.value}'{hint(node.value, known, few)}")
+        numbers_by_name = numbers(p, set_number, self.profile)
+        if node.value in numbers_by_name:
+            return p.type(numbers_by_name[node.value]) if p.type is not None else numbers_by_name[node.value]
+        if numbers_by_name and not node.value[:1].isdigit():
+            few = f"; known: {', '.join(numbers_by_name)}" if len(numbers_by_name) <= 12 else ""
+            raise Wrong(node, f"'{p.name}' cannot be '{node.value}'{hint(node.value, numbers_by_name, few)}")
         return self.scalar(p, node, node.value)
 
     def scalar(self, p: Parameter, node: Any, text: str) -> Any:
@@ -237,29 +251,26 @@ class _Reader(YamlReader):
         except Failure as failure:
             raise Wrong(node, str(failure)) from None
 
-    def check(self, p: Parameter, value: Any, node: Any, set: int | None) -> None:
+    def check(self, p: Parameter, value: Any, node: Any, set_number: int | None) -> None:
         """Raises Wrong if the device cannot have this value."""
-        if self.device is not None and p.refers == "field" and not self.sends(set, int(value)):
+        if self.device is not None and p.refers == "field" and not self.sends(set_number, int(value)):
             raise Wrong(node, f"this device does not have the field '{node.value}'; remove it")
-        known = numbers(p, set, self.profile)
-        enumerated = known and not p.refers and not isinstance(value, IntFlag)
-        if enumerated and int(value) not in known.values():
-            raise Wrong(node, f"'{p.name}' has no value {node.value}; known: {', '.join(known)}")
+        numbers_by_name = numbers(p, set_number, self.profile)
+        enumerated = numbers_by_name and not p.refers and not isinstance(value, IntFlag)
+        if enumerated and int(value) not in numbers_by_name.values():
+            raise Wrong(node, f"'{p.name}' has no value {node.value}; known: {', '.join(numbers_by_name)}")
         if isinstance(value, (int, float)) and not isinstance(value, (bool, IntFlag)) and not inside(p, value, SAME):
             unit = f" {p.unit}" if p.unit not in ("", "1") else ""
             limits = f"{p.range or 'a number'}{unit}" if p.constant is None else p.constant
             raise Wrong(node, f"'{p.name}' must be {limits}, not {node.value}")
 
-    def sends(self, set: int | None, descriptor: int) -> bool:
-        """Does the device have this field, certainly or probably? It may list shared data in only one set."""
+    def sends(self, set_number: int | None, descriptor: int) -> bool:
+        """Does the device have this field, or is it believed to? It may list shared data in only one set."""
         assert self.device is not None
         fields = self.device.fields | self.profile.fields
-        return set is None or descriptor >= SHARED or (set, descriptor) in fields
+        return set_number is None or descriptor >= SHARED or (set_number, descriptor) in fields
 
 
 def _depends(p: Parameter) -> bool:
     """Does its layout depend on another value, which may follow later on the wire?"""
     return bool(p.tag) or any(v.by != "device" for v in p.variants)
-
-
-__all__ = ["File", "parsed"]

@@ -10,10 +10,11 @@ from itertools import product
 from typing import Any
 
 from ..binding import DEVICES, Command, Device, Evidence, Parameter, Support, info, registry
-from ..simulator.checks import NOTHING, data_sets, set_of
-from ..simulator.codes import READ, SAVE, WRITE
-from ..simulator.facts import AFFECTED, COMMANDS, DATA_SETS, FUNCTIONS, PORTS, VALUES, Behavior, difference
-from ..simulator.settings import Key, home, keys
+from ..devices.checks import NOTHING, set_of
+from ..devices.codes import READ, SAVE, WRITE
+from ..devices.facts import AFFECTED, COMMANDS, DATA_SETS, FUNCTIONS, PORTS, VALUES, Behavior, difference
+from ..devices.profiles import data_sets
+from ..devices.settings import Key, home, keys
 
 #: Effects of settings in the order in which they are changed: streams after the data that they contain, and last the
 #: settings that may cut the connection.
@@ -43,19 +44,19 @@ class Place:
         return dict(zip(self.keys, self.key))
 
     @staticmethod
-    def of(command: str, selected: Mapping[str, int]) -> Place:
+    def selected_by(command: str, selected: Mapping[str, int]) -> Place:
         """Returns the instance that these values select. The values that are not given are fixed."""
         kind = settings()[command]
         return Place(command, tuple(int(selected.get(name, info(kind)[name].default or 0)) for name in keys(kind)))
 
     def reading(self, beside: Command | None = None) -> Any:
         """Returns the command that reads this setting; if it has several forms, in the form of the command `beside`."""
-        given = {name: v for name, v in self.selected.items() if not info(self.kind)[name].reserved}
+        values = {name: v for name, v in self.selected.items() if not info(self.kind)[name].reserved}
         for p in parameters(self.kind):
-            if "read" in p.required and p.attribute not in given:
+            if "read" in p.required and p.attribute not in values:
                 forms = info(p.type).values if p.type is not None else ()
-                given[p.attribute] = getattr(beside, p.attribute) if beside else forms[0].value if forms else 0
-        return self.kind.read(**given)
+                values[p.attribute] = getattr(beside, p.attribute) if beside else forms[0].value if forms else 0
+        return self.kind.read(**values)
 
     def saving(self) -> Any:
         return self.kind.save(**{n: v for n, v in self.selected.items() if not info(self.kind)[n].reserved})
@@ -71,12 +72,12 @@ def settings() -> dict[str, type[Command]]:
 
     A command that acts only once is not a setting, and neither is a command whose values all select an instance.
     """
-    found: dict[str, type[Command]] = {}
+    kinds: dict[str, type[Command]] = {}
     for _, kind in registry.all_types():
         if issubclass(kind, Command) and kind.REQUIRED.keys() >= {WRITE, READ, SAVE} and not behavior(kind).once:
             values = [p for p in parameters(kind) if p.attribute not in keys(kind)]
-            found |= {kind.NAME: kind} if values else {}
-    return found
+            kinds |= {kind.NAME: kind} if values else {}
+    return kinds
 
 
 def parameters(kind: type[Any]) -> list[Parameter]:
@@ -84,7 +85,7 @@ def parameters(kind: type[Any]) -> list[Parameter]:
     return [p for p in info(kind).parameters if p.name != "function" and not p.derived and not p.reserved]
 
 
-def of(profile: Device) -> list[type[Command]]:
+def stored_settings(profile: Device) -> list[type[Command]]:
     """Returns the settings of a device. Of several commands for one setting, only the one that stores it counts."""
     own = [kind for kind in settings().values() if (kind.SET, kind.DESCRIPTOR) in profile.fields]
     readable = [kind for kind in own if {"W", "R"} <= _letters(kind, profile)]
@@ -141,8 +142,8 @@ def places(kind: type[Command], profile: Device) -> Iterator[tuple[Place, bool]]
     names = keys(kind)
     values: list[list[int]] = []
     for name in names:
-        found = _values(info(kind)[name], kind, profile)
-        values.append(found)
+        choices = _values(info(kind)[name], kind, profile)
+        values.append(choices)
     limits = (behavior(kind).instances.get(name) for name in names)
     open_end = any(limit not in (None, PORTS, DATA_SETS, AFFECTED, *profile.limits) for limit in limits)
     for key in product(*values):
@@ -152,15 +153,15 @@ def places(kind: type[Command], profile: Device) -> Iterator[tuple[Place, bool]]
 
 def _values(p: Parameter, kind: type[Command], profile: Device) -> list[int]:
     """Returns the values of a parameter that select an instance of a setting on a device."""
-    known = behavior(kind)
-    source, everything = known.instances.get(p.name), known.all.get(p.name)
-    translate = known.translate.get(p.name, {})
+    rules = behavior(kind)
+    source, everything = rules.instances.get(p.name), rules.all.get(p.name)
+    translate = rules.translate.get(p.name, {})
     if p.reserved:
         return [int(p.default or 0)]
     if source == PORTS and profile.ports:
-        with_rate = [port for port in profile.ports if port.baud_rates and known.effect == "baud_rate"]
+        with_rate = [port for port in profile.ports if port.baud_rates and rules.effect == "baud_rate"]
         return [port.id for port in with_rate or profile.ports if port.id is not None]
-    names = named(p, profile)
+    names = value_names(p, profile)
     if names:
         values = [v for v in names if v != everything]
     elif source == DATA_SETS and p.refers == "set":
@@ -168,9 +169,9 @@ def _values(p: Parameter, kind: type[Command], profile: Device) -> list[int]:
     elif translate:
         values = list(translate)
     elif source == AFFECTED:
-        return sorted({descriptor for _, descriptor in known.affected})
+        return sorted({descriptor for _, descriptor in rules.affected})
     elif p.refers == "set":
-        return sorted({number for number, _ in known.affected})
+        return sorted({number for number, _ in rules.affected})
     else:
         return list(range(1, _most(source, profile) + 1))
     if source == DATA_SETS and data_sets(profile):
@@ -178,7 +179,7 @@ def _values(p: Parameter, kind: type[Command], profile: Device) -> list[int]:
     return values
 
 
-def named(p: Parameter, profile: Device) -> dict[int, str]:
+def value_names(p: Parameter, profile: Device) -> dict[int, str]:
     """Returns the names of the enumeration values that a device has, by number; empty for other types."""
     kind = on(p, profile).type
     if not (isinstance(kind, type) and issubclass(kind, IntEnum)):
@@ -227,22 +228,3 @@ def listed(profile: Device | None, title: str, descriptors: Iterable[tuple[int, 
         by_set[number] = by_set.get(number, b"") + bytes((descriptor,))
     evidence = Evidence(Support.YES, "listed", "", by_set)
     return replace(profile or replace(UNKNOWN, title=title), evidence=(evidence,), incomplete=())
-
-
-__all__ = [
-    "UNKNOWN",
-    "Place",
-    "behavior",
-    "can",
-    "ends_talk",
-    "in_order",
-    "listed",
-    "named",
-    "of",
-    "on",
-    "parameters",
-    "places",
-    "response_names",
-    "saves_all",
-    "settings",
-]

@@ -8,10 +8,22 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from ..binding import AckCode, Device, MipError, NoAnswer, PortClosed, Refused, info
-from ..cli import device_file, listing, ports, signals
+from ..devices.codes import SAVE
 from ..errors import Failure
-from ..simulator.codes import SAVE
-from .settings import Place, can, ends_talk, in_order, listed, of, parameters, places, response_names, saves_all
+from ..files import signals
+from ..ports import connection, device_file, listing
+from .settings import (
+    Place,
+    can,
+    ends_talk,
+    in_order,
+    listed,
+    parameters,
+    places,
+    response_names,
+    saves_all,
+    stored_settings,
+)
 
 if TYPE_CHECKING:
     from ..binding import DeviceAtPort
@@ -26,7 +38,7 @@ ATTEMPTS = 2
 ROUNDS = 3
 
 #: Settings with their values: the commands that would write them.
-Held = dict[Place, Any]
+Settings = dict[Place, Any]
 
 
 class Talk:
@@ -35,25 +47,25 @@ class Talk:
     def __init__(self, link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> None:
         """Identifies the device. Raises Failure."""
         self.link, self.port, self.complain = link, port, complain
-        self.told = listing.identity(link, port, complain)
-        self.model = device_file.model(self.told)
-        self.profile: Device = listed(self.model.profile, self.told.title, self.told.descriptors)
+        self.listing = listing.identity(link, port, complain)
+        self.model = device_file.model(self.listing)
+        self.profile: Device = listed(self.model.profile, self.listing.title, self.listing.descriptors)
 
     # ----------------------------------------------------------------- reading
 
-    def pull(self) -> Held:
+    def pull(self) -> Settings:
         """Reads all settings."""
-        held: Held = {}
-        for kind in of(self.profile):
+        settings: Settings = {}
+        for kind in stored_settings(self.profile):
             for place, open_end in places(kind, self.profile):
-                found = self.read(place)
-                if found is not None:
-                    held[place] = found
+                setting = self.read(place)
+                if setting is not None:
+                    settings[place] = setting
                 elif open_end:
                     break
-        return held
+        return settings
 
-    def read_all(self, wanted: Held) -> dict[Place, Any]:
+    def read_all(self, wanted: Settings) -> dict[Place, Any]:
         """Reads the current values of these settings, in the form of the wanted ones; None if the device lacks one."""
         return {place: self.read(place, value) for place, value in wanted.items()}
 
@@ -76,15 +88,15 @@ class Talk:
                 return self.link.request(command)
             except NoAnswer:
                 if attempt == ATTEMPTS - 1:
-                    said = f"{self.port} did not answer {command.NAME}; check the line and --baud, and try again"
-                    raise Failure(said, listing.SILENT) from None
+                    message = f"{self.port} did not answer {command.NAME}; check the line and --baud, and try again"
+                    raise Failure(message, listing.SILENT) from None
             except PortClosed as error:
                 raise Failure(f"{self.port}: {error}") from None
         return None
 
     # ----------------------------------------------------------------- writing
 
-    def push(self, wanted: Held) -> Pushed:
+    def push(self, wanted: Settings) -> Pushed:
         """Writes these settings to the device in a safe order, except those that it already has.
 
         A setting that the device rejects is tried again after the others, on which it may depend. A setting that
@@ -97,10 +109,10 @@ class Talk:
                 break
         self._write([place for place in ordered if ends_talk(place)], wanted, done)
         now = self.read_all({place: wanted[place] for place in done.written})
-        done.different = {p: x for p, x in now.items() if differs(x, wanted[p]) and p not in done.refused}
+        done.read_differently = {p: x for p, x in now.items() if differs(x, wanted[p]) and p not in done.refused}
         return done
 
-    def _write(self, places: list[Place], wanted: Held, done: Pushed) -> bool:
+    def _write(self, places: list[Place], wanted: Settings, done: Pushed) -> bool:
         """Writes the settings that the device does not have yet. Did it accept any?"""
         now = self.read_all({place: wanted[place] for place in places})
         changes = [place for place in places if differs(now[place], wanted[place])]
@@ -129,13 +141,13 @@ class Talk:
         An interrupt waits until this is done. Raises Refused, Lost if the former value was restored, and Failure if the
         device remains silent.
         """
-        held = signals.Held()
-        with signals.handled(held):
+        interrupts = signals.Deferred()
+        with signals.handled(interrupts):
             heard = self._changed_link(command, before)
             if not heard and not self._taken_back(before):
-                said = f"{self.port} has not answered since {command.NAME} was written, not even after restoring it"
-                raise Failure(f"{said}; power-cycle the device: nothing has been saved", listing.SILENT)
-        if held.waits:
+                message = f"{self.port} has not answered since {command.NAME} was written, not even after restoring it"
+                raise Failure(f"{message}; power-cycle the device: nothing has been saved", listing.SILENT)
+        if interrupts.waits:
             raise KeyboardInterrupt
         if not heard:
             raise Lost("the device stopped answering; the former value was restored")
@@ -156,7 +168,7 @@ class Talk:
             self.link.baud = rate
             self.link.baud = old
         except (OSError, ValueError) as error:
-            raise Lost(f"{self.port} does not support {rate} Bd: {ports.reason(error)}") from None
+            raise Lost(f"{self.port} does not support {rate} Bd: {connection.reason(error)}") from None
         try:
             self.link.change_baud(command)
             return True
@@ -231,26 +243,27 @@ class Pushed:
     def __init__(self) -> None:
         self.written: set[Place] = set()
         self.refused: dict[Place, str] = {}
-        self.different: dict[Place, Any] = {}  # the values read back, if they differ from the written ones
+        self.read_differently: dict[Place, Any] = {}  # the values read back, if they differ from the written ones
 
 
 def why(error: Refused) -> str:
     """Describes the reason for a NACK."""
     number = int(error.code)
-    known = next((v for v in info(AckCode).values if v.value == number), None)
-    return f"{known.name} ({number}): {known.text}" if known else f"code {number}"
+    code = next((v for v in info(AckCode).values if v.value == number), None)
+    cause = error.cause.text if error.cause else code.text if code else ""
+    return ": ".join([f"{code.name} ({number})" if code else f"code {number}", *([cause] if cause else [])])
 
 
 def written(place: Place, response: Any) -> Any:
     """Makes the command that would write the values of a response."""
     names = response_names(type(response))
-    given: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     for p in parameters(place.kind):
         name = names.get(p.name, p.name)
         value = getattr(response, info(type(response))[name].attribute)
         if value is not None or p.kind == "switch":
-            given[p.attribute] = value
-    return place.kind.write(**given)
+            values[p.attribute] = value
+    return place.kind.write(**values)
 
 
 def differs(a: Any, b: Any) -> bool:

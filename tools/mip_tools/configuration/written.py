@@ -8,9 +8,9 @@ from enum import IntFlag
 from typing import Any
 
 from ..binding import Device, Parameter, Structure, info, meant
-from ..cli import yaml_text
-from ..cli.values import number, words
-from ..simulator.checks import set_of
+from ..devices.checks import set_of
+from ..text import yaml_text
+from ..text.values import number, words
 from .settings import Place, on, parameters
 from .words import word
 
@@ -25,13 +25,13 @@ HEAD = """\
 Tree = dict[str, Any] | list[Any] | str
 
 
-def text(held: Mapping[Place, Any], profile: Device, model: str, firmware: str, date: str) -> str:
+def text(commands: Mapping[Place, Any], profile: Device, model: str, firmware: str, date: str) -> str:
     """Composes the whole file. The value of a setting is a command, or a response with the same parameters."""
     title = f"  # {profile.title}, model number {profile.model_number}" if profile.model_number else ""
     lines = [f"model: {yaml_text.word(model)}{title}", f"firmware: {yaml_text.word(firmware)}", f"date: {date}"]
-    lines.append("settings:" if held else "settings: {}")
+    lines.append("settings:" if commands else "settings: {}")
     before: tuple[str, ...] = ()
-    for place, value in held.items():
+    for place, value in commands.items():
         path = tuple(path_of(place, profile))
         alone = len(path) == 2
         units = dict(_units(parameters(place.kind), value if alone else None))
@@ -76,36 +76,36 @@ class Beside:
 # --------------------------------------------------------------------------- values
 
 
-def values(place: Place, held: Any, profile: Device) -> dict[str, Tree]:
+def values(place: Place, command: Any, profile: Device) -> dict[str, Tree]:
     """Returns the values of a setting as in the file, without those that select the instance."""
-    return _members(held, [p for p in parameters(place.kind) if p.attribute not in place.selected], profile, None)
+    return _members(command, [p for p in parameters(place.kind) if p.attribute not in place.selected], profile, None)
 
 
-def _members(held: Any, members: list[Parameter], profile: Device, inside: int | None) -> dict[str, Tree]:
+def _members(record: Any, members: list[Parameter], profile: Device, inside: int | None) -> dict[str, Tree]:
     tree: dict[str, Tree] = {}
     for p in members:
-        value = getattr(held, p.attribute)
+        value = getattr(record, p.attribute)
         if value is not None:
-            tree[p.name] = _tree(p.of(held, profile.id or None), value, held, profile, inside)
+            tree[p.name] = _tree(p.of(record, profile.id or None), value, record, profile, inside)
     return tree
 
 
-def _tree(p: Parameter, value: Any, held: Any, profile: Device, inside: int | None) -> Tree:
+def _tree(p: Parameter, value: Any, record: Any, profile: Device, inside: int | None) -> Tree:
     """Converts a value to words. `inside`: the set of the field descriptors in a structure."""
-    set = set_of(p, held) if p.fields_of else inside
+    set_number = set_of(p, record) if p.fields_of else inside
     if p.kind == "switch":
-        case = p.cases.get(getattr(held, p.tag))
-        return _tree(case, value, held, profile, set) if case else words(p, value)
+        case = p.cases.get(getattr(record, p.tag))
+        return _tree(case, value, record, profile, set_number) if case else words(p, value)
     if isinstance(value, Structure):
-        return _members(value, parameters(type(value)), profile, set)
+        return _members(value, parameters(type(value)), profile, set_number)
     if isinstance(value, (tuple, list)):
         if p.elements and p.length is None:
             return {name: number(x, p.scalar) for name, x in zip(p.elements, value)}
-        return [_tree(replace(p, length=None, fields_of=""), x, held, profile, set) for x in value]
-    return _word(p, value, set, profile)
+        return [_tree(replace(p, length=None, fields_of=""), x, record, profile, set_number) for x in value]
+    return _word(p, value, set_number, profile)
 
 
-def _word(p: Parameter, value: Any, set: int | None, profile: Device) -> Tree:
+def _word(p: Parameter, value: Any, set_number: int | None, profile: Device) -> Tree:
     if isinstance(value, str):
         return yaml_text.quoted(value)
     if isinstance(value, float):
@@ -113,8 +113,8 @@ def _word(p: Parameter, value: Any, set: int | None, profile: Device) -> Tree:
     if isinstance(meant(p, value), IntFlag):
         return [] if not value else words(p, value).split("|")
     if p.refers or (p.type is not None and p.scalar != "bool"):
-        found = word(p, int(value), set, profile)
-        return found if found[0].isdigit() else yaml_text.word(found)
+        text = word(p, int(value), set_number, profile)
+        return text if text[0].isdigit() else yaml_text.word(text)
     return words(p, value)
 
 
@@ -157,8 +157,8 @@ def _comment(units: Mapping[str, str], key: str = "") -> str:
     by_unit: dict[str, list[str]] = {}
     for name, unit in units.items():
         by_unit.setdefault(unit, []).append(name)
-    said = "; ".join(unit if names == [key] else f"{', '.join(names)} in {unit}" for unit, names in by_unit.items())
-    return f"  # {said}" if said else ""
+    comment = "; ".join(unit if names == [key] else f"{', '.join(names)} in {unit}" for unit, names in by_unit.items())
+    return f"  # {comment}" if comment else ""
 
 
 def flow(tree: Tree) -> str:
@@ -172,16 +172,13 @@ def flow(tree: Tree) -> str:
     return f"[{', '.join(map(flow, tree))}]" if isinstance(tree, list) else tree
 
 
-def _units(members: list[Parameter], held: Any = None) -> Iterator[tuple[str, str]]:
+def _units(members: list[Parameter], record: Any = None) -> Iterator[tuple[str, str]]:
     """Yields the parameters that have a unit, with their units; some depend on other values."""
     for p in members:
-        here = p if held is None else p.of(held)
+        here = p if record is None else p.of(record)
         cases = [case for case in p.cases.values() if case is not None]
         for q in cases or [here]:
             if isinstance(q.type, type) and issubclass(q.type, Structure):
                 yield from _units(parameters(q.type))
             elif set(q.units) - {"1"}:
                 yield p.name, q.unit + (f" ({q.name})" if cases else "")
-
-
-__all__ = ["Beside", "Tree", "flow", "path_of", "selectors", "text", "values"]

@@ -15,6 +15,16 @@ CAUSES = {
     "reset": "the device restarted; check its power supply",
     "clock step": "the time jumped, but data did not pause: the clock was set, or a time source became available",
     "changed format": "the message format was changed",
+    "duplicated": "packets occur twice: a program, or a second recording of the same data, has written them again",
+    "out of order": "packets are not in the order in which they were sent: UDP, or a program with several threads",
+    "not a number": "values are NaN or infinite although they are marked as valid, or have no flags",
+    "dead": "a channel has only the value 0: the device lacks this sensor, or it does not work",
+    "frozen": "a channel repeats its value: the sensor, or the program that wrote the log, has stopped",
+    "saturated": "the motion exceeds the range: choose a greater one, see `mip fields sensor_range`",
+    "spikes": "single values leave all others by far: electrical interference, or damage that the checksum missed",
+    "scale": "the values are in another unit than g, or the range or the calibration of the accelerometer is wrong",
+    "orientation": "mount the device level, or set its mounting: `mip fields --search mounting`",
+    "cut off": "the log ends within a packet: the recording or the transfer ended early",
 }
 
 
@@ -75,7 +85,11 @@ def _slack(cause: str, other: str) -> int:
 
 
 #: Causes that explain others come first.
-_RANK = {"reset": 0, "clock step": 1, "line damage": 2, "changed format": 3, "pause": 4, "overload": 5}
+_RANK = {cause: rank for rank, cause in enumerate(
+    ("reset", "duplicated", "out of order", "clock step", "line damage", "changed format", "pause", "overload",
+     "not a number", "dead", "frozen", "saturated", "spikes", "scale", "orientation",
+     "cut off")
+)}  # fmt: skip
 
 
 def explains(cause: str, other: str) -> bool:
@@ -83,6 +97,3 @@ def explains(cause: str, other: str) -> bool:
     if other in ("pause", "overload"):
         return _RANK[cause] < _RANK[other]
     return cause == "reset" and other in ("clock step", "changed format")
-
-
-__all__ = ["CAUSES", "Event", "merged"]

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from .events import Event
+
+if TYPE_CHECKING:
+    from ..columns.timeline import TimesOfSet
 
 #: A descriptor set, and a descriptor in it.
 Key = tuple[int, int]
@@ -24,21 +28,30 @@ class Warned:
 
 
 @dataclass
+class SeldomValid:
+    """A field whose values are seldom or never valid."""
+
+    title: str
+    valid: int
+    total: int
+    state: str  # of the filter, at the end
+
+
+@dataclass
 class Examined:
     """The results of examining a stream."""
 
     size: int = 0
+    begin: bytes = b""  # the first bytes
     packets: int = 0
     clock: str | None = None
     events: list[Event] = field(default_factory=list)
     warned: list[Warned] = field(default_factory=list)
-    unsynchronized: dict[int, tuple[int, int]] = field(default_factory=dict)  # set -> number of invalid times, of all
+    times: dict[int, TimesOfSet] = field(default_factory=dict)  # set -> what is known of its times
+    seldom_valid: list[SeldomValid] = field(default_factory=list)
     untimed: list[int] = field(default_factory=list)  # sets without timestamps
     rates: dict[Key, float] = field(default_factory=dict)  # in Hz, from the last usual interval
     names: dict[Key, str] = field(default_factory=dict)
     spans: dict[int, list[tuple[int, int]]] = field(default_factory=dict)  # set -> when its packets arrived, in ns
     sentences: int = 0
     unnamed: list[str] = field(default_factory=list)  # fields whose flags depend on the device
-
-
-__all__ = ["Examined", "Key", "Warned"]

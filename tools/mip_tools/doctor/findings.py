@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ..binding import SECOND, UnknownName, registry
-from ..cli import show
-from ..cli.clocks import stamp
-from ..cli.inputs import counted
+from ..binding import DEVICE_CLOCK, SECOND, UnknownName, registry
+from ..logs.assumed import REMEDY
+from ..logs.recognize import UNKNOWN, recognized
+from ..text import show
+from ..text.clocks import dated, stamp
+from ..text.numbers import counted
 from .events import CAUSES, Event
 from .examined import Examined
 
@@ -28,12 +30,13 @@ class Finding:
     details: tuple[str, ...] = ()
 
 
-def of(examined: Examined) -> list[Finding]:
+def in_stream(examined: Examined) -> list[Finding]:
     """Lists the findings about a stream, the most serious first."""
     return [
         *_nothing(examined),
         *_events(examined),
         *_synchronization(examined),
+        *_validity(examined),
         *_warnings(examined),
         *_untimed(examined),
     ]
@@ -41,15 +44,8 @@ def of(examined: Examined) -> list[Finding]:
 
 def _nothing(examined: Examined) -> Iterator[Finding]:
     if not examined.packets:
-        if examined.sentences:
-            text = f"no packet, but {counted(examined.sentences, 'NMEA sentence')}"
-            yield Finding(
-                "no packets", text, "the port sends NMEA; enable MIP on it, or use another port of the device"
-            )
-        elif examined.size:
-            yield Finding("no packets", f"no packet in {counted(examined.size, 'byte')}", "is the baud rate right?")
-        else:
-            yield Finding("no packets", "no bytes")
+        what, remedy = recognized(examined.begin)
+        yield Finding("no packets", f"no packet in {counted(examined.size, 'byte')}: {what}", remedy)
 
 
 def _events(examined: Examined) -> Iterator[Finding]:
@@ -61,7 +57,8 @@ def _events(examined: Examined) -> Iterator[Finding]:
             text += f", {missing:.3f} s of data are missing" if missing else ""
             lines = [line(e, examined) for e in own[:LISTED]]
             more = [f"and {len(own) - LISTED} more"] if len(own) > LISTED else []
-            yield Finding(cause, text, meaning, (*lines, *more))
+            whole = recognized(examined.begin) if cause == "line damage" else UNKNOWN
+            yield Finding(cause, text, str(whole) if whole.what.startswith("MIP with") else meaning, (*lines, *more))
 
 
 def line(event: Event, examined: Examined) -> str:
@@ -69,14 +66,44 @@ def line(event: Event, examined: Examined) -> str:
     when = "" if event.time is None or examined.clock is None else f"{stamp(examined.clock, event.time, 3)}, "
     sets = ", ".join(map(show.set_name, sorted(event.sets)))
     gap = [f"{event.seconds:.3f} s missing"] if event.seconds else []
-    said = "; ".join([*gap, *event.details])
-    return f"{when}byte {event.begin}{f', {sets}' if sets else ''}{f': {said}' if said else ''}"
+    details = "; ".join([*gap, *event.details])
+    return f"{when}byte {event.begin}{f', {sets}' if sets else ''}{f': {details}' if details else ''}"
 
 
 def _synchronization(examined: Examined) -> Iterator[Finding]:
-    for number, (bad, all) in sorted(examined.unsynchronized.items()):
-        text = f"{show.set_name(number)}: {bad} of {counted(all, 'timestamp')} with a date are not valid"
-        yield Finding("not in time sync", text, "no time from the receiver yet, or no time and pulse at the input")
+    for number, times in sorted(examined.times.items()):
+        name, total = show.set_name(number), counted(times.stamped, "timestamp")
+        dates = sum(count for clock, count in times.valid.items() if dated(clock))
+        lost = [(span.end - span.begin) / SECOND for span in times.lost if span.end is not None]
+        if times.lost:
+            text = (
+                f"for {max(lost):.3g} s"
+                if len(lost) == 1
+                else f"{counted(len(lost), 'time')}, for up to {max(lost, default=0):.3g} s"
+            )
+            until = " and until the end" if len(lost) < len(times.lost) else ""
+            yield Finding("synchronization lost", f"{name}: {text}{until}", f"it needs {REMEDY}")
+        elif times.alone.get(DEVICE_CLOCK) and not dates:
+            text = f"{name}: none of {total} has a date; they count from power-on"
+            yield Finding("not synchronized", text, f"to synchronize the device, it needs {REMEDY}")
+        elif times.alone.get(DEVICE_CLOCK):
+            text = f"{name}: {times.stamped - dates} of {total} have no date"
+            yield Finding("not synchronized", text, f"to synchronize the device, it needs {REMEDY}")
+        elif times.stamped and not dates:
+            text = f"{name}: none of {total} is valid"
+            yield Finding(
+                "no valid time", text, "a GNSS receiver has none without a fix, and an external clock without pulses"
+            )
+        for clock, (offset, time) in times.stuck.items():
+            if (clock == DEVICE_CLOCK) == bool(times.alone.get(DEVICE_CLOCK)):  # one freeze is one finding
+                text = f"{name}: the {clock} clock is stuck at {stamp(clock, time, 3)}, byte {offset}"
+                yield Finding("stuck", text, "restart the device; its data may be old, too")
+
+
+def _validity(examined: Examined) -> Iterator[Finding]:
+    for seldom in examined.seldom_valid:
+        text = f"{seldom.title}: valid in {seldom.valid / seldom.total:.0%} of {seldom.total}".replace("%", " %")
+        yield Finding("not valid", text, seldom.state)
 
 
 def _warnings(examined: Examined) -> Iterator[Finding]:
@@ -116,6 +143,3 @@ def duration(examined: Examined) -> float:
     """Returns the seconds from the first packet to the last, by the clock of the report."""
     times = [t for spans in examined.spans.values() for span in spans for t in span]
     return (max(times) - min(times)) / SECOND if times else 0.0
-
-
-__all__ = ["Finding", "duration", "line", "of"]

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ..binding import BitsInfo, info
+from ..binding import BitsInfo, UnknownName, info, registry, timestamps
 from ..columns import Log
 from ..columns.scan import Array
-from .examined import Key, Warned
+from ..columns.states import in_state
+from .examined import Key, SeldomValid, Warned
+
+#: A field is seldom valid if a smaller share of its values is.
+_SELDOM = 0.5
 
 
 class Flags:
@@ -19,6 +24,8 @@ class Flags:
     def __init__(self, device: str | None) -> None:
         self._device = device
         self._watched: dict[Key, _Watched] = {}
+        self._valid: dict[Key, _Valid] = {}
+        self._state = ""
         #: The fields whose flags depend on the device, which is not known.
         self.unnamed: list[str] = []
 
@@ -27,40 +34,74 @@ class Flags:
         places = [] if kind is None else list(self._places(kind))
         if places:
             self._watched[key] = _Watched(kind, places)
+        if kind is not None and not timestamps.clocks_of(*key) and any(p.flags for p in info(kind).parameters):
+            self._valid[key] = _Valid(kind)
 
     def _places(self, kind: Any) -> Iterator[tuple[str, list[Any]]]:
         """Yields the parameters with warning bits."""
         for p in info(kind).parameters:
-            if p.variants and self._device is None and any("type" in v.changes for v in p.variants):
+            recognized = any(p.attribute in q.holders for q in info(kind).parameters)
+            if self._device is None and not recognized and any("type" in v.changes for v in p.variants):
                 self.unnamed += [kind.NAME] if kind.NAME not in self.unnamed else []
             here = p.on(self._device) if self._device is not None else p
             if here.type is None or p.kind != "scalar":
                 continue
-            said = info(here.type)
-            bits = [bit for bit in said.bits if bit.concerns] if isinstance(said, BitsInfo) else []
+            about = info(here.type)
+            bits = [bit for bit in about.bits if bit.concerns] if isinstance(about, BitsInfo) else []
             if bits:
                 yield p.attribute, bits
 
     def add(self, log: Log) -> None:
         """Counts the bits in the next part of a log."""
-        columns = log.columns([(number, one.kind) for (number, _), one in self._watched.items()])
-        for one, column in zip(self._watched.values(), columns):
+        columns = log.columns([(number, watched.kind) for (number, _), watched in self._watched.items()])
+        for watched, column in zip(self._watched.values(), columns):
             if len(column):
-                one.total += len(column)
-                for attribute, bits in one.places:
+                watched.total += len(column)
+                for attribute, bits in watched.places:
                     for bit in bits:
-                        there = _set(column[attribute], bit.mask)
-                        count, _ = one.counts.get((attribute, bit.name), (0, False))
-                        one.counts[attribute, bit.name] = count + int(there.sum()), bool(there[-1])
+                        there = _set(column[attribute], bit.mask) & in_state(column, attribute, bit)
+                        count, _ = watched.counts.get((attribute, bit.name), (0, False))
+                        watched.counts[attribute, bit.name] = count + int(there.sum()), bool(there[-1])
+
+        columns = log.columns([(number, counts.kind) for (number, _), counts in self._valid.items()])
+        for counts, column in zip(self._valid.values(), columns):
+            if len(column):
+                valid = [column.valid(name) for name in column if column.parameters[name].flags]
+                whole = np.any([v if v.ndim == 1 else v.any(axis=1) for v in valid], axis=0)
+                counts.valid += int(whole.sum())
+                counts.total += len(column)
+                counts.last = bool(whole[-1])
+        self._note_state(log)
+
+    def _note_state(self, log: Log) -> None:
+        """Notes the last state of the filter."""
+        try:
+            column = log["filter_data.status"]
+        except (UnknownName, LookupError):
+            return
+        if len(column):
+            number = int(column["filter_state"][-1])
+            p = column.parameters["filter_state"]
+            kinds = [p.type] if self._device is not None else [v.changes.get("type") for v in p.variants]
+            names = {info(kind).names.get(number, "") for kind in kinds if kind is not None}
+            self._state = f"filter_state {number}{f' ({names.pop()})' if len(names) == 1 else ''}"
+
+    def seldom_valid(self) -> Iterator[SeldomValid]:
+        """Yields the fields that are not valid most of the time, and not at the end."""
+        for (number, _), watched in self._valid.items():
+            if watched.total and not watched.last and watched.valid < _SELDOM * watched.total:
+                filtered = number in _filter_sets() and self._state
+                state = f"the filter is not ready: {self._state} at the end" if filtered else ""
+                yield SeldomValid(info(watched.kind).title, watched.valid, watched.total, state)
 
     def warned(self, names: Mapping[Key, str]) -> Iterator[Warned]:
         """Yields the bits that were set."""
-        for key, one in self._watched.items():
-            for attribute, bits in one.places:
+        for key, watched in self._watched.items():
+            for attribute, bits in watched.places:
                 for bit in bits:
-                    count, last = one.counts.get((attribute, bit.name), (0, False))
+                    count, last = watched.counts.get((attribute, bit.name), (0, False))
                     if count:
-                        yield Warned(names[key], bit.name, bit.text, bit.concerns, count, one.total, last)
+                        yield Warned(names[key], bit.name, bit.text, bit.concerns, count, watched.total, last)
 
 
 class _Watched:
@@ -73,6 +114,23 @@ class _Watched:
         self.counts: dict[tuple[str, str], tuple[int, bool]] = {}  # how often, and whether in the last field
 
 
+@dataclass
+class _Valid:
+    """How often any value of a type of field is valid."""
+
+    kind: Any
+    valid: int = 0
+    total: int = 0
+    last: bool = False
+
+
+def _filter_sets() -> tuple[int, ...]:
+    try:
+        return tuple(registry.by_name("filter_data.status").SETS)
+    except UnknownName:
+        return ()
+
+
 def _set(values: Array, mask: int) -> Array:
     """Finds the rows in which a bit is set; bitfields in bytes have a column for each byte."""
     filled: Any = np.ma.filled  # not typed in all versions
@@ -81,6 +139,3 @@ def _set(values: Array, mask: int) -> Array:
         return np.asarray((whole & whole.dtype.type(mask)) != 0)
     size = whole.shape[1]
     return np.asarray((whole & np.frombuffer(mask.to_bytes(size, "little"), np.uint8)).any(axis=1))
-
-
-__all__ = ["Flags"]

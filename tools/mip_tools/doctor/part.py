@@ -6,25 +6,26 @@ from collections.abc import Collection
 
 import numpy as np
 
-from ..cli.decoding import Found
-from ..cli.log_report import first
 from ..columns import Log, times, walk
 from ..columns.piece import Piece
 from ..columns.scan import Array
+from ..columns.stamps import NONE, Stamps
+from ..logs.report import first
+from ..text.decoding import DecodedField
 from .examined import Key
 
 
 class Part:
     """The packets of a part of a log, numbered from 0, and the data fields in them."""
 
-    def __init__(self, log: Log, known: Collection[Key]) -> None:
-        """`known` are the fields of earlier parts."""
+    def __init__(self, log: Log, known_fields: Collection[Key]) -> None:
+        """`known_fields` are the fields of earlier parts."""
         self.log = log
         #: All other fields, each with its first occurrence.
-        self.new: dict[Key, Found] = {}
+        self.new: dict[Key, DecodedField] = {}
         #: The position of each field in its packet, by which fields are sorted.
         self.order: dict[Key, int] = {}
-        self._known = known
+        self._known = known_fields
         self._places: list[tuple[Array, Array, Array]] = []
         self._packets: dict[Key, list[Array]] = {}
 
@@ -49,19 +50,19 @@ class Part:
         self.at, self.end, sets = (np.concatenate(parts) for parts in zip(nothing, *self._places))
         numbers = {n: np.flatnonzero(sets == n) for n in np.flatnonzero(np.bincount(sets, minlength=256)).tolist()}
         #: Data set -> its packets; sets are sorted by their first packets.
-        self.sets = dict(sorted(((n, p) for n, p in numbers.items() if n >= 0x80), key=lambda one: int(one[1][0])))
+        self.sets = dict(sorted(((n, p) for n, p in numbers.items() if n >= 0x80), key=lambda entry: int(entry[1][0])))
         #: Field -> the packets that have it.
         self.packets = {key: np.concatenate(packets) for key, packets in self._packets.items()}
-        self.new = dict(sorted(self.new.items(), key=lambda one: (self.packets[one[0]][0], self.order[one[0]])))
+        self.new = dict(sorted(self.new.items(), key=lambda entry: (self.packets[entry[0]][0], self.order[entry[0]])))
 
-    def times(self, number: int, clock: str) -> times.Stamps:
+    def times(self, number: int, clock: str) -> Stamps:
         """Returns the timestamps of a set."""
         return times.read(self.log, number, clock)
 
     def valid(self, number: int, clock: str) -> tuple[Array, Array]:
         """Returns the packets of a set with valid timestamps, and their times."""
         stamps = times.read(self.log, number, clock)
-        right = stamps.value != times.NONE
+        right = stamps.value != NONE
         return stamps.packet[right], stamps.value[right]
 
     def before(self, number: int, packet: int) -> int:
@@ -72,10 +73,10 @@ class Part:
 class Line:
     """The times of a part by one clock, of all sets together."""
 
-    def __init__(self, known: list[tuple[Array, Array]], before: int | None) -> None:
-        """`known`: for each set, the file offsets of its packets, and their times. `before`: the last time before this
+    def __init__(self, spans: list[tuple[Array, Array]], before: int | None) -> None:
+        """`spans`: for each set, the file offsets of its packets, and their times. `before`: the last time before this
         part."""
-        at, time = (np.concatenate(parts) for parts in zip((np.zeros(0, np.int64),) * 2, *known))
+        at, time = (np.concatenate(parts) for parts in zip((np.zeros(0, np.int64),) * 2, *spans))
         order = np.argsort(at, kind="stable")
         self._at, self._time = at[order], time[order]
         self._before = before
@@ -89,6 +90,3 @@ class Line:
         """Returns the last time of the packets up to an offset in the file."""
         count = int(np.searchsorted(self._at, offset, side="right"))
         return int(self._time[count - 1]) if count else self._before
-
-
-__all__ = ["Line", "Part"]

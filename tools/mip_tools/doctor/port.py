@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import errno
 import os
 import time
@@ -10,20 +9,12 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
-from ..binding import (
-    MipError,
-    NoAnswer,
-    Parser,
-    Refused,
-    identify,
-    module,
-    open_port,
-    session,
-)
-from ..cli import show
-from ..cli.ports import why_not
-from ..cli.silence import resume_command
-from ..occurrence import Occurrence
+from ..binding import MipError, NoAnswer, Parser, Refused, identify, module, open_port, session
+from ..logs.recognize import UNKNOWN, recognized
+from ..names.occurrence import Occurrence
+from ..ports.connection import why_not
+from ..ports.silence import resume_command
+from ..text import show
 from .examined import Examined
 from .findings import Finding
 
@@ -38,13 +29,13 @@ _REACHED = 0.95
 class Patient:
     """A device at a port, and the data that it sends while it is watched."""
 
-    def __init__(self, name: str, options: argparse.Namespace) -> None:
+    def __init__(self, name: str, baud: int | None) -> None:
         self.name = name
         self.findings: list[Finding] = []
         self.model: str | None = None
         self.data = b""
         self.bases: dict[int, float] = {}  # set -> base rate, for the sets with requested rates
-        self._baud: int | None = options.baud
+        self._baud = baud
 
     def watch(self, seconds: float, rates: Mapping[Occurrence, float]) -> None:
         """Opens the port, reads the identity and the base rates of the device, and collects the data that it sends."""
@@ -72,8 +63,8 @@ class Patient:
         if commands is None:
             return False
         try:
-            told = device.request(module("base").GetDeviceInfo())
-            profile = identify(told.device_info)
+            reply = device.request(module("base").GetDeviceInfo())
+            profile = identify(reply.device_info)
             self.model = profile.id if profile is not None else None
         except Refused:
             pass
@@ -81,7 +72,7 @@ class Patient:
             return False
         except (MipError, AttributeError):
             pass
-        for number in dict.fromkeys(one.set for one in rates):
+        for number in dict.fromkeys(occurrence.set for occurrence in rates):
             try:
                 self.bases[number] = commands.rate(device.request(commands.base_rate(number)))
             except MipError:
@@ -99,9 +90,14 @@ class Patient:
         elif not answers and packets:
             self._find("no answers", "data arrive, but commands are not answered", "check the line from host to device")
         elif not answers and self.data:
-            remedy = f"`mip doctor {self.name} --baud auto` finds the rate" if serial else "check the host and the port"
+            what, remedy = recognized(self.data)
+            if what == UNKNOWN.what:
+                remedy = (
+                    f"`mip doctor {self.name} --baud auto` finds the rate" if serial else "check the host and the port"
+                )
             at = f" at {self._baud} Bd" if serial else ""
-            self._find("wrong baud rate" if serial else "wrong port", f"bytes arrive{at}, but no packets", remedy)
+            cause = "wrong baud rate" if serial and what == UNKNOWN.what else "wrong port"
+            self._find(cause, f"bytes arrive{at}, but no packets: {what}", remedy)
         elif not answers:
             more = f"; `mip doctor {self.name} --baud auto` tries all rates" if serial else ""
             self._find("no device", "nothing arrives and nothing answers", f"wrong port, or no power{more}")
@@ -117,14 +113,14 @@ class Patient:
 
     def rates(self, wanted: Mapping[Occurrence, float], examined: Examined) -> None:
         """Adds a finding for each rate that is not reached, with the reason."""
-        for one, rate in wanted.items():
-            real = examined.rates.get((one.set, one.kind.DESCRIPTOR), 0.0)
+        for occurrence, rate in wanted.items():
+            real = examined.rates.get((occurrence.set, occurrence.kind.DESCRIPTOR), 0.0)
             if real >= _REACHED * rate:
                 continue
-            base = self.bases.get(one.set)
-            remedy = f"`mip stream {self.name} {one.name}@{rate:g}` starts it"
+            base = self.bases.get(occurrence.set)
+            remedy = f"`mip stream {self.name} {occurrence.name}@{rate:g}` starts it"
             if base and rate > base:
-                remedy = f"the base rate of {show.set_name(one.set)} is {base:g} Hz; no higher rate is possible"
+                remedy = f"the base rate of {show.set_name(occurrence.set)} is {base:g} Hz; no higher rate is possible"
             elif base and abs(base / rate - round(base / rate)) > 1e-9:
                 near = base / max(round(base / rate), 1)
                 remedy = f"rates are {base:g} Hz divided by whole numbers; the nearest is {near:g} Hz"
@@ -132,26 +128,26 @@ class Patient:
                 f.cause == "line is full" for f in self.findings
             ):
                 remedy = "the line cannot carry it: `mip bandwidth`"
-            self._find("rate not reached", f"{one.name}: {real:.4g} Hz instead of {rate:g} Hz", remedy)
+            self._find("rate not reached", f"{occurrence.name}: {real:.4g} Hz instead of {rate:g} Hz", remedy)
 
 
 def why_not_open(name: str, error: BaseException) -> Finding:
     """Explains why a port cannot be opened."""
     number = getattr(error, "errno", None)
-    said = why_not(name, error)
+    message = why_not(name, error)
     if isinstance(error, ImportError):
-        return Finding("missing extra", said, "install the extra `serial`: pip install pyserial")
+        return Finding("missing extra", message, "install the extra `serial`: pip install pyserial")
     if number == errno.EBUSY:
-        return Finding("port in use", said, "close the program that uses it; on Linux, `fuser -v PORT` names it")
+        return Finding("port in use", message, "close the program that uses it; on Linux, `fuser -v PORT` names it")
     if number == errno.EACCES:
-        return Finding("no permission", said, "on Linux, join the group that owns the port: dialout or uucp")
+        return Finding("no permission", message, "on Linux, join the group that owns the port: dialout or uucp")
     if number == errno.ENOENT or (os.sep in name and not os.path.exists(name)):
-        return Finding("no such port", said, _others())
+        return Finding("no such port", message, _others())
     if number == errno.ECONNREFUSED:
-        return Finding("wrong port", said, "nothing listens there; check host and number")
+        return Finding("wrong port", message, "nothing listens there; check host and number")
     if getattr(error, "kind", "") == "no_device":
-        return Finding("no device", said, "wrong port, no power, or another protocol on the port")
-    return Finding("cannot be opened", said, "check its name")
+        return Finding("no device", message, "wrong port, no power, or another protocol on the port")
+    return Finding("cannot be opened", message, "check its name")
 
 
 def _others() -> str:
@@ -162,6 +158,3 @@ def _others() -> str:
         return "check its name"
     names = ", ".join(sorted(port.device for port in listing.comports()))
     return f"there are {names}" if names else "there is no serial port; plug in the device"
-
-
-__all__ = ["FULL", "Patient", "why_not_open"]

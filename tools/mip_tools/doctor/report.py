@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from html import escape
 
-from ..cli import show
-from ..cli.clocks import stamp
+from ..text import show
+from ..text.clocks import stamp
 from .examined import Examined
 from .findings import Finding, line
 
@@ -18,6 +18,7 @@ _COLOURS = {
     "clock step": "#2471a3",
     "changed format": "#148f77",
 }
+_OTHER = "#555555"
 _WIDTH, _LEFT, _ROW = 960, 150, 26
 
 _STYLE = """
@@ -78,10 +79,10 @@ def _timeline(examined: Examined) -> Iterator[str]:
             yield f'<rect x="{x(begin)}" y="{y}" width="{width:.1f}" height="14" fill="#8fb8de"/>'
     for e in examined.events:
         if e.time is not None:
-            colour = _COLOURS[e.cause]
+            colour = _COLOURS.get(e.cause, _OTHER)
             where = f'x1="{x(e.time)}" x2="{x(e.time)}" y1="2" y2="{_ROW * len(rows)}"'
-            said = f"<title>{escape(f'{e.cause}: {line(e, examined)}')}</title>"
-            yield f'<line {where} stroke="{colour}" stroke-width="2">{said}</line>'
+            title = f"<title>{escape(f'{e.cause}: {line(e, examined)}')}</title>"
+            yield f'<line {where} stroke="{colour}" stroke-width="2">{title}</line>'
     assert examined.clock is not None
     y = _ROW * (len(rows) + 1) - 8
     yield f'<text x="{_LEFT}" y="{y}" fill="currentColor">{escape(stamp(examined.clock, first, 3))}</text>'
@@ -89,9 +90,6 @@ def _timeline(examined: Examined) -> Iterator[str]:
     yield f'<text x="{_WIDTH - 10}" y="{y}" text-anchor="end" fill="currentColor">{until}</text>'
     at = _LEFT
     for cause in dict.fromkeys(e.cause for e in examined.events):
-        yield f'<text x="{at}" y="{y + 18}" fill="{_COLOURS[cause]}">{cause}</text>'
+        yield f'<text x="{at}" y="{y + 18}" fill="{_COLOURS.get(cause, _OTHER)}">{cause}</text>'
         at += 8 * len(cause) + 20
     yield "</svg>"
-
-
-__all__ = ["page"]

@@ -109,6 +109,3 @@ def differences(times: Array) -> Array:
     about = np.diff(times.astype(np.float64))
     steps: Array = np.where(np.abs(about) < _LONGEST, np.diff(times), np.copysign(_LONGEST, about).astype(np.int64))
     return steps
-
-
-__all__ = ["Change", "Gap", "Moment", "Rhythm", "differences"]

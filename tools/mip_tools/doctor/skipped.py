@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 from .. import sentences
 from ..binding import SYNC
-from ..cli import show
 from ..columns.between import Gaps
 from ..columns.piece import Piece
+from ..text import show
 
 #: The beginning of a sentence whose end is missing.
 _BEGUN = re.compile(rb"[$!][ -~]*\r?\Z")
@@ -23,6 +23,7 @@ class Damage(NamedTuple):
     begin: int
     end: int
     text: str
+    cut_off: bool = False  # the log ends within a packet
 
 
 class Skipped:
@@ -38,7 +39,7 @@ class Skipped:
 
     def add(self, piece: Piece) -> Iterator[Damage]:
         """Yields the damage before each packet of the next piece."""
-        for gap in self._gaps.of(piece):
+        for gap in self._gaps.in_piece(piece):
             if not gap.goes_on:
                 yield from self._complete(False)
                 self._begin = gap.offset
@@ -61,9 +62,9 @@ class Skipped:
         """Examines whole lines. As in all commands, a sentence is a line with a correct checksum."""
         others = []
         for line in text.split(b"\n")[:-1]:
-            found = sentences.last(line)
-            self.sentences += found is not None
-            others.append(line + b"\n" if found is None else line[: found[0]])
+            sentence = sentences.last(line)
+            self.sentences += sentence is not None
+            others.append(line + b"\n" if sentence is None else line[: sentence[0]])
         self._other(b"".join(others))
 
     def _other(self, data: bytes) -> None:
@@ -78,8 +79,6 @@ class Skipped:
         self._others, self._line, self._count = b"", b"", 0
         reason = show.damage(rest)
         cut_off = at_end and ((SYNC.startswith(rest[:2]) and len(rest) < 4) or "missing" in reason)
-        if rest and self._begin and not cut_off:  # a recording may begin and end within a packet
-            yield Damage(self._begin, self._end, f"{count} bytes are not packets{': ' * bool(reason)}{reason}")
-
-
-__all__ = ["Damage", "Skipped"]
+        if rest and self._begin:  # a recording may begin within a packet
+            text = f"{count} bytes of a packet" if cut_off else f"{count} bytes are not packets"
+            yield Damage(self._begin, self._end, f"{text}{': ' * bool(reason)}{reason}", cut_off)

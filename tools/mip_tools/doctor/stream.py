@@ -10,17 +10,20 @@ from typing import NamedTuple
 import numpy as np
 
 from ..binding import CLOCKS, SECOND
-from ..cli import inputs
-from ..cli.clocks import dated
-from ..cli.decoding import name_of
-from ..columns import Log, times
+from ..columns import Log, timeline, times
+from ..columns.distinct import distinct
 from ..columns.scan import Array
+from ..columns.stamps import NONE
+from ..logs import inputs, recognize
+from ..text.clocks import dated
+from ..text.decoding import name_of
 from .events import Event, merged
 from .examined import Examined, Key
 from .flags import Flags
 from .part import Line, Part
 from .rhythm import Change, Gap, Moment, Rhythm, differences
 from .skipped import Damage, Skipped
+from .values import Values
 
 #: Bytes of the log that are examined at once.
 PART = 1 << 23
@@ -30,13 +33,17 @@ _AWAY, _AWAY_SECONDS = 5, 1.0
 _STEP = SECOND // 20
 #: A shorter gap is not a pause.
 _SHORT = 0.5
+#: The number of packets with a time like that of an earlier one that are compared with it, and the bytes before them.
+_COMPARED, _BEFORE = 1000, 1 << 17
+#: The number of packets before one that is out of order in which its place is looked for.
+_NEAR = 200
 #: The number of events that are kept.
 MOST = 5000
 
 
-def examine(log: Log, device: str | None = None) -> Examined:
+def examine(log: Log) -> Examined:
     """Examines a log, reading it once."""
-    examination, progress = Examination(log.size, device), inputs.Progress(log.size)
+    examination, progress = Examination(log), inputs.Progress(log.size)
     for part in log.parts(PART):
         examination.add(part, progress)
     progress.clear()
@@ -52,8 +59,6 @@ class _Set:
     end: int | None = None  # of its last packet
     base: str = ""  # the clock by which its rhythm is followed
     last: dict[str, int] = field(default_factory=dict)  # clock -> time of its last packet
-    invalid: int = 0  # timestamps with a date
-    dated: int = 0
 
 
 class _Noted(NamedTuple):
@@ -67,12 +72,15 @@ class _Noted(NamedTuple):
 class Examination:
     """Examines the parts of a log in order."""
 
-    def __init__(self, size: int, device: str | None = None) -> None:
-        self.result = Examined(size)
+    def __init__(self, log: Log) -> None:
+        line = timeline.of_log(log)
+        begin = log.source.piece(0, min(log.size, recognize.MOST), 0)[0].tobytes()
+        self.result = Examined(log.size, begin, clock=line.clocks(line.sets).steady or None, times=line.sets)
         self._events: list[Event] = []
         self._noted: list[_Noted] = []
         self._skipped = Skipped()
-        self._flags = Flags(device)
+        self._flags = Flags(log.device)
+        self._values = Values()
         self._sets: dict[int, _Set] = {}
         self._rhythms: dict[Key, Rhythm] = {}
         self._origins: dict[str, tuple[int, int]] = {}  # clock -> the offset of its first time, and this time
@@ -88,13 +96,13 @@ class Examination:
             part.add(piece)
             self._damaged(self._skipped.add(piece))
         part.complete()
-        for key, found in part.new.items():
-            self.result.names[key] = name_of(found)
-            self._flags.watch(key, found.kind)
+        for key, first in part.new.items():
+            self.result.names[key] = name_of(first)
+            self._flags.watch(key, first.kind)
+            self._values.watch(key, first.kind, self.result.names[key])
         self._flags.add(log)
         for number, packets in part.sets.items():
             self._sets.setdefault(number, _Set(int(part.at[packets[0]])))
-        self._choose(part)
         for number in part.sets:
             self._rhythm(part, number, self._clocks(part, number))
             self._spans(part, number)
@@ -104,7 +112,9 @@ class Examination:
         self.result.packets += len(part.at)
         clock = self.result.clock
         valid = [part.valid(number, clock) for number in part.sets] if clock else []
-        self._note(Line([(part.at[packets], time) for packets, time in valid], self._time))
+        line = Line([(part.at[packets], time) for packets, time in valid], self._time)
+        self._values.add(log, line.at)
+        self._note(line)
 
     def end(self) -> Examined:
         """Ends the examination, and returns the results."""
@@ -112,20 +122,21 @@ class Examination:
         self._note(Line([], self._time))
         self._started_and_stopped()
         result = self.result
-        result.events = merged(self._events)
-        result.untimed = [number for number, one in self._sets.items() if not one.base]
-        result.unsynchronized = {n: (one.invalid, one.dated) for n, one in self._sets.items() if one.invalid}
+        result.events = merged([*self._events, *self._values.events()])
+        result.untimed = [n for n, state in self._sets.items() if not state.base and not result.times[n].stamped]
         result.rates = {k: SECOND / r.usual for k, r in self._rhythms.items() if r.usual}
         result.sentences = self._skipped.sentences
         result.unnamed = self._flags.unnamed
         result.warned = list(self._flags.warned(result.names))
+        result.seldom_valid = list(self._flags.seldom_valid())
         return result
 
     # ------------------------------------------------------------------ events
 
-    def _damaged(self, found: Iterator[Damage]) -> None:
-        for begin, end, text in found:
-            self._noted.append(_Noted(begin, 0, Event("line damage", begin, end, None, details=[text])))
+    def _damaged(self, damages: Iterator[Damage]) -> None:
+        for begin, end, text, cut_off in damages:
+            cause = "cut off" if cut_off else "line damage"
+            self._noted.append(_Noted(begin, 0, Event(cause, begin, end, None, details=[text])))
 
     def _note(self, line: Line) -> None:
         """Stores the detected events with their times, in the order in which they were detected."""
@@ -144,59 +155,59 @@ class Examination:
 
     # ------------------------------------------------------------------ clocks
 
-    def _choose(self, part: Part) -> None:
-        """Chooses the clock of the report: the best one that the log has so far."""
-        for clock in CLOCKS:
-            if clock == self.result.clock:
-                return
-            if any(part.times(number, clock).some for number in part.sets):
-                self.result.clock, self._time = clock, None
-                self.result.spans.clear()
-                for event in self._events:
-                    event.time = None
-                return
-
     def _clocks(self, part: Part, number: int) -> Array:
         """Compares the clocks of a set. Returns the packets at which the clock that times its rhythm restarts."""
-        one, sets = self._sets[number], part.sets[number]
-        known = {clock: part.times(number, clock) for clock in CLOCKS}
-        for clock, stamps in known.items():
-            if dated(clock):
-                one.dated += len(stamps.value)
-                one.invalid += int((stamps.value == times.NONE).sum())
-        packets = np.unique(np.concatenate([part.valid(number, clock)[0] for clock in CLOCKS]))
+        state, sets = self._sets[number], part.sets[number]
+        stamps_by_clock = {clock: part.times(number, clock) for clock in CLOCKS}
+        packets = distinct(*(part.valid(number, clock)[0] for clock in CLOCKS))
         if not len(packets):
             return np.asarray(packets)
-        value = {clock: times.exact(stamps, packets) for clock, stamps in known.items()}
+        value = {clock: times.exact(stamps, packets) for clock, stamps in stamps_by_clock.items()}
         # The clock without a date continues when the date is set.
-        one.base = one.base or next(c for c in reversed(list(CLOCKS)) if value[c][0] != times.NONE)
-        value = {clock: np.append(one.last.get(clock, times.NONE), value[clock]) for clock in CLOCKS}
-        there = {clock: value[clock] != times.NONE for clock in CLOCKS}
+        state.base = state.base or next(c for c in reversed(list(CLOCKS)) if value[c][0] != NONE)
+        value = {clock: np.append(state.last.get(clock, NONE), value[clock]) for clock in CLOCKS}
+        there = {clock: value[clock] != NONE for clock in CLOCKS}
         both = {clock: there[clock][1:] & there[clock][:-1] for clock in CLOCKS}
         steps = {clock: np.where(both[clock], differences(value[clock]), 0) for clock in CLOCKS}
 
-        def found(row: int, cause: str, text: str) -> None:
+        def note(row: int, cause: str, text: str, whole: bool = False) -> None:
             packet = int(packets[row])
             begin, earlier = int(part.at[packet]), part.before(number, packet)
-            end = int(part.end[sets[earlier - 1]]) if earlier else one.end
+            end = int(part.end[sets[earlier - 1]]) if earlier else state.end
             event = Event(cause, begin if end is None else end, begin, None, sets={number}, details=[text])
+            if whole:  # with the packets before and after, whose intervals are not those of the device
+                event.begin, event.end = int(part.at[sets[max(earlier - 1, 0)]]), int(part.end[packet])
             self._noted.append(_Noted(begin, 0, event))
 
         def step(row: int, clock: str) -> int:
             return int(value[clock][row + 1]) - int(value[clock][row])
 
-        back = np.flatnonzero(steps[one.base] < 0)
+        for row in np.flatnonzero(both[state.base] & (steps[state.base] == 0))[:_COMPARED].tolist():
+            if _repeats(part, int(packets[row])):
+                note(row, "duplicated", "a packet is repeated")
+        back = np.flatnonzero(steps[state.base] < 0)
+        explained = []
+        for row in back[:_COMPARED].tolist():
+            seconds = -step(row, state.base) / SECOND
+            if _repeats(part, int(packets[row])):
+                note(row, "duplicated", f"the packets of {seconds:.3f} s are repeated")
+                explained.append(row)
+            elif _fills_a_hole(value[state.base][max(0, row - _NEAR) : row + 1], int(value[state.base][row + 1])):
+                note(row, "out of order", f"a packet is {seconds:.3f} s older than the one before", whole=True)
+                explained.append(row)
+        back = back[~np.isin(back, explained)]
         for row in back.tolist():
-            cause = "clock step" if dated(one.base) else "reset"
+            dates = any(both[clock][row] for clock in CLOCKS if dated(clock))
+            cause = "clock step" if dated(state.base) or (dates and state.base == timeline.DEVICE) else "reset"
             self._reset = self._reset or cause == "reset"
-            found(row, cause, f"the {one.base} clock goes back by {-step(row, one.base) / SECOND:.3f} s")
-        runs_on = both[one.base] & (steps[one.base] >= 0)
+            note(row, cause, f"the {state.base} clock goes back by {-step(row, state.base) / SECOND:.3f} s")
+        runs_on = both[state.base] & (steps[state.base] >= 0)
         for clock in CLOCKS:
-            apart = both[clock] & runs_on & (np.abs(steps[clock] - steps[one.base]) > _STEP)
+            apart = both[clock] & runs_on & (np.abs(steps[clock] - steps[state.base]) > _STEP)
             for row in np.flatnonzero(apart).tolist():
-                seconds = (step(row, clock) - step(row, one.base)) / SECOND
-                found(row, "clock step", f"the {clock} clock jumps by {seconds:+.3f} s against the {one.base} clock")
-        one.last = {clock: int(value[clock][-1]) for clock in CLOCKS if value[clock][-1] != times.NONE}
+                seconds = (step(row, clock) - step(row, state.base)) / SECOND
+                note(row, "clock step", f"the {clock} clock jumps by {seconds:+.3f} s against the {state.base} clock")
+        state.last = {clock: int(value[clock][-1]) for clock in CLOCKS if value[clock][-1] != NONE}
         return np.asarray(packets[back])
 
     def _spans(self, part: Part, number: int) -> None:
@@ -234,7 +245,7 @@ class Examination:
             if key[0] == number:
                 packets = part.packets.get(key, packets[:0])
                 beats = times.exact(part.times(number, base), packets)
-                self._follow(part, key, packets[beats != times.NONE], beats[beats != times.NONE], restarts)
+                self._follow(part, key, packets[beats != NONE], beats[beats != NONE], restarts)
 
     def _follow(self, part: Part, key: Key, packets: Array, beats: Array, restarts: Array) -> None:
         """Follows a field in packets that have a time."""
@@ -259,11 +270,11 @@ class Examination:
         others = self.result.packets + packet - same
         return Moment(int(beats[row]), int(part.at[packet]), int(part.end[packet]), others)
 
-    def _gap(self, number: int, gap: Gap, known: int) -> Event:
-        """Makes the event of a gap, which was detected when packets arrived on time again, at offset `known`."""
+    def _gap(self, number: int, gap: Gap, seen_before: int) -> Event:
+        """Makes the event of a gap, which was detected when packets arrived on time again, at offset `seen_before`."""
         seconds = (gap.after.time - gap.before.time - gap.usual) / SECOND
         # Even if all sets pause, each other set may have a packet at the beginning of the gap and one at its end.
-        sets = sum(one.first < known for one in self._sets.values())
+        sets = sum(state.first < seen_before for state in self._sets.values())
         went_on = gap.after.others - gap.before.others > 2 * (sets - 1)
         cause = "overload" if went_on or seconds < _SHORT else "pause"
         event = Event(cause, gap.before.end, gap.after.begin, None, seconds, {number})
@@ -292,4 +303,18 @@ class Examination:
         self._keep(Event("changed format", at, at + 1, self._time, sets={key[0]}, details=[text]))
 
 
-__all__ = ["PART", "Examination", "examine"]
+def _fills_a_hole(times: Array, late: int) -> bool:
+    """Is there a place for a time among those before it, because a later packet arrived first?"""
+    times = np.sort(times[times != NONE])
+    steps = np.diff(times)
+    place = int(np.searchsorted(times, late))
+    return 0 < place < len(times) and bool(steps[place - 1] > 1.5 * np.median(steps[steps > 0]))
+
+
+def _repeats(part: Part, packet: int) -> bool:
+    """Does a packet also occur in the bytes before it?"""
+    begin, end = int(part.at[packet]), int(part.end[packet])
+    first = max(0, begin - _BEFORE)
+    data, _ = part.log.source.piece(first, end - first, 0)
+    text = data.tobytes()
+    return text.find(text[begin - first :], 0, begin - first) >= 0

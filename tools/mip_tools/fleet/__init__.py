@@ -1,6 +1,8 @@
 """Decodes many logs into one partitioned Parquet data set, in parallel with Dask.
 
 A run continues where an interrupted one stopped, and no row is duplicated: see docs/fleet.md of mipgen.
+
+`tests/tools/cli/test_fleet.py` kills workers and runs.
 """
 
 from __future__ import annotations

@@ -72,22 +72,22 @@ class Fleet:
     @property
     def manifest(self) -> Manifest:
         """The content of the data set. Raises Failure if the folder has none."""
-        found = read(self.folder)
-        if found is None:
+        manifest = read(self.folder)
+        if manifest is None:
             raise Failure(f"{self.folder} has no complete data set; `mip fleet` makes one")
-        return found
+        return manifest
 
     def files(self, field: str, clock: str | None = None) -> list[str]:
         """Returns the files of a field, for any Parquet reader, such as `dask.dataframe.read_parquet`.
 
         Raises LookupError if there are none, or if they have several clocks and you name none.
         """
-        own = [one for one in self.manifest.files if one.field == field and clock in (None, one.clock)]
-        clocks = sorted({one.clock for one in own})
+        own = [part for part in self.manifest.files if part.field == field and clock in (None, part.clock)]
+        clocks = sorted({part.clock for part in own})
         if len(clocks) != 1:
             which = f"times by several clocks: {', '.join(clocks)}; name one" if clocks else "no such rows"
             raise LookupError(f"{field}: {self.folder} has {which}")
-        return [str(self.folder / one.path) for one in own]
+        return [str(self.folder / part.path) for part in own]
 
     def dataset(self, field: str, clock: str | None = None) -> Any:
         """Opens the rows of a field as a PyArrow data set. Raises LookupError as `files` does."""
@@ -112,15 +112,15 @@ def open_fleet(folder: str | os.PathLike[str]) -> Fleet:
 def read(folder: Path) -> Manifest | None:
     """Reads the manifest of a folder; None if there is none. Raises Failure if it has another version."""
     try:
-        said = json.loads((folder / MANIFEST).read_text("utf-8"))
+        content = json.loads((folder / MANIFEST).read_text("utf-8"))
     except FileNotFoundError:
         return None
     except ValueError as error:
         raise Failure(f"{folder / MANIFEST} is damaged: {error}") from None
-    if said.pop("version", None) != VERSION:
+    if content.pop("version", None) != VERSION:
         raise Failure(f"{folder / MANIFEST} is of another version of mip-tools; use another folder")
-    files, logs = [Part(**one) for one in said.pop("files")], [Member(**one) for one in said.pop("logs")]
-    return Manifest(files=files, logs=logs, **said)
+    files, logs = [Part(**entry) for entry in content.pop("files")], [Member(**entry) for entry in content.pop("logs")]
+    return Manifest(files=files, logs=logs, **content)
 
 
 def write(folder: Path, manifest: Manifest) -> None:
@@ -156,7 +156,7 @@ def belongs(path: Path) -> tuple[str, str]:
 
 def unlisted(folder: Path, manifest: Manifest) -> list[Path]:
     """Finds files that are not in the manifest because a run ended while it moved them."""
-    listed = {one.path for one in manifest.files}
+    listed = {part.path for part in manifest.files}
     every = sorted(folder.glob("clock=*/field=*/*"))
     return [path for path in every if path.relative_to(folder).as_posix() not in listed]
 
@@ -188,6 +188,3 @@ def _lock(number: int) -> None:
 def cleared(folder: Path) -> None:
     """Removes what a finished run no longer needs."""
     shutil.rmtree(folder / WORK, ignore_errors=True)
-
-
-__all__ = ["CATALOGUE", "WORK", "Fleet", "Manifest", "Member", "Part", "alone", "belongs", "home", "open_fleet"]

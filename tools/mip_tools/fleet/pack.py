@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from .dataset import Part, home, placed
-from .tasks import Pack, Source
+from .work import Pack, Source
 
 #: The minimum size of a row group in memory, in bytes, if a field has that much.
 GROUP = 1 << 26
@@ -23,27 +23,27 @@ def planned(
     A file that is smaller than a group is rewritten together with the new rows.
     """
     new = {(clock, field) for clock, field, _ in fresh}
-    small = [one for one in before if one.bytes < group and (one.clock, one.field) in new]
-    every = [(one.clock, one.field, Source(folder / one.path, one.bytes)) for one in small]
-    every = sorted([*every, *fresh], key=lambda one: one[:2])  # stable: the logs stay in their order
+    small = [part for part in before if part.bytes < group and (part.clock, part.field) in new]
+    every = [(part.clock, part.field, Source(folder / part.path, part.bytes)) for part in small]
+    every = sorted([*every, *fresh], key=lambda part: part[:2])  # stable: the logs stay in their order
     packs = []
-    for (clock, field), several in groupby(every, key=lambda one: one[:2]):
+    for (clock, field), several in groupby(every, key=lambda part: part[:2]):
         for sources in _enough([source for *_, source in several], group):
-            said = repr([(one.path.relative_to(folder).as_posix(), one.log, one.device) for one in sources])
-            name = hashlib.sha256(said.encode()).hexdigest()[:16]
+            contents = repr([(part.path.relative_to(folder).as_posix(), part.log, part.device) for part in sources])
+            name = hashlib.sha256(contents.encode()).hexdigest()[:16]
             place = work / home(clock, field) / f"{name}.parquet"
             packs.append((clock, field, Pack(place, tuple(sources), group)))
-    return packs, [one for one in before if one not in small]
+    return packs, [part for part in before if part not in small]
 
 
 def _enough(sources: Sequence[Source], group: int) -> list[list[Source]]:
     """Divides a list into parts with enough rows for a group each; the remaining rows are added to the last part."""
     parts: list[list[Source]] = [[]]
     for source in sources:
-        if sum(one.bytes for one in parts[-1]) >= group:
+        if sum(part.bytes for part in parts[-1]) >= group:
             parts.append([])
         parts[-1].append(source)
-    if len(parts) > 1 and sum(one.bytes for one in parts[-1]) < group:
+    if len(parts) > 1 and sum(part.bytes for part in parts[-1]) < group:
         parts[-2:] = [parts[-2] + parts[-1]]
     return parts
 
@@ -52,7 +52,7 @@ def packed(work: Pack) -> tuple[int, int]:
     """Writes a file, unless it exists. Returns the number of rows, and their size in memory."""
     import pyarrow.parquet as parquet
 
-    from ..cli.writers import parquet_writer
+    from ..formats.writers import parquet_writer
 
     left = sum(source.bytes for source in work.sources)
     if not work.path.exists():
@@ -109,9 +109,6 @@ def _same(text: str | None, count: int) -> Any:
     """Makes a column with the same text in all rows."""
     import pyarrow as pa
 
-    known = pa.array([] if text is None else [text], pa.string())
+    words = pa.array([] if text is None else [text], pa.string())
     which = pa.array([None if text is None else 0], pa.int32())
-    return pa.DictionaryArray.from_arrays(which.take(pa.array([0] * count, pa.int32())), known)
-
-
-__all__ = ["GROUP", "packed", "planned"]
+    return pa.DictionaryArray.from_arrays(which.take(pa.array([0] * count, pa.int32())), words)

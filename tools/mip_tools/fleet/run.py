@@ -13,9 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from .. import __version__, binding
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from . import dataset, pack, tasks
-from .sources import Log, device_in, found
+from .sources import Log, device_in, find_logs, is_url
+from .work import Source, Work
 
 #: Called with the number done, the total, and a word for the items.
 Progress = Callable[[int, int, str], object]
@@ -39,6 +40,7 @@ def build(
     pattern: str = "*.bin",
     invalid: str = "keep",
     device: str | None = None,
+    sender: str | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
     group: int = pack.GROUP,
@@ -47,14 +49,18 @@ def build(
     """Adds logs to the data set in the folder `out`, which is created if it does not exist.
 
     `sources` are logs, folders of logs, or URLs of either. `only` names fields and sets; by default, all data are in
-    the data set. `device` is a regular expression whose first group finds the device in the name of a log. The workers
-    are `workers` processes on this machine, by default one for each core, or those of a Dask scheduler.
+    the data set. `device` is a regular expression whose first group finds the device in the name of a log; `sender` is
+    the id of the device whose flags are read, by default the one that the log names. The workers are `workers`
+    processes on this machine, by default one for each core, or those of a Dask scheduler.
 
-    Raises Failure if the folder cannot be written, is used by another run, or was made with other options.
+    Raises Misuse if `out` is a URL, Failure if the folder cannot be written, is used by another run, or was made with
+    other options.
     """
+    if is_url(os.fspath(out)):
+        raise Misuse(f"{out}: a data set is made in a folder, which you can copy to the store when it is complete")
     dask = _dask()
     several = [sources] if isinstance(sources, (str, os.PathLike)) else list(sources)
-    logs = found([os.fspath(one) for one in several], pattern)
+    logs = find_logs([os.fspath(path) for path in several], pattern)
     folder = Path(out).resolve()
     options = {
         "mip_tools": __version__,
@@ -62,6 +68,7 @@ def build(
         "only": list(only),
         "invalid": invalid,
         "device": device,
+        **({"sender": sender} if sender else {}),
     }
     try:
         with dataset.alone(folder):
@@ -69,7 +76,7 @@ def build(
             run.begin()
             run.sort(logs)
             if run.new:
-                work = tasks.Work(binding.wanted(), folder / dataset.WORK, tuple(only), invalid)
+                work = Work(binding.wanted(), folder / dataset.WORK, tuple(only), invalid, sender)
                 with _client(dask, workers, scheduler) as client:
                     run.decode(client, work)
                     run.pack(client)
@@ -91,8 +98,8 @@ class _Run:
         self._facts: dict[str, dict[str, Any]] = {}
         for name, value in options.items():
             if self._before.options.get(name) != value:
-                said = f"{name} {self._before.options.get(name)!r}, not {value!r}"
-                raise Failure(f"{folder} was made with {said}; use the same options, or another folder")
+                difference = f"{name} {self._before.options.get(name)!r}, not {value!r}"
+                raise Failure(f"{folder} was made with {difference}; use the same options, or another folder")
 
     def begin(self) -> None:
         """Moves back the files that an interrupted run had already moved."""
@@ -101,18 +108,20 @@ class _Run:
             back = self.work / dataset.home(clock, name) / path.name
             back.parent.mkdir(parents=True, exist_ok=True)
             os.replace(path, back)
-        said = json.dumps(self._before.options)
+        options_text = json.dumps(self._before.options)
         stamp = self.work / "options.json"
-        if not stamp.exists() or stamp.read_text("utf-8") != said:  # unfinished work with other options is useless
+        if (
+            not stamp.exists() or stamp.read_text("utf-8") != options_text
+        ):  # unfinished work with other options is useless
             dataset.cleared(self.folder)
             self.work.mkdir()
             with dataset.placed(stamp) as part:
-                part.write_text(said, "utf-8")
+                part.write_text(options_text, "utf-8")
 
     def sort(self, logs: Sequence[Log]) -> None:
         """Sorts the logs into new, known and changed ones."""
-        names = {one.name: one for one in self._before.logs}
-        identities = {one.identity for one in self._before.logs}
+        names = {member.name: member for member in self._before.logs}
+        identities = {member.identity for member in self._before.logs}
         for log in logs:
             try:
                 identity, size = log.identity()
@@ -127,9 +136,9 @@ class _Run:
                 identities.add(identity)
                 self.new.append((log, identity, size))
 
-    def decode(self, client: Any, work: tasks.Work) -> None:
+    def decode(self, client: Any, work: Work) -> None:
         """Has workers decode the new logs, large ones first."""
-        order = sorted(self.new, key=lambda one: -one[2])
+        order = sorted(self.new, key=lambda listed: -listed[2])
         jobs = [(log.name, (work, log, identity)) for log, identity, _ in order]
         for name, result in self._done(client, tasks.decode, jobs, "logs"):
             if isinstance(result, Exception):
@@ -137,8 +146,8 @@ class _Run:
             elif "failed" in result:
                 self.built.failed[name] = result["failed"]
             else:
-                found = device_in(name, self._before.options["device"])
-                self._facts[name] = result | ({"device": found} if found else {})
+                device = device_in(name, self._before.options["device"])
+                self._facts[name] = result | ({"device": device} if device else {})
 
     def pack(self, client: Any) -> None:
         """Has workers make files from the fragments."""
@@ -147,16 +156,18 @@ class _Run:
             facts = self._facts.get(log.name)
             if facts is None:
                 continue
-            for one in facts["fragments"]:
-                source = tasks.Source(self.work / identity / one["path"], one["bytes"], log.name, facts.get("device"))
-                fresh.append((one["clock"] or "none", one["field"], source))
-            rows = sum(one["rows"] for one in facts["fragments"])
+            for fragment in facts["fragments"]:
+                source = Source(
+                    self.work / identity / fragment["path"], fragment["bytes"], log.name, facts.get("device")
+                )
+                fresh.append((fragment["clock"] or "none", fragment["field"], source))
+            rows = sum(fragment["rows"] for fragment in facts["fragments"])
             self.built.added.append(log.name)
             self.built.manifest.logs.append(dataset.Member(log.name, identity, size, rows))
         packs, remaining = pack.planned(self.folder, self.work, fresh, self._before.files, self._group)
         self.built.manifest.files = list(remaining)
-        ways = {str(one.path): (clock, name, one.path) for clock, name, one in packs}
-        jobs = [(str(one.path), (one,)) for *_, one in packs]
+        ways = {str(fragment.path): (clock, name, fragment.path) for clock, name, fragment in packs}
+        jobs = [(str(fragment.path), (fragment,)) for *_, fragment in packs]
         for key, result in self._done(client, tasks.pack, jobs, "files"):
             clock, name, path = ways[key]
             if isinstance(result, Exception):
@@ -169,8 +180,8 @@ class _Run:
         """Moves the new files to their folders, and writes the manifest."""
         manifest = self.built.manifest
         manifest.failed = self.built.failed
-        manifest.logs.sort(key=lambda one: one.name)
-        manifest.files.sort(key=lambda one: one.path)
+        manifest.logs.sort(key=lambda entry: entry.name)
+        manifest.files.sort(key=lambda entry: entry.path)
         for path in self._packed:
             place = self.folder / path.relative_to(self.work)
             place.parent.mkdir(parents=True, exist_ok=True)
@@ -190,7 +201,7 @@ class _Run:
         path = self.folder / dataset.CATALOGUE
         rows = []
         if path.exists():
-            counted = {one.name for one in self._before.logs}
+            counted = {member.name for member in self._before.logs}
             rows = [row for row in parquet.read_table(path).to_pylist() if row["log"] in counted]
         sizes = {log.name: size for log, _, size in self.new}
         for name, facts in sorted(self._facts.items()):
@@ -274,6 +285,3 @@ def _dask() -> Any:
     except ImportError as error:
         raise Failure(f"{error.name} is missing; install the extra `fleet` of mip-tools") from None
     return dask.distributed
-
-
-__all__ = ["Built", "build"]

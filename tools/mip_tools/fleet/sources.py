@@ -14,7 +14,7 @@ from importlib import import_module
 from pathlib import Path, PurePosixPath
 from typing import IO, Any, cast
 
-from ..errors import Misuse
+from ..errors import Failure, Misuse
 
 #: The number of bytes at the beginning and at the end of a log that, with its size, identify it.
 _ENDS = 1 << 16
@@ -30,17 +30,17 @@ class Log:
     @property
     def remote(self) -> bool:
         """Is the location a URL, for example of a bucket?"""
-        return "://" in self.place
+        return is_url(self.place)
 
     def identity(self) -> tuple[str, int]:
         """Returns an identity that does not depend on the name, and the size. Raises OSError."""
         with self._opened() as file:
             size = file.seek(0, 2)
-            said = hashlib.sha256(b"%d" % size)
+            digest = hashlib.sha256(b"%d" % size)
             for begin in (0, max(0, size - _ENDS)):
                 file.seek(begin)
-                said.update(file.read(_ENDS))
-        return said.hexdigest()[:24], size
+                digest.update(file.read(_ENDS))
+        return digest.hexdigest()[:24], size
 
     @contextmanager
     def local(self) -> Iterator[str]:
@@ -61,7 +61,7 @@ class Log:
         return cast(IO[bytes], system.open(path, "rb"))
 
 
-def found(sources: Iterable[str], pattern: str) -> list[Log]:
+def find_logs(sources: Iterable[str], pattern: str) -> list[Log]:
     """Finds the logs whose names match a pattern in folders and under URLs, and the logs that are named directly.
 
     Returns them sorted by name. Raises Misuse.
@@ -78,16 +78,19 @@ def found(sources: Iterable[str], pattern: str) -> list[Log]:
     return [logs[name] for name in sorted(logs)]
 
 
+def is_url(place: str) -> bool:
+    return "://" in place
+
+
 def _in(source: str, pattern: str) -> Iterator[Log]:
-    if "://" in source:
-        system, top = _system(source)
-        if not system.isdir(top):
-            yield Log(PurePosixPath(top).name, source)
-            return
-        for path in system.find(top):
-            name = PurePosixPath(path).relative_to(top.rstrip("/")).as_posix()
-            if fnmatch(PurePosixPath(path).name, pattern):
-                yield Log(name, system.unstrip_protocol(path))
+    if is_url(source):
+        try:
+            yield from _in_store(source, pattern)
+        except Failure:
+            raise
+        except Exception as error:  # each store has its own kinds of errors
+            reason = str(error).splitlines() or [type(error).__name__]
+            raise Failure(f"{source} cannot be read: {reason[0]}") from None
         return
     place = Path(source)
     if not place.is_dir():
@@ -100,6 +103,17 @@ def _in(source: str, pattern: str) -> Iterator[Log]:
             yield Log(path.relative_to(place).as_posix(), str(path.resolve()))
 
 
+def _in_store(source: str, pattern: str) -> Iterator[Log]:
+    system, top = _system(source)
+    if not system.isdir(top):
+        yield Log(PurePosixPath(top).name, source)
+        return
+    for path in system.find(top):
+        name = PurePosixPath(path).relative_to(top.rstrip("/")).as_posix()
+        if fnmatch(PurePosixPath(path).name, pattern):
+            yield Log(name, system.unstrip_protocol(path))
+
+
 def _system(url: str) -> tuple[Any, str]:
     """Returns the file system of a URL, and the path in it. Raises Misuse if its package is not installed."""
     try:
@@ -110,8 +124,5 @@ def _system(url: str) -> tuple[Any, str]:
 
 def device_in(name: str, pattern: str | None) -> str | None:
     """Returns the text that the first group of a regular expression matches in the name of a log."""
-    said = re.search(pattern, name) if pattern else None
-    return said[1] if said else None
-
-
-__all__ = ["Log", "device_in", "found"]
+    match = re.search(pattern, name) if pattern else None
+    return match[1] if match else None

@@ -1,42 +1,13 @@
-"""The tasks of workers. Modules that need the generated package are imported after it has been chosen."""
+"""The tasks of workers."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from .. import binding
+from .pack import packed
 from .sources import Log
-
-
-@dataclass(frozen=True)
-class Work:
-    """The parameters that are the same for all logs."""
-
-    package: str  # name or folder
-    folder: Path  # of unfinished work
-    names: tuple[str, ...]
-    invalid: str
-
-
-@dataclass(frozen=True)
-class Source:
-    """A source of rows for a file: a fragment, or a small file of an earlier run."""
-
-    path: Path
-    bytes: int
-    log: str = ""  # of a fragment
-    device: str | None = None
-
-
-@dataclass(frozen=True)
-class Pack:
-    """A file to make."""
-
-    path: Path
-    sources: tuple[Source, ...]
-    group: int  # the minimum size of a row group, in bytes
+from .work import Pack, Work
 
 
 def decode(work: Work, log: Log, identity: str) -> dict[str, Any]:
@@ -49,9 +20,4 @@ def decode(work: Work, log: Log, identity: str) -> dict[str, Any]:
 
 def pack(work: Pack) -> tuple[int, int]:
     """Makes a file of rows. Returns their number, and their size in memory."""
-    from .pack import packed
-
     return packed(work)
-
-
-__all__ = ["Pack", "Source", "Work", "decode", "pack"]

@@ -59,16 +59,3 @@ def variances_into_body(q: Quaternion, variances: Numbers) -> list[Any]:
     """Converts variances along the axes of the world to the covariance (3 x 3, row by row) in the body."""
     m = matrix(q)
     return [sum(m[k][i] * variances[k] * m[k][j] for k in range(3)) for i in range(3) for j in range(3)]
-
-
-__all__ = [
-    "NOT_ROTATED",
-    "Quaternion",
-    "Vector",
-    "attitude",
-    "body",
-    "into_body",
-    "matrix",
-    "variances_into_body",
-    "world",
-]

@@ -50,8 +50,8 @@ def layout(definitions: Any, name: str, texts: Mapping[str, str]) -> Layout | No
             kind, align = np.dtype([("size", "<u4"), ("text", f"S{len(text)}")]), 4
             values[path] = len(text), text
         else:
-            one = np.dtype({"octet": "u1", "byte": "u1", "char": "u1"}.get(base, base)).newbyteorder("<")
-            kind, align = np.dtype((one, (count,))) if count else one, one.itemsize
+            element = np.dtype({"octet": "u1", "byte": "u1", "char": "u1"}.get(base, base)).newbyteorder("<")
+            kind, align = np.dtype((element, (count,))) if count else element, element.itemsize
         end = -(-end // align) * align
         names.append(path)
         types.append(kind)
@@ -74,6 +74,3 @@ def _leaves(definitions: Any, name: str, prefix: str) -> Iterator[tuple[str, str
             (inner, inside), count = detail
             fixed = node == 3 and inner == 1 and inside[0] != "string"
             yield prefix + member, inside[0] if fixed else "", count
-
-
-__all__ = ["HEAD", "Layout", "layout", "stamped"]

@@ -15,9 +15,12 @@ import numpy as np
 from ..binding import info
 from ..columns import Log
 from ..columns.column import Column
+from ..columns.distinct import distinct
+from ..columns.instants import TOGETHER
 from ..columns.scan import Array
-from ..occurrence import Occurrence
-from ..simulator import earth
+from ..columns.stamps import NONE
+from ..geometry import earth
+from ..names.occurrence import Occurrence
 from . import axes
 
 STANDARD_GRAVITY = 9.80665  # m/s^2 per g
@@ -29,6 +32,8 @@ _NO_FIX, _FIX, _SATELLITES, _GROUND = -1, 0, 1, 2
 _FIXES = {"fix_rtk_float": _GROUND, "fix_rtk_fixed": _GROUND, "fix_differential": _GROUND}
 _FIXES |= {"fix_2d": _FIX, "fix_3d": _FIX}
 
+_ATTITUDE = "filter_data.attitude_quaternion"
+
 #: The ends of the names of the fields from which messages are made.
 _USED = (
     ".fix_info",
@@ -37,7 +42,7 @@ _USED = (
     "sensor.scaled_gyro",
     "sensor.scaled_mag",
     "sensor.comp_quaternion",
-    "filter_data.attitude_quaternion",
+    _ATTITUDE,
     "filter_data.ned_velocity",
     "filter_data.comp_angular_rate",
     "filter_data.euler_angles_uncertainty",
@@ -63,15 +68,16 @@ class Rows(NamedTuple):
     packet: Array
     column: Column[Any]
     row: Array
+    time: Array  # NONE if the packet itself has none
 
     def some(self, which: Array) -> Rows:
-        return Rows(self.packet[which], self.column, self.row[which])
+        return Rows(self.packet[which], self.column, self.row[which], self.time[which])
 
     def within(self, packet: Array) -> Rows:
         """The fields of these packets."""
         return self.some(np.isin(self.packet, packet))
 
-    def of(self, name: str) -> Array:
+    def values(self, name: str) -> Array:
         """Returns the values of a parameter; for a vector, an array for each element."""
         return np.asarray(self.column[name][self.row], np.float64).T
 
@@ -85,16 +91,46 @@ class Rows(NamedTuple):
 Fields = Mapping[str, Rows]
 
 
-def fields(log: Log, kinds: Iterable[Occurrence], kept: Callable[[Column[Any]], Array]) -> Fields:
+def fields(log: Log, kinds: Iterable[Occurrence], kept: Callable[[Column[Any]], Array], clock: str) -> Fields:
     """Returns, by name, the fields of a part of a log from which messages are made; `kept` selects rows of a column."""
-    used = [one for one in kinds if one.name.endswith(_USED)]
-    found = {}
-    for one, column in zip(used, log.columns(used)):
-        row = np.flatnonzero(kept(column))[::-1] if len(column) else _NONE
-        packet, last = np.unique(column.packet[row], return_index=True)
-        if len(packet):
-            found[one.name] = Rows(packet, column, row[last])
-    return found
+    used = [occurrence for occurrence in kinds if occurrence.name.endswith(_USED)]
+    rows_by_name = {}
+    for occurrence, column in zip(used, log.columns(used)):
+        rows_by_name[occurrence.name] = _rows(column, kept, clock)
+    return {name: rows for name, rows in rows_by_name.items() if len(rows.packet)}
+
+
+def _rows(column: Column[Any], kept: Callable[[Column[Any]], Array], clock: str) -> Rows:
+    row = np.flatnonzero(kept(column))[::-1] if len(column) else _NONE
+    packet, last = np.unique(column.packet[row], return_index=True)
+    times = column.time(clock)
+    own = np.where(times.own, times.values.view(np.int64), NONE)
+    return Rows(packet, column, row[last], own[row[last]])
+
+
+class Attitudes(NamedTuple):
+    """The valid attitudes of the filter in a part of a log, and shortly before and after it."""
+
+    time: Array  # NONE if the packet itself has none
+    offset: Array  # of the packet
+    q: Array  # (rows, 4)
+
+
+def attitudes(
+    log: Log, kinds: Iterable[Occurrence], kept: Callable[[Column[Any]], Array], clock: str
+) -> Attitudes | None:
+    """Returns the attitudes that may belong to packets of a part; None if there are none."""
+    kind = next((occurrence for occurrence in kinds if occurrence.name == _ATTITUDE), None)
+    if kind is None:
+        return None
+    before, after = max(log.begin - TOGETHER, 0), min(log.end + TOGETHER, log.size)
+    found = []
+    for part in (log.part(before, log.begin), log, log.part(log.end, after)):
+        rows = _rows(part.column(kind), kept, clock)
+        if len(rows.packet):
+            rows = rows.some(rows.valid("q"))
+            found.append((rows.time, rows.column.offset[rows.row], rows.values("q").T))
+    return Attitudes(*(np.concatenate(each) for each in zip(*found))) if found else None
 
 
 class _Last:
@@ -103,12 +139,12 @@ class _Last:
     def __init__(self, first: float | Sequence[float]) -> None:
         self._last = np.array([first])
 
-    def at(self, packet: Array, known: Array, values: Array) -> Array:
-        """Returns the values at some packets; `values` are the values in the packets `known`."""
+    def at(self, packet: Array, packets: Array, values: Array) -> Array:
+        """Returns the values at some packets; `values` are the values in the packets `packets`."""
         every = np.concatenate((self._last, values))
         self._last = every[-1:]
-        found: Array = every[np.searchsorted(known, packet, side="right")]
-        return found
+        latest: Array = every[np.searchsorted(packets, packet, side="right")]
+        return latest
 
 
 class Converter:
@@ -118,71 +154,90 @@ class Converter:
         self._frame, self._world = frame, world
         self._origin: tuple[float, float, earth.Vector] | None = None  # radians, and Earth-fixed
         self._status: dict[str, _Last] = {}  # status of the fix, by the set of the receiver
-        self._spread: dict[str, _Last] = {}  # squares of uncertainties
+        self._spread: dict[tuple[str, str], _Last] = {}  # squares of uncertainties, by topic and field
 
-    def messages(self, fields: Fields) -> list[Messages]:
-        """Makes the messages of a part. Messages of one packet are in the order of the topics below."""
+    def messages(self, fields: Fields, attitudes: Attitudes | None = None) -> list[Messages]:
+        """Makes the messages of a part, with the attitudes in it and around it.
+
+        Messages of one packet are in the order of the topics below.
+        """
         with np.errstate(all="ignore"):  # for infinite values and signaling NaNs
-            made = (self._imu(fields), self._magnetic(fields), self._fixes(fields), self._odometry(fields))
-            return [one for each in made for one in each if len(one.packet)]
+            made = (self._imu(fields, attitudes), self._magnetic(fields), self._fixes(fields), self._odometry(fields))
+            return [batch for each in made for batch in each if len(batch.packet)]
 
-    def _imu(self, fields: Fields) -> Iterator[Messages]:
+    def _imu(self, fields: Fields, attitudes: Attitudes | None) -> Iterator[Messages]:
         accel, gyro, quaternion = (
             fields.get(f"sensor.{n}") for n in ("scaled_accel", "scaled_gyro", "comp_quaternion")
         )
-        packet = np.unique(np.concatenate([_NONE, *(each.packet for each in (accel, gyro) if each is not None)]))
-        orientation, force, rate = (_each(packet, first) for first in (axes.NOT_ROTATED, _ZERO, _ZERO))
-        of_orientation, of_force, of_rate = (_each(packet, UNKNOWN) for _ in range(3))
-        if quaternion is not None:
-            quaternion = quaternion.within(packet)
-            at = np.searchsorted(packet, quaternion.packet)
-            orientation[at] = np.transpose(axes.attitude(quaternion.of("q")))
-            of_orientation[at] = 0  # zeros: unknown
+        packet = distinct(_NONE, *(each.packet for each in (accel, gyro) if each is not None))
+        time, offset = np.full(len(packet), NONE), np.zeros(len(packet), np.int64)
+        force, rate = _each(packet, _ZERO), _each(packet, _ZERO)
+        of_force, of_rate = _each(packet, UNKNOWN), _each(packet, UNKNOWN)
+        for rows in (gyro, accel):
+            if rows is not None:
+                at = np.searchsorted(packet, rows.packet)
+                time[at], offset[at] = rows.time, rows.column.offset[rows.row]
         if gyro is not None:
             at = np.searchsorted(packet, gyro.packet)
-            rate[at] = np.transpose(axes.body(gyro.of("scaled_gyro")))
+            rate[at] = np.transpose(axes.body(gyro.values("scaled_gyro")))
             of_rate[at] = 0
         if accel is not None:
             at = np.searchsorted(packet, accel.packet)
-            force[at] = np.transpose(axes.body(STANDARD_GRAVITY * accel.of("scaled_accel")))
+            force[at] = np.transpose(axes.body(STANDARD_GRAVITY * accel.values("scaled_accel")))
             of_force[at] = 0
         values = {
-            **_quaternion("orientation", orientation),
-            "orientation_covariance": of_orientation,
             **_vector("angular_velocity", rate),
             "angular_velocity_covariance": of_rate,
             **_vector("linear_acceleration", force),
             "linear_acceleration_covariance": of_force,
         }
-        yield Messages("/imu/data", "sensor_msgs/msg/Imu", self._frame, packet, values)
+
+        def imu(topic: str, at: Array, q: Any, variances: Any) -> Messages:
+            """Adds the attitude of some packets; variances of 0 are unknown."""
+            orientation, spread = _each(packet, axes.NOT_ROTATED), _each(packet, UNKNOWN)
+            if len(at):
+                orientation[at] = np.transpose(axes.attitude(q))
+                spread[at] = _diagonal(variances[at])
+            whole = {**_quaternion("orientation", orientation), "orientation_covariance": spread, **values}
+            return Messages(topic, "sensor_msgs/msg/Imu", self._frame, packet, whole)
+
+        at, which = (_NONE, _NONE) if attitudes is None else _of_same_time(time, offset, attitudes)
+        variances = self._variances(fields, packet, "imu", "euler_angles", "roll", "pitch", "yaw")
+        yield imu("/imu/data", at, () if attitudes is None else attitudes.q[which].T, variances)
+        if quaternion is not None:
+            quaternion = quaternion.within(packet)
+            at = np.searchsorted(packet, quaternion.packet)
+            yield imu("/imu/complementary_filter", at, quaternion.values("q"), _each(packet, _ZERO))
 
     def _magnetic(self, fields: Fields) -> Iterator[Messages]:
         mag = fields.get("sensor.scaled_mag")
         if mag is not None:
-            values = _vector("magnetic_field", np.transpose(axes.body(TESLA * mag.of("scaled_mag"))))
+            values = _vector("magnetic_field", np.transpose(axes.body(TESLA * mag.values("scaled_mag"))))
             yield Messages("/imu/mag", "sensor_msgs/msg/MagneticField", self._frame, mag.packet, values)
 
     def _fixes(self, fields: Fields) -> Iterator[Messages]:
-        for set in dict.fromkeys(name.partition(".")[0] for name in fields):
-            place, fix = fields.get(f"{set}.llh_position"), fields.get(f"{set}.fix_info")
+        for set_number in dict.fromkeys(name.partition(".")[0] for name in fields):
+            place, fix = fields.get(f"{set_number}.llh_position"), fields.get(f"{set_number}.fix_info")
             if place is not None:
                 place = place.some(place.valid("latitude"))
-            last = self._status.setdefault(set, _Last(_FIX))
-            known = (_NONE, _NONE) if fix is None else _status(fix)
-            status = last.at(_NONE if place is None else place.packet, *known)
+            last = self._status.setdefault(set_number, _Last(_FIX))
+            status_of_packets = (_NONE, _NONE) if fix is None else _status(fix)
+            status = last.at(_NONE if place is None else place.packet, *status_of_packets)
             if place is None or "horizontal_accuracy" not in place.column.names:
                 continue
             good = place.valid("horizontal_accuracy") & place.valid("vertical_accuracy")
-            across, up = place.of("horizontal_accuracy") ** 2, place.of("vertical_accuracy") ** 2
+            across, up = place.values("horizontal_accuracy") ** 2, place.values("vertical_accuracy") ** 2
             values = {
                 "status.status": status,
-                "latitude": place.of("latitude"),
-                "longitude": place.of("longitude"),
-                "altitude": np.where(place.valid("ellipsoid_height"), place.of("ellipsoid_height"), np.nan),
+                "latitude": place.values("latitude"),
+                "longitude": place.values("longitude"),
+                "altitude": np.where(place.valid("ellipsoid_height"), place.values("ellipsoid_height"), np.nan),
                 "position_covariance": np.where(good[:, None], _diagonal(np.transpose((across, across, up))), 0),
                 "position_covariance_type": good,
             }
-            yield Messages(f"/{set}/fix", "sensor_msgs/msg/NavSatFix", f"{set}_antenna", place.packet, values)
+            yield Messages(
+                f"/{set_number}/fix", "sensor_msgs/msg/NavSatFix", f"{set_number}_antenna", place.packet, values
+            )
 
     def _odometry(self, fields: Fields) -> Iterator[Messages]:
         place, turned = fields.get("filter_data.llh_position"), fields.get("filter_data.attitude_quaternion")
@@ -192,14 +247,14 @@ class Converter:
             packet = np.intersect1d(place.packet, turned.packet)
             place, turned = place.within(packet), turned.within(packet)
         # Uncertainties may be sent more rarely, and in other packets, than their values.
-        around = self._variances(fields, packet, "euler_angles", "roll", "pitch", "yaw")
-        along = self._variances(fields, packet, "llh_position", "east", "north", "down")
-        spread = self._variances(fields, packet, "ned_velocity", "east", "north", "down")
+        around = self._variances(fields, packet, "odometry", "euler_angles", "roll", "pitch", "yaw")
+        along = self._variances(fields, packet, "odometry", "llh_position", "east", "north", "down")
+        spread = self._variances(fields, packet, "odometry", "ned_velocity", "east", "north", "down")
         if place is None or turned is None:
             return
-        q = axes.attitude(turned.of("q"))
-        where = (place.of(name).tolist() for name in ("latitude", "longitude", "ellipsoid_height"))
-        position = np.array([_ZERO, *(self._local(*one) for one in zip(*where))])[1:]
+        q = axes.attitude(turned.values("q"))
+        where = (place.values(name).tolist() for name in ("latitude", "longitude", "ellipsoid_height"))
+        position = np.array([_ZERO, *(self._local(*llh) for llh in zip(*where))])[1:]
         linear, angular = _each(packet, UNKNOWN), _each(packet, UNKNOWN)
         speed, rate = _each(packet, _ZERO), _each(packet, _ZERO)
         moving, turning = fields.get("filter_data.ned_velocity"), fields.get("filter_data.comp_angular_rate")
@@ -207,13 +262,13 @@ class Converter:
             moving = moving.some(moving.valid("north")).within(packet)
             at = np.searchsorted(packet, moving.packet)
             w, x, y, z = (each[at] for each in q)
-            velocity = axes.world([moving.of(name) for name in ("north", "east", "down")])
+            velocity = axes.world([moving.values(name) for name in ("north", "east", "down")])
             speed[at] = np.transpose(axes.into_body((w, x, y, z), velocity))
             linear[at] = np.transpose(axes.variances_into_body((w, x, y, z), spread[at].T))
         if turning is not None:
             turning = turning.some(turning.valid("gyro")).within(packet)
             at = np.searchsorted(packet, turning.packet)
-            rate[at] = np.transpose(axes.body(turning.of("gyro")))
+            rate[at] = np.transpose(axes.body(turning.values("gyro")))
             angular[at] = 0
         values = {
             **_vector("pose.pose.position", position),
@@ -235,14 +290,14 @@ class Converter:
         x, y, z = (a - b for a, b in zip(at, origin))
         return axes.world(earth.to_ned(lat, lon, (x, y, z)))
 
-    def _variances(self, fields: Fields, packet: Array, name: str, *parameters: str) -> Array:
-        """Returns the squares of the last standard deviations; zeros if they are unknown."""
+    def _variances(self, fields: Fields, packet: Array, topic: str, name: str, *parameters: str) -> Array:
+        """Returns the squares of the last standard deviations for a topic; zeros if they are unknown."""
         field = fields.get(f"filter_data.{name}_uncertainty")
-        known, values = _NONE, _each(_NONE, _ZERO)
+        packets, values = _NONE, _each(_NONE, _ZERO)
         if field is not None:
-            known, values = field.packet, np.transpose([field.of(p) ** 2 for p in parameters])
+            packets, values = field.packet, np.transpose([field.values(p) ** 2 for p in parameters])
             values[~field.valid(parameters[0])] = 0
-        return self._spread.setdefault(name, _Last(_ZERO)).at(packet, known, values)
+        return self._spread.setdefault((topic, name), _Last(_ZERO)).at(packet, packets, values)
 
 
 _NONE: Array = np.zeros(0, np.int64)
@@ -258,6 +313,20 @@ def _status(fix: Rows) -> tuple[Array, Array]:
     used = next((bit.mask for bit in flags.bits if bit.name == "sbas_used"), 0)
     sbas = fix.valid("fix_flags") & (fix.column["fix_flags"][fix.row] & used != 0)
     return fix.packet, np.where(sbas & (status == _FIX), _SATELLITES, status)
+
+
+def _of_same_time(time: Array, offset: Array, fields: Attitudes) -> tuple[Array, Array]:
+    """Finds the packets with the time of a field nearby. Returns the packets and, for each, the number of the field."""
+    which = np.full(len(time), -1)
+    order = np.argsort(fields.time, kind="stable")
+    times, offsets = fields.time[order], fields.offset[order]
+    first, last = np.searchsorted(times, time), np.searchsorted(times, time, side="right") - 1
+    for place in (first, last) if len(order) else ():  # a clock that restarts may have the same time twice
+        at = np.clip(place, 0, len(order) - 1)
+        near = (times[at] == time) & (time != NONE) & (np.abs(offsets[at] - offset) <= TOGETHER)
+        which[near] = order[at[near]]
+    there = np.flatnonzero(which >= 0)
+    return there, which[there]
 
 
 def _each(packet: Array, first: Sequence[float]) -> Array:
@@ -285,6 +354,3 @@ def _blocks(first: Array, second: Array) -> Array:
     made = np.zeros((len(first), 6, 6))
     made[:, :3, :3], made[:, 3:, 3:] = first.reshape(-1, 3, 3), second.reshape(-1, 3, 3)
     return made.reshape(-1, 36)
-
-
-__all__ = ["STANDARD_GRAVITY", "UNKNOWN", "Converter", "Fields", "Messages", "Rows", "fields"]

@@ -7,14 +7,14 @@ from collections.abc import Mapping
 from functools import cache
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
 
 from ..binding import Described, Field, MissingExtra, Structure, info
+from ..columns.column import Column
 from ..errors import Failure
-
-if TYPE_CHECKING:
-    from ..columns.column import Column
-    from . import cdr
+from . import cdr
 
 PACKAGE = "mip_msgs"
 
@@ -35,11 +35,11 @@ class Types:
         self._layout = cache(self._layout_of)
 
     def _add(self, folder: Path, parse: Any) -> None:
-        found = sorted(folder.glob("*.msg"))
-        if not found:
+        files = sorted(folder.glob("*.msg"))
+        if not files:
             raise Failure(f"{folder} has no .msg files; name the folder of {PACKAGE} that mipgen generates")
         types: dict[str, Any] = {}
-        for path in found:
+        for path in files:
             text = path.read_text("utf-8")
             name = f"{PACKAGE}/msg/{path.stem}"
             types |= parse(text, name)
@@ -47,7 +47,7 @@ class Types:
             self._of_field[first.lstrip("# ").partition(":")[0]] = name  # as the generator writes it
         self.store.register(types)
 
-    def of(self, kind: type[Field]) -> str | None:
+    def of_kind(self, kind: type[Field]) -> str | None:
         """Returns the type of a field's messages; None if there is none."""
         return self._of_field.get(kind.NAME)
 
@@ -70,8 +70,6 @@ class Types:
         return layout.messages(len(column), {path: column[own] for path, own in zip(paths, column)})
 
     def _layout_of(self, name: str, texts: tuple[tuple[str, str], ...]) -> cdr.Layout | None:
-        from . import cdr
-
         return cdr.layout(self.store.fielddefs, name, dict(texts))
 
     def of_field(self, name: str, field: Field, frame: str) -> bytes:
@@ -87,8 +85,6 @@ class Types:
         return self.store.types[name](**made)
 
     def _value(self, node: int, detail: Any, value: Any) -> Any:
-        import numpy as np
-
         if node == 1:  # a number or a text
             base = detail[0]
             if base == "string":
@@ -99,22 +95,22 @@ class Types:
         (inner, inside), count = detail  # an array or a sequence
         if int(inner) == 1 and inside[0] != "string":
             fixed = count if node == 3 else 0
-            held = [0] * fixed if value is None else value
-            return np.array(held, np.dtype("uint8" if inside[0] in ("octet", "char") else inside[0]))
+            numbers = [0] * fixed if value is None else value
+            return np.array(numbers, np.dtype("uint8" if inside[0] in ("octet", "char") else inside[0]))
         return [self._value(int(inner), inside, v) for v in value or ()]
 
     def _content(self, record: Described, name: str) -> dict[str, Any]:
         """Returns the values of a field for `_build`, in the order of the members of its message."""
-        held: list[Any] = []
+        items: list[Any] = []
         for p in info(type(record)).members:
             value = getattr(record, p.attribute)
             if p.cases:
                 alternatives = [c for c in p.cases.values() if c is not None]
-                held += [[value] if value is not None and _is(record, p, c) else [] for c in alternatives]
+                items += [[value] if value is not None and _is(record, p, c) else [] for c in alternatives]
             else:
-                held.append(value)
+                items.append(value)
         members = [m for m in self.store.fielddefs[name][1] if m[0] != "header"]
-        return {m[0]: self._plain(v, m[1]) for m, v in zip(members, held)}
+        return {m[0]: self._plain(v, m[1]) for m, v in zip(members, items)}
 
     def _plain(self, value: Any, kind: Any) -> Any:
         node, detail = int(kind[0]), kind[1]
@@ -142,6 +138,3 @@ def installed() -> Path | None:
         if prefix and folder.is_dir():
             return folder
     return None
-
-
-__all__ = ["PACKAGE", "Types", "installed"]

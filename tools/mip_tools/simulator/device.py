@@ -18,22 +18,25 @@ from pathlib import Path
 from typing import Any
 
 from ..binding import Command, Device, Packet, RawField, registry
-from . import formats, nmea, ports, values, views
-from .checks import NOTHING
-from .codes import DEFAULT, LOAD, SAVE
-from .commands import carry_out
-from .effects import act
-from .events import Events
-from .facts import COMMANDS
+from ..devices import views
+from ..devices.codes import DEFAULT, LOAD, SAVE
+from ..devices.facts import COMMANDS
+from ..devices.profiles import device_named, port_named
+from ..devices.settings import Place, Settings, asking, command_type, home, is_setting, keys
+from ..geometry.earth import SECOND
+from .commands import ports
+from .commands.dispatch import carry_out
+from .commands.effects import act
+from .commands.filter_effects import FILTER_EFFECTS
 from .faults import Faults
-from .filter_effects import FILTER_EFFECTS
 from .link import Link
 from .motion import Motion, Standing, parse_motion
-from .profiles import device_named, port_named
 from .script import Script, ScriptedEvent
-from .settings import Place, Settings, arguments, asking, command_type, home, is_setting, keys
-from .streams import SECOND, Stream, answers, packets
-from .world import World
+from .state import DeviceState, Encoder
+from .streams import formats, nmea, values
+from .streams.events import Events
+from .streams.stream import Stream, answers, packets
+from .world.world import World
 
 #: The start-up time of a device, during which it does not reply.
 BOOT_TIME = SECOND // 2
@@ -47,10 +50,8 @@ MOST_WAITING = 32
 #: The interval at which disturbances may happen.
 DISTURBANCE_TIME = SECOND // 10
 
-Encoder = Callable[[], list[RawField]]
 
-
-class VirtualDevice:
+class VirtualDevice(DeviceState):
     """One device. Times are in nanoseconds since the start unless said to be in seconds."""
 
     def __init__(
@@ -61,6 +62,7 @@ class VirtualDevice:
         seed: int = 0,
         noise: float = 1.0,
         start: int | None = None,
+        sync: bool | None = None,
         storage: Path | None = None,
         faults: Faults | None = None,
         events: Iterable[ScriptedEvent] = (),
@@ -72,29 +74,24 @@ class VirtualDevice:
 
         `start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
 
+        `sync`: whether the device has a time. True: a pulse per second and its time arrive from outside. False: they do
+        not, and receivers have no reception. By default, only receivers have a time, and a replayed log that has dates.
+
         `events`: scripted events, such as a GNSS outage.
 
         `trace` is called for every packet, before faults, with "command", "answer" or "data", and the bytes.
         """
-        self.profile: Device = device_named(profile) if isinstance(profile, str) else profile
-        self.seed: int = seed
         moving = parse_motion(motion) if isinstance(motion, str) else motion
         events = tuple(events)
         if faults is None and any(event.event == "faults" for event in events):
             faults = Faults(seed=seed)
-        self.faults = faults
-        self.settings = Settings(self.profile, storage)
-        self.world: World = World(moving or Standing(), seed=seed, start=start, noise=noise)
-        self.known = self.profile.fields
-        self.world.senses = values.senses(self.profile)
-        self.links: list[Link] = []
-        self.idle = False
-        self.direct = False
-        self.now: int = 0
-        self.booted: int = 0
-        self.bytes_sent: int = 0
-        self.bytes_received: int = 0
-        self.ready_at = 0
+        profile = device_named(profile) if isinstance(profile, str) else profile
+        world = World(moving or Standing(), seed=seed, start=start, noise=noise)
+        world.senses = values.senses(profile)
+        world.outside = getattr(moving, "start", None) is not None if sync is None else sync
+        super().__init__(profile, Settings(profile, storage), world, faults, seed)
+        self.outdoors = sync is not False
+        world.gnss = self.outdoors and not any(e.event == "gnss_outage" and e.at == 0 for e in events)
         self._busy_until: int | None = None  # the end of a command that takes long; others wait
         self._waiting: list[tuple[Link, Packet]] = []
         self._behind: list[Callable[[], None]] = []  # actions to run after the answer to this command
@@ -102,7 +99,7 @@ class VirtualDevice:
         self._streams: list[Stream] = []
         self._encoders: dict[tuple[int, int, str], Encoder] = {}
         self._disturbed = DISTURBANCE_TIME
-        self.events = Events(self)
+        self.events: Events = Events(self)
         self._waves: list[Stream] = []
         self.script = Script(self, events)
         self._settle()
@@ -138,7 +135,6 @@ class VirtualDevice:
         return self.script.plugged
 
     def unplug(self) -> None:
-        """Ends all connections."""
         for link in list(self.links):
             self.disconnect(link)
 
@@ -215,7 +211,6 @@ class VirtualDevice:
         return self.plugged and (streams or late or self._busy_until is not None)
 
     def reset(self) -> None:
-        """Restarts the device with its saved settings."""
         for link in self.links:
             link.clear()
         self.settings.restart()
@@ -228,11 +223,6 @@ class VirtualDevice:
         self.booted = self.now
         self.ready_at = self.now + BOOT_TIME
         self._settle()
-
-    @property
-    def dropped(self) -> int:
-        """The number of packets that were dropped because hosts had no room."""
-        return sum(link.dropped for link in self.links)
 
     def _move(self, time: int) -> None:
         self.now = time
@@ -284,7 +274,7 @@ class VirtualDevice:
                 behind.append(outcome.after)
         for data in answers(packet.set, groups):
             self._tell("answer", data)
-            self._transmit(link, data, max(delay, busy, link.held(self.now)))  # keeps the order of answers
+            self._transmit(link, data, max(delay, busy, link.reply_delay(self.now)))  # keeps the order of answers
         self._behind += behind
         if busy > 0:
             self._busy_until = self.now + busy
@@ -300,18 +290,11 @@ class VirtualDevice:
             self._answer(*self._waiting.pop(0))
 
     def pause(self, time: int) -> None:
-        """Sends no data for some time."""
         for stream in self._streams:
             stream.skip(self.now + time)
         self.events.skip(self.now + time)
 
     # ----------------------------------------------------------------------- settings
-
-    def settings_of(self, effect: str) -> list[dict[str, Any]]:
-        """Returns the current settings with an effect, one for each instance, as the arguments of the effect."""
-        return [
-            arguments(kept) for _, kept in self.settings.items() if COMMANDS.get(kept.NAME, NOTHING).effect == effect
-        ]
 
     def apply(self, at: Place, kept: Command | None) -> None:
         """Runs the effect of a setting that changed without a write command."""
@@ -321,14 +304,12 @@ class VirtualDevice:
             outcome.after()
 
     def restore(self, at: Place, saved: bool) -> None:
-        """Restores the saved value of a setting, or its factory default."""
         kept = self.settings.load(at) if saved else None
         if not saved:
             self.settings.reset(at)
         self.apply(at, kept)
 
     def all_settings(self, function: int) -> None:
-        """Saves, loads or resets all settings."""
         places = self.settings.everything()
         if function == SAVE:
             self.settings.save(places)
@@ -338,6 +319,7 @@ class VirtualDevice:
     def _settle(self) -> None:
         """Runs all effects of the settings that the device starts with."""
         self.world.restart()
+        self.world.synchronize()
         for name, behavior in COMMANDS.items():
             if self.knows(name) and (behavior.effect in views.ORIENTATIONS or behavior.effect in FILTER_EFFECTS):
                 kind = command_type(name)
@@ -350,17 +332,7 @@ class VirtualDevice:
         self.arrange()
         self.events.reset()
 
-    def has_effect(self, effect: str) -> bool:
-        """Does the device know a command with this effect?"""
-        return any(behavior.effect == effect and self.knows(name) for name, behavior in COMMANDS.items())
-
-    def knows(self, name: str) -> bool:
-        """Does the device have this command?"""
-        kind = command_type(name)
-        return (kind.SET, kind.DESCRIPTOR) in self.known
-
     def disable_trigger(self, instance: int) -> None:
-        """Resets the mode of a trigger to its default."""
         self.events.keep_mode(instance, None)
         for name, behavior in COMMANDS.items():
             if behavior.effect == "trigger_mode":
@@ -368,39 +340,30 @@ class VirtualDevice:
 
     # ----------------------------------------------------------------------- streams
 
-    def sends(self, set: int, descriptor: int) -> bool:
-        """Does the device send this field in this data set? It may be a shared one."""
-        return (set, descriptor) in self.known or (0xFF, descriptor) in self.known
-
     def arrange(self) -> None:
-        """Starts the streams that the settings define, and no others."""
         quiet = self.idle or self.direct
         self._streams = [] if quiet else formats.streams(self, max(self.now, self.ready_at))
 
-    def encoder(self, set: int, descriptor: int, channel: str = "") -> Encoder:
-        """Returns the encoder of a field. Each channel counts from the time at which it last sent the field."""
-        encoder = self._encoders.get((set, descriptor, channel))
+    def encoder(self, set_number: int, descriptor: int, channel: str = "") -> Encoder:
+        encoder = self._encoders.get((set_number, descriptor, channel))
         if encoder is None:
-            kind = registry.types(set, descriptor)[0]
-            encode = values.encoder(kind, self.profile, self.world, set, channel)
-            encoder = partial(_fields, set, descriptor, encode)
-            self._encoders[set, descriptor, channel] = encoder
+            kind = registry.types(set_number, descriptor)[0]
+            encode = values.encoder(kind, self.profile, self.world, set_number, channel)
+            encoder = partial(_fields, set_number, descriptor, encode)
+            self._encoders[set_number, descriptor, channel] = encoder
         return encoder
 
-    def send_data(self, set: int, wanted: Iterable[int], link: Link | None = None) -> None:
-        """Sends fields of a data set by their descriptors, without those that the device does not have."""
-        self.send_fields(set, [self.encoder(set, x) for x in wanted if self.sends(set, x)], link)
+    def send_data(self, set_number: int, wanted: Iterable[int], link: Link | None = None) -> None:
+        self.send_fields(set_number, [self.encoder(set_number, x) for x in wanted if self.sends(set_number, x)], link)
 
-    def send_fields(self, set: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:
-        """Sends fields in as few packets as possible, to one host or to all."""
+    def send_fields(self, set_number: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:
         fields = [field for encode in encoders for field in encode()]
         if self.faults is not None:
-            fields = self.faults.data(self.now, set, fields)
-        for data in packets(set, fields) if fields else ():
+            fields = self.faults.data(self.now, set_number, fields)
+        for data in packets(set_number, fields) if fields else ():
             self._send(data, link, ports.MIP)
 
     def send_sentences(self, entries: Iterable[Any], link: Link | None = None) -> None:
-        """Sends NMEA sentences."""
         text = nmea.sentences(entries, self.world)
         if text:
             self._send(text, link, ports.NMEA)
@@ -428,8 +391,5 @@ class VirtualDevice:
             self.trace(what, data)
 
 
-def _fields(set: int, descriptor: int, encode: Callable[[], list[bytes]]) -> list[RawField]:
-    return [RawField(set, descriptor, data) for data in encode()]
-
-
-__all__ = ["VirtualDevice"]
+def _fields(set_number: int, descriptor: int, encode: Callable[[], list[bytes]]) -> list[RawField]:
+    return [RawField(set_number, descriptor, data) for data in encode()]

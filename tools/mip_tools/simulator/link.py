@@ -24,7 +24,7 @@ class Link:
         self.parser = Parser()
         self.heard = 0  # when the host has last sent something
         self._late: list[tuple[int, int, bytes]] = []  # time, order, bytes on the way
-        self._held: list[tuple[int, int, bytes]] = []  # the same, for bytes that the device has not sent yet
+        self._unsent: list[tuple[int, int, bytes]] = []  # the same, for bytes that the device has not sent yet
         self._receive = receive
         self._capacity = capacity
         self._ready = bytearray()
@@ -55,22 +55,22 @@ class Link:
     @property
     def next(self) -> int | None:
         """Returns the next time at which delayed bytes arrive or are sent."""
-        return min((queue[0][0] for queue in (self._late, self._held) if queue), default=None)
+        return min((queue[0][0] for queue in (self._late, self._unsent) if queue), default=None)
 
-    def held(self, now: int) -> int:
+    def reply_delay(self, now: int) -> int:
         """Returns the time that the device needs to send everything before its next reply."""
-        return max((time - now for time, _, _ in self._held), default=0)
+        return max((time - now for time, _, _ in self._unsent), default=0)
 
     def hold(self, time: int, data: bytes) -> None:
         """Stores bytes that the device sends at this time."""
         self._order += 1
-        heapq.heappush(self._held, (time, self._order, data))
+        heapq.heappush(self._unsent, (time, self._order, data))
 
     def due(self, now: int) -> list[bytes]:
         """Returns the stored bytes that the device sends by now."""
         due = []
-        while self._held and self._held[0][0] <= now:
-            due.append(heapq.heappop(self._held)[2])
+        while self._unsent and self._unsent[0][0] <= now:
+            due.append(heapq.heappop(self._unsent)[2])
         return due
 
     def send(self, now: int, parts: list[tuple[int, bytes]]) -> None:
@@ -93,8 +93,5 @@ class Link:
 
     def clear(self) -> None:
         """Discards the bytes that the device has not sent yet, as in a reset; bytes in transit still arrive."""
-        self._held.clear()
+        self._unsent.clear()
         self.parser = Parser()
-
-
-__all__ = ["Link"]

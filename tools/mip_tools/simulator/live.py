@@ -6,8 +6,8 @@ import threading
 import time
 
 from ..binding import READ_TIMEOUT
+from ..geometry.earth import SECOND
 from .device import VirtualDevice
-from .streams import SECOND
 
 #: The longest real time, in seconds, that is caught up at once; more is lost, for example in a debugger.
 LATE = 1.0
@@ -72,6 +72,3 @@ class LivePort:
         if then is None:
             return READ_TIMEOUT
         return min(max(then - self._device.now, 0) / SECOND / self._speed, READ_TIMEOUT)
-
-
-__all__ = ["LivePort"]

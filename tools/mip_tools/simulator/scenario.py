@@ -1,4 +1,7 @@
-"""Scenario files: devices with their ports and motions, and the events that affect them."""
+"""Scenario files: devices with their ports and motions, and the events that affect them.
+
+`tests/tools/simulator/test_scenario.py` compares it with scenario.schema.json.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +12,16 @@ from pathlib import Path
 from typing import Any
 
 from ..binding import Device
-from ..cli import yaml_text
-from ..cli.yaml_reader import Wrong, YamlReader, hint
-from ..cli.yaml_text import kind_of
+from ..devices.profiles import device_named, port_named
 from ..errors import Failure, Misuse
-from .endpoints import KINDS as ENDPOINTS
-from .endpoints import Endpoint, pty_at
+from ..text import yaml_text
+from ..text.yaml_reader import Wrong, YamlReader, hint
+from ..text.yaml_text import kind_of
+from .endpoints.endpoint import KINDS as ENDPOINTS
+from .endpoints.endpoint import Endpoint, pty_at
 from .motion import MotionError, parse_motion
-from .profiles import device_named, port_named
+from .motion.state import Motion
 from .script import KINDS, ScriptedEvent
-from .state import Motion
 
 #: The schema with which an editor checks and completes a scenario.
 SCHEMA = Path(__file__).with_name("scenario.schema.json")
@@ -32,6 +35,7 @@ class Simulated:
     endpoints: tuple[Endpoint, ...] = ()
     motion: Motion | None = None
     seed: int | None = None
+    sync: bool | None = None
     storage: Path | None = None
     events: tuple[ScriptedEvent, ...] = ()
 
@@ -60,6 +64,12 @@ def endpoint(text: str, profile: Device) -> Endpoint:
     return ENDPOINTS[kind](place, port_named(profile, name).name if equals else None)
 
 
+def _yes_or_no(text: str) -> bool:
+    if text.lower() not in ("true", "yes", "false", "no"):
+        raise Misuse(f"'{text}' cannot be read; write true or false")
+    return text.lower() in ("true", "yes")
+
+
 class _Reader(YamlReader):
     def scenario(self) -> Scenario:
         root = yaml_text.composed(yaml_text.contents(self.path), self.path)
@@ -82,7 +92,7 @@ class _Reader(YamlReader):
     # ----------------------------------------------------------------- devices
 
     def device(self, node: Any, events: tuple[ScriptedEvent, ...]) -> Simulated | None:
-        parts = self.keys(node, ("device", "ports", "motion", "seed", "storage", "events"), "a device")
+        parts = self.keys(node, ("device", "ports", "motion", "seed", "sync", "storage", "events"), "a device")
         own = self.events(parts.get("events"))
         try:
             if "device" not in parts:
@@ -94,6 +104,8 @@ class _Reader(YamlReader):
                 made = replace(made, motion=self.tried(parts["motion"], lambda x: parse_motion(x, self.path.parent)))
             if "seed" in parts:
                 made = replace(made, seed=int(self.number(parts["seed"], "seed", whole=True)))
+            if "sync" in parts:
+                made = replace(made, sync=self.tried(parts["sync"], _yes_or_no))
             if "storage" in parts:
                 made = replace(made, storage=self.path.parent / self.text(parts["storage"]))
             ports = self.items(parts.get("ports"), "ports")
@@ -129,13 +141,13 @@ class _Reader(YamlReader):
     # ----------------------------------------------------------------- events
 
     def events(self, node: Any) -> tuple[ScriptedEvent, ...]:
-        found = []
+        events = []
         for item in self.items(node, "events"):
             try:
-                found.append(self.event(item))
+                events.append(self.event(item))
             except Wrong as mistake:
                 self.wrong(mistake)
-        return tuple(found)
+        return tuple(events)
 
     def event(self, node: Any) -> ScriptedEvent:
         parts = self.keys(node, ("event", "at", "for", "every", "field", "faults"), "an event")
@@ -144,8 +156,8 @@ class _Reader(YamlReader):
                 raise Wrong(node, f"'{key}' is missing; an event has, for example, {{at: 10, event: unplug, for: 5}}")
         kind = self.text(parts["event"])
         if kind not in KINDS:
-            known = "; there are " + ", ".join(KINDS)
-            raise Wrong(parts["event"], f"there is no event '{kind}'{hint(kind, KINDS, known)}")
+            names = "; there are " + ", ".join(KINDS)
+            raise Wrong(parts["event"], f"there is no event '{kind}'{hint(kind, KINDS, names)}")
         for key, of in {"field": "magnetic_disturbance", "faults": "faults"}.items():
             if kind == of and key not in parts:
                 raise Wrong(node, f"'{key}' is missing; {of} needs it")
@@ -177,6 +189,3 @@ class _Reader(YamlReader):
         if not all(isfinite(v) and abs(v) < 100 for v in (x, y, z)):
             raise Wrong(node, "'field' needs three numbers in gauss, [x, y, z], of less than 100")
         return x, y, z
-
-
-__all__ = ["SCHEMA", "Scenario", "Simulated", "endpoint", "read_scenario"]

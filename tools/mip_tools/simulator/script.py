@@ -5,13 +5,10 @@ from __future__ import annotations
 import heapq
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from .earth import SECOND, Vector
-from .fault_kinds import parse_faults
-
-if TYPE_CHECKING:
-    from .device import VirtualDevice
+from ..geometry.earth import SECOND, Vector
+from .faults.kinds import parse_faults
+from .state import DeviceState
 
 #: Events, as a scenario file names them.
 KINDS = ("gnss_outage", "magnetic_disturbance", "faults", "disconnect", "unplug", "restart")
@@ -45,7 +42,7 @@ class ScriptedEvent:
 class Script:
     """The events of a device, in their order."""
 
-    def __init__(self, device: VirtualDevice, events: Iterable[ScriptedEvent]) -> None:
+    def __init__(self, device: DeviceState, events: Iterable[ScriptedEvent]) -> None:
         self._device = device
         self._due: list[tuple[int, int, ScriptedEvent, bool]] = []  # time, order, event, does it begin?
         self._active: list[ScriptedEvent] = []
@@ -94,7 +91,8 @@ class Script:
         if device.faults is not None:
             device.faults.tell(device.now, event.event, "begins" if begins else "ends")
         if event.event == "gnss_outage":
-            world.gnss = not active
+            world.gnss = device.outdoors and not active
+            world.synchronize()
         elif event.event == "magnetic_disturbance":
             x, y, z = (sum(axis) for axis in zip((0.0, 0.0, 0.0), *(e.field for e in active)))
             world.disturbance = (x, y, z)
@@ -108,6 +106,3 @@ class Script:
                 device.unplug()
         elif event.event == "unplug":  # power has returned
             device.reset()
-
-
-__all__ = ["KINDS", "Script", "ScriptedEvent"]

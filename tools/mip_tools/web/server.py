@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import hmac
-import re
 import secrets
-import selectors
 import socket
 import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from importlib import import_module
 from typing import Any, Protocol
 
 from ..errors import Failure
-from .frames import BINARY, CLOSE, GOING, NORMAL, PING, PONG, TRY_AGAIN, Frames, Wrong, accept_key, closing, frame
+from ..files import pages
 
 HOST = "127.0.0.1"
-#: Seconds within which a browser must send its request, read sent data, and close its end.
-PATIENCE = 5.0
-#: The maximum size of a request in bytes, far above what browsers send.
-_LONGEST = 16384
+#: The maximum size of a message from a page, in bytes.
+LONGEST = 1 << 16
+#: Codes with which a connection ends.
+_NORMAL, _GOING, _TRY_AGAIN = 1000, 1001, 1013
 _AT_ONCE = 4096
-_HEADER = re.compile(r"([^:\s]+):\s*(.*?)\s*$")
 
 
 class Port(Protocol):
@@ -31,10 +29,6 @@ class Port(Protocol):
     def read(self, size: int, /) -> bytes | None: ...
     def write(self, data: bytes, /) -> int | None: ...
     def close(self) -> None: ...
-
-
-class Refused(Exception):
-    """A request that is rejected with this HTTP status."""
 
 
 class Server:
@@ -53,20 +47,17 @@ class Server:
         self._say = say
         self.token = token or secrets.token_urlsafe(16)
         self._taken = threading.Lock()
-        self._stopped = False
-        self._pages: set[Connection] = set()
-        self._listener = socket.socket()
+        self._pages: set[Any] = set()
+        options = {"compression": None, "ping_interval": None, "max_size": LONGEST}
         try:
-            self._listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            self._listener.bind((HOST, number))
-            self._listener.listen()
+            self._listening = pages.listening("serve", self._serve, (HOST, number), self._rejection, **options)
         except OSError as error:
-            self._listener.close()
             raise Failure(f"TCP port {number} cannot be used: {error.strerror}; name another one with --tcp") from None
+        self._closed: type[Exception] = import_module("websockets.exceptions").ConnectionClosed
 
     @property
     def number(self) -> int:
-        return int(self._listener.getsockname()[1])
+        return int(self._listening.socket.getsockname()[1])
 
     @property
     def address(self) -> str:
@@ -77,85 +68,53 @@ class Server:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Stops, and waits until the pages have read the reason."""
+        """Stops, and waits until the pages have read the reason; those that never read it are cut off."""
         self.stop()
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + pages.PATIENCE
+        while self._pages and time.monotonic() < end:
+            time.sleep(0.01)
         for page in list(self._pages):
-            if not page.left.wait(max(0, end - time.monotonic())):
-                page.cut()
+            with suppress(OSError):
+                page.socket.shutdown(socket.SHUT_RDWR)
 
     def run(self) -> None:
         """Serves until `stop`."""
-        while not self._stopped:
-            try:
-                client, _ = self._listener.accept()
-            except OSError:
-                return
-            threading.Thread(target=self._serve, args=(client,), daemon=True).start()
+        self._listening.serve_forever()
 
     def stop(self) -> None:
         """Makes `run` return; for signal handlers and other threads."""
-        self._stopped = True
-        with suppress(OSError):
-            self._listener.shutdown(socket.SHUT_RDWR)
-        self._listener.close()
+        self._listening.shutdown()
         for page in list(self._pages):
-            with suppress(OSError):
-                page.end(closing(GOING, "mip serve has ended"))
+            threading.Thread(target=_end, args=(page, _GOING, "mip serve has ended"), daemon=True).start()
 
-    def _serve(self, client: socket.socket) -> None:
-        with client:
-            client.settimeout(PATIENCE)
-            client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            try:
-                key = self._key(_request(client))
-            except Refused as refused:
-                with suppress(OSError):
-                    client.sendall(f"HTTP/1.1 {refused}\r\nConnection: close\r\nContent-Length: 0\r\n\r\n".encode())
-                return
-            except OSError:
-                return
-            with suppress(OSError):
-                client.sendall(
-                    "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-                    f"Sec-WebSocket-Accept: {accept_key(key)}\r\n\r\n".encode()
-                )
-                page = Connection(client)
-                self._pages.add(page)
-                try:
-                    page.end(self._talk(page))
-                    page.drain()
-                finally:
-                    self._pages.discard(page)
-                    page.left.set()
+    def _rejection(self, request: Any) -> str | None:
+        """Returns why a request is rejected: it is not by a page that knows the token."""
+        hosts, origins = request.headers.get_all("Host"), request.headers.get_all("Origin")
+        if len(hosts) != 1 or not pages.host_is_known(hosts[0], HOST):
+            return "This name is not that of the server."
+        if hmac.compare_digest(request.path.encode(), f"/{self.token}".encode()):
+            return None
+        origin = pages.quoted(origins[0]) if origins else "unknown origin"
+        self._say(f"a page of {origin} was rejected: it does not know the token")
+        return "This page does not know the token."
 
-    def _key(self, lines: list[str]) -> str:
-        """Returns the key of a handshake by a page that knows the token. Raises Refused."""
-        method, _, rest = lines[0].partition(" ")
-        path = rest.rpartition(" ")[0]
-        headers = {m[1].lower(): m[2] for m in map(_HEADER.fullmatch, lines[1:]) if m}
-        # A page of another site whose name was made to resolve to this machine (DNS rebinding) sends that name.
-        host = headers.get("host", "")
-        if host not in (f"{HOST}:{self.number}", f"localhost:{self.number}"):
-            raise Refused("403 Forbidden")
-        if not hmac.compare_digest(path.encode(), f"/{self.token}".encode()):
-            self._say(f"a page of {headers.get('origin', 'unknown origin')} was rejected: it does not know the token")
-            raise Refused("403 Forbidden")
-        key = headers.get("sec-websocket-key", "")
-        if method != "GET" or headers.get("upgrade", "").lower() != "websocket" or not key:
-            raise Refused("426 Upgrade Required")
-        return key
+    def _serve(self, page: Any) -> None:
+        self._pages.add(page)
+        try:
+            _end(page, *self._talk(page))
+        finally:
+            self._pages.discard(page)
 
-    def _talk(self, page: Connection) -> bytes:
-        """Passes bytes on in both directions. Returns the last message, which states why the connection ends."""
+    def _talk(self, page: Any) -> tuple[int, str]:
+        """Passes bytes on in both directions. Returns the code and the reason with which the connection ends."""
         if not self._taken.acquire(blocking=False):
-            return closing(TRY_AGAIN, "another page is connected; disconnect it first")
+            return _TRY_AGAIN, "another page is connected; disconnect it first"
         try:
             try:
                 port = self._open_port()
             except Failure as failure:
                 self._say(str(failure))
-                return closing(TRY_AGAIN, str(failure))
+                return _TRY_AGAIN, str(failure)
             self._say("a page is connected")
             try:
                 return self._pass_on(page, port)
@@ -166,100 +125,41 @@ class Server:
         finally:
             self._taken.release()
 
-    def _pass_on(self, page: Connection, port: Port) -> bytes:
+    def _pass_on(self, page: Any, port: Port) -> tuple[int, str]:
         ended = threading.Event()
 
         def to_page() -> None:
             try:
                 while not ended.is_set():
                     if data := port.read(_AT_ONCE):
-                        page.send(frame(BINARY, bytes(data)))
-            except Exception as error:  # the port failed, or the page reads nothing
-                with suppress(OSError):
-                    page.end(closing(GOING, f"the port is lost: {error}"))
-                if not ended.wait(PATIENCE):
-                    page.cut()
+                        page.send(bytes(data))
+            except self._closed:
+                pass
+            except Exception as error:  # the port failed
+                _end(page, _GOING, f"the port is lost: {error}")
 
         reader = threading.Thread(target=to_page, daemon=True)
         reader.start()
         try:
-            return self._from_page(page, port)
+            for data in page:
+                if isinstance(data, bytes):
+                    _write(port, data)
+        except self._closed:
+            pass
+        except OSError as error:
+            return _GOING, f"the port is lost: {error}"
         finally:
             ended.set()
             reader.join()
-
-    def _from_page(self, page: Connection, port: Port) -> bytes:
-        frames = Frames()
-        with selectors.DefaultSelector() as selector:
-            selector.register(page.client, selectors.EVENT_READ)
-            while True:
-                selector.select()
-                data = page.client.recv(_AT_ONCE)
-                if not data:
-                    return b""
-                try:
-                    for kind, payload in frames.feed(data):
-                        if kind == CLOSE:
-                            return closing(NORMAL)
-                        if kind == PING:
-                            page.send(frame(PONG, payload))
-                        if kind == BINARY:
-                            _write(port, payload)
-                except Wrong as wrong:
-                    return closing(wrong.code, str(wrong))
-                except OSError as error:
-                    return closing(GOING, f"the port is lost: {error}")
+        return _NORMAL, ""
 
 
-class Connection:
-    """The connection to a page. Several threads may send frames; nothing follows the frame that ends it."""
-
-    def __init__(self, client: socket.socket) -> None:
-        self.client = client
-        self.left = threading.Event()
-        self._sending = threading.Lock()
-        self._ended = False
-
-    def send(self, data: bytes) -> None:
-        with self._sending:
-            if not self._ended:
-                self.client.sendall(data)
-
-    def end(self, last: bytes) -> None:
-        with self._sending:
-            if not self._ended:
-                self._ended = True
-                self.client.sendall(last)
-
-    def drain(self) -> None:
-        """Reads until the page closes its end: a socket that is closed with unread data resets the connection, and the
-        page loses the message with the reason."""
-        self.client.shutdown(socket.SHUT_WR)
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end and self.client.recv(_AT_ONCE):
-            pass
-
-    def cut(self) -> None:
-        """Ends the connection to a page that does not close its end."""
-        with suppress(OSError):
-            self.client.shutdown(socket.SHUT_RDWR)
-
-
-def _request(client: socket.socket) -> list[str]:
-    """Reads the lines of a request. Raises Refused."""
-    held = b""
-    while b"\r\n\r\n" not in held:
-        data = client.recv(_AT_ONCE)
-        if not data or len(held) > _LONGEST:
-            raise Refused("400 Bad Request")
-        held += data
-    return held.partition(b"\r\n\r\n")[0].decode("latin-1").split("\r\n")
+def _end(page: Any, code: int, reason: str) -> None:
+    """Ends a connection; a reason has at most 123 bytes."""
+    page.close(code, reason.encode()[:123].decode(errors="ignore"))
 
 
 def _write(port: Port, data: bytes) -> None:
     while data:
         done = port.write(data)
         data = data[len(data) if done is None else done :]
-
-
-__all__ = ["HOST", "Connection", "Port", "Server"]

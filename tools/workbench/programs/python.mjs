@@ -23,7 +23,7 @@ export function pythonProgram(names, field, calls) {
         const read = field.parameters.filter((one) => !isDerived(one)).map((one) => `value.${names.member(one.name)}`);
         return pythonImports(
             names,
-            `for time, value in device.fields(${names.type(field)}):\n    ${laidOut(brackets("print(", ["time", ...read.slice(0, 3)], ")"), 84)}`,
+            `for stamp, value in device.fields(${names.type(field)}):\n    ${laidOut(brackets("print(", ["stamp.device", ...read.slice(0, 3)], ")"), 84)}`,
         );
     }
     const lines = [];

@@ -19,7 +19,7 @@ export function rustProgram(names, field, calls) {
     if (!calls) {
         const first = field.parameters.find((one) => !isDerived(one));
         const read = first ? `value.${names.member(first.name)}` : "value";
-        const found = `packet.find::<${names.type(field)}>().transpose()?`; // a broken one is an error, as a refused command is
+        const found = `packet.find::<${names.type(field)}>()?`; // a broken one is an error, as a refused command is
         return rustUses(names, `if let Some(value) = ${found} {\n    println!("{:?}", ${read});\n}`);
     }
     const lines = [];

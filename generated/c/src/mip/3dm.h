@@ -3,7 +3,7 @@
  *
  * 3DM (0x0C). Commands that set up the sensors, the outputs, the pins and the events of a device.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_3DM_H
 #define MIP_3DM_H
@@ -50,7 +50,7 @@ enum mip_3dm_factory_streaming_action MIP_ENUM_8 {
     MIP_3DM_FACTORY_STREAMING_ACTION_ADD = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_factory_streaming_action_name(uint8_t value);
 
 /**
@@ -74,7 +74,7 @@ enum mip_3dm_constellation_id MIP_ENUM_8 {
     MIP_3DM_CONSTELLATION_ID_GLONASS = 6
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_constellation_id_name(uint8_t value);
 
 /**
@@ -129,7 +129,7 @@ enum mip_3dm_assisted_fix_option MIP_ENUM_8 {
     MIP_3DM_ASSISTED_FIX_OPTION_ENABLED = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
 
 /**
@@ -143,12 +143,12 @@ enum mip_3dm_pps_source MIP_ENUM_8 {
     MIP_3DM_PPS_SOURCE_DISABLED = 0,
     /**
      * From GNSS receiver 1. The external time is GPS time, and valid only while the receiver has a
-     * fix.
+     * fix. Requires a receiver.
      */
     MIP_3DM_PPS_SOURCE_RECEIVER_1 = 1,
     /**
      * From GNSS receiver 2. The external time is GPS time, and valid only while the receiver has a
-     * fix.
+     * fix. Requires 2 receivers.
      */
     MIP_3DM_PPS_SOURCE_RECEIVER_2 = 2,
     /** From a GPIO pin that is configured as a PPS input. */
@@ -157,7 +157,7 @@ enum mip_3dm_pps_source MIP_ENUM_8 {
     MIP_3DM_PPS_SOURCE_GENERATED = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
 
 /**
@@ -172,7 +172,7 @@ enum mip_3dm_event_support_query MIP_ENUM_8 {
     MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_event_support_query_name(uint8_t value);
 
 /**
@@ -212,9 +212,9 @@ struct mip_3dm_event_action_status_entry {
 };
 
 /**
- * Motion that a GNSS receiver assumes. Uncertain: The value `fixed`. The SDK of 2014 numbers the
- * modes 0 to 8, but the list in its comments lacks this one, as u-blox receivers do. Uncertain: The
- * descriptions. The sources list only names, from which the descriptions of the modes are inferred.
+ * Motion that a GNSS receiver assumes. Uncertain: The SDK of 2014 numbers the modes 0 to 8, but the
+ * list in its comments lacks `fixed`, which u-blox receivers do not have either. Uncertain: The
+ * sources list only names; the descriptions of the modes are inferred from them.
  *
  * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
  */
@@ -239,14 +239,13 @@ enum mip_3dm_receiver_dynamics MIP_ENUM_8 {
     MIP_3DM_RECEIVER_DYNAMICS_AIRBORNE_4G = 8
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_receiver_dynamics_name(uint8_t value);
 
 /**
  * Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
  * protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain:
- * The descriptions. The sources list only names, from which the descriptions of the bits are
- * inferred.
+ * The sources list only names; the descriptions of the bits are inferred from them.
  *
  * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
  * - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -285,7 +284,7 @@ enum mip_3dm_mag_bandwidth MIP_ENUM_8 {
     MIP_3DM_MAG_BANDWIDTH_LOW = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_mag_bandwidth_name(uint8_t value);
 
 /**
@@ -299,13 +298,13 @@ enum mip_3dm_imu_timestamp_selector MIP_ENUM_8 {
     /** Nanoseconds of the time beacon. */
     MIP_3DM_IMU_TIMESTAMP_SELECTOR_BEACON_NANOSECONDS = 2,
     /**
-     * Ticks of the internal clock. Uncertain: The value. The source states 2 for this one and for
-     * the nanoseconds.
+     * Ticks of the internal clock. Uncertain: The source states 2 both for this value and for the
+     * nanoseconds.
      */
     MIP_3DM_IMU_TIMESTAMP_SELECTOR_INTERNAL_TICKS = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_imu_timestamp_selector_name(uint8_t value);
 
 /**
@@ -320,7 +319,7 @@ enum mip_3dm_odometer_mode MIP_ENUM_8 {
     MIP_3DM_ODOMETER_MODE_QUADRATURE = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_odometer_mode_name(uint8_t value);
 
 /**
@@ -335,13 +334,13 @@ enum mip_3dm_sensor_range_type MIP_ENUM_8 {
     MIP_3DM_SENSOR_RANGE_TYPE_ACCEL = 1,
     /** The value `gyro`. */
     MIP_3DM_SENSOR_RANGE_TYPE_GYRO = 2,
-    /** The value `mag`. */
+    /** On models with a magnetometer. Requires a magnetometer. */
     MIP_3DM_SENSOR_RANGE_TYPE_MAG = 3,
-    /** The value `pressure`. */
+    /** The pressure sensor. Requires a pressure sensor. */
     MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_sensor_range_type_name(uint8_t value);
 
 /**
@@ -364,11 +363,11 @@ struct mip_3dm_sensor_range_entry {
 enum mip_3dm_internal_sensor MIP_ENUM_8 {
     /** The inertial sensor. */
     MIP_3DM_INTERNAL_SENSOR_IMU = 1,
-    /** The GNSS receiver. */
+    /** The GNSS receiver. Requires a receiver. */
     MIP_3DM_INTERNAL_SENSOR_GNSS = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_internal_sensor_name(uint8_t value);
 
 /**
@@ -383,7 +382,7 @@ enum mip_3dm_stream_format MIP_ENUM_8 {
     MIP_3DM_STREAM_FORMAT_WRAPPED_RAW = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_stream_format_name(uint8_t value);
 
 /**
@@ -402,7 +401,7 @@ enum mip_3dm_sensor_power_state MIP_ENUM_8 {
     MIP_3DM_SENSOR_POWER_STATE_OFF = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_sensor_power_state_name(uint8_t value);
 
 /**
@@ -417,7 +416,7 @@ enum mip_3dm_device_status_selector MIP_ENUM_8 {
     MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_device_status_selector_name(uint8_t value);
 
 /**
@@ -430,13 +429,13 @@ enum mip_3dm_legacy_data_stream MIP_ENUM_8 {
     MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS = 0,
     /** Sensor data (0x80). */
     MIP_3DM_LEGACY_DATA_STREAM_IMU = 1,
-    /** GNSS data. */
+    /** GNSS data. Requires a receiver. */
     MIP_3DM_LEGACY_DATA_STREAM_GNSS = 2,
     /** Estimation filter data (0x82). */
     MIP_3DM_LEGACY_DATA_STREAM_FILTER = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
 
 /**
@@ -453,16 +452,15 @@ enum mip_3dm_gx4_system_state MIP_ENUM_16 {
     MIP_3DM_GX4_SYSTEM_STATE_RUNNING = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_3dm_gx4_system_state_name(uint16_t value);
 
 /**
- * Poll IMU Data: command (0x0C,0x01).
+ * Poll IMU data: command (0x0C,0x01).
  *
  * Requests one sensor data packet (0x80) with the listed fields, in the listed order.
  *
- * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true.
  *
  * An empty list polls the fields that mip_3dm_imu_message_format stores; if nothing is stored, the
  * device rejects the command.
@@ -482,35 +480,11 @@ struct mip_3dm_poll_imu_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_IMU_DATA 0x0C01
-/** Its descriptor. */
 #define MIP_3DM_POLL_IMU_DATA_DESCRIPTOR 0x01
-/** Its name in the specification. */
-#define MIP_3DM_POLL_IMU_DATA_NAME "3dm.poll_imu_data"
+MIP_FIELD(mip_3dm_poll_imu_data, 0x01);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_poll_imu_data_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
-                                                     const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_poll_imu_data_codec, 0x01, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_poll_imu_data_encode(
-    const struct mip_3dm_poll_imu_data *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
-}
-
-/**
- * Poll IMU Data. Fills the structure and returns its address.
- *
- * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. Counts the elements of descriptors.
- * - descriptors: Fields to send. Refers to fields of MIP_SENSOR_SET.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_poll_imu_data *
 mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppress_ack,
                            uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
@@ -523,12 +497,12 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
 }
 
 /**
- * Poll GNSS Data: command (0x0C,0x02).
+ * Poll GNSS data: command (0x0C,0x02).
  *
  * Requests one GNSS data packet with the listed fields, in the listed order.
  *
- * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. Known only from the
+ * MicroStrain MIP SDK. Requires a receiver.
  *
  * An empty list polls the format stored by mip_3dm_gnss_message_format; if none is stored, the
  * device rejects the command.
@@ -551,36 +525,11 @@ struct mip_3dm_poll_gnss_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_GNSS_DATA 0x0C02
-/** Its descriptor. */
 #define MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR 0x02
-/** Its name in the specification. */
-#define MIP_3DM_POLL_GNSS_DATA_NAME "3dm.poll_gnss_data"
+MIP_FIELD(mip_3dm_poll_gnss_data, 0x02);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_poll_gnss_data_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_poll_gnss_data_codec, 0x02, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_poll_gnss_data_encode(
-    const struct mip_3dm_poll_gnss_data *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
-}
-
-/**
- * Poll GNSS Data. Fills the structure and returns its address.
- *
- * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. Counts the elements of descriptors. Range: 0 to 83.
- * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
- *   decimation in place of the reserved number and does not document how a poll uses it.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -593,12 +542,11 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
 }
 
 /**
- * Poll Estimation Filter Data: command (0x0C,0x03).
+ * Poll estimation filter data: command (0x0C,0x03).
  *
  * Requests one filter data packet (0x82) with the listed fields, in the listed order.
  *
- * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true.
  *
  * An empty list polls the fields that mip_3dm_filter_message_format stores; if none are, the device
  * rejects the command.
@@ -618,35 +566,11 @@ struct mip_3dm_poll_filter_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_FILTER_DATA 0x0C03
-/** Its descriptor. */
 #define MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR 0x03
-/** Its name in the specification. */
-#define MIP_3DM_POLL_FILTER_DATA_NAME "3dm.poll_filter_data"
+MIP_FIELD(mip_3dm_poll_filter_data, 0x03);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_poll_filter_data_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_poll_filter_data_codec, 0x03, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_poll_filter_data_encode(
-    const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
-}
-
-/**
- * Poll Estimation Filter Data. Fills the structure and returns its address.
- *
- * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. Counts the elements of descriptors.
- * - descriptors: Fields to send. Refers to fields of MIP_FILTER_DATA_SET.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
     struct mip_3dm_poll_filter_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -659,12 +583,11 @@ static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
 }
 
 /**
- * Poll NMEA Data: command (0x0C,0x04).
+ * Poll NMEA data: command (0x0C,0x04).
  *
  * Requests the listed NMEA sentences once.
  *
- * Also called `nmea_poll_data`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `nmea_poll_data`. Not acknowledged if suppress_ack is true.
  *
  * An empty list polls the stored NMEA format; if none is stored, the device rejects the command.
  *
@@ -684,35 +607,11 @@ struct mip_3dm_poll_nmea_data {
     struct mip_nmea_message format_entries[50];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_NMEA_DATA 0x0C04
-/** Its descriptor. */
 #define MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR 0x04
-/** Its name in the specification. */
-#define MIP_3DM_POLL_NMEA_DATA_NAME "3dm.poll_nmea_data"
+MIP_FIELD(mip_3dm_poll_nmea_data, 0x04);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_poll_nmea_data_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_poll_nmea_data_codec, 0x04, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_poll_nmea_data_encode(
-    const struct mip_3dm_poll_nmea_data *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
-}
-
-/**
- * Poll NMEA Data. Fills the structure and returns its address.
- *
- * - suppress_ack: Send no acknowledge.
- * - count: Number of sentences. Counts the elements of format_entries.
- * - format_entries: Sentences to send.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_poll_nmea_data *
 mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool suppress_ack,
                             uint8_t count, const struct mip_nmea_message format_entries[]) {
@@ -725,12 +624,11 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
 }
 
 /**
- * Get IMU Data Base Rate: command (0x0C,0x06).
+ * Get IMU data base rate: command (0x0C,0x06).
  *
  * Gets the base rate, which is divided by the decimations of mip_3dm_imu_message_format.
  *
- * Also called `imu_get_base_rate`. Response: mip_3dm_get_imu_base_rate_response. Supported by
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `imu_get_base_rate`. Response: mip_3dm_get_imu_base_rate_response.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -739,33 +637,14 @@ struct mip_3dm_get_imu_base_rate {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_IMU_BASE_RATE 0x0C06
-/** Its descriptor. */
 #define MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR 0x06
-/** Its name in the specification. */
-#define MIP_3DM_GET_IMU_BASE_RATE_NAME "3dm.get_imu_base_rate"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_imu_base_rate_codec, 0x06, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_encode(
-    const struct mip_3dm_get_imu_base_rate *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_imu_base_rate_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_imu_base_rate, 0x06);
 
 /**
- * Get IMU Data Base Rate response: response (0x0C,0x83).
+ * Get IMU data base rate response: response (0x0C,0x83).
  *
- * Also called `imu_get_base_rate_response`. Response to mip_3dm_get_imu_base_rate. Supported by
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `imu_get_base_rate_response`. Response to mip_3dm_get_imu_base_rate.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -774,37 +653,17 @@ struct mip_3dm_get_imu_base_rate_response {
     uint16_t rate;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE 0x0C83
-/** Its descriptor. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
-/** Its name in the specification. */
-#define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_NAME "3dm.get_imu_base_rate_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_imu_base_rate_response_decode(
-    struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_imu_base_rate_response_codec, 0x83, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
-    const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_imu_base_rate_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_imu_base_rate_response, 0x83);
 
 /**
- * Get GNSS Data Base Rate: command (0x0C,0x07).
+ * Get GNSS data base rate: command (0x0C,0x07).
  *
  * Gets the base rate, which is divided by the decimations of mip_3dm_gnss_message_format.
  *
- * Also called `gnss_get_base_rate`. Response: mip_3dm_get_gnss_base_rate_response. Supported by
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
- * MicroStrain MIP SDK.
+ * Also called `gnss_get_base_rate`. Response: mip_3dm_get_gnss_base_rate_response. Known only from
+ * the MicroStrain MIP SDK. Requires a receiver.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -813,34 +672,15 @@ struct mip_3dm_get_gnss_base_rate {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_GNSS_BASE_RATE 0x0C07
-/** Its descriptor. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR 0x07
-/** Its name in the specification. */
-#define MIP_3DM_GET_GNSS_BASE_RATE_NAME "3dm.get_gnss_base_rate"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_gnss_base_rate_codec, 0x07, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_encode(
-    const struct mip_3dm_get_gnss_base_rate *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_gnss_base_rate_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_gnss_base_rate, 0x07);
 
 /**
- * Get GNSS Data Base Rate response: response (0x0C,0x84).
+ * Get GNSS data base rate response: response (0x0C,0x84).
  *
- * Also called `gnss_get_base_rate_response`. Response to mip_3dm_get_gnss_base_rate. Supported by
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
- * MicroStrain MIP SDK.
+ * Also called `gnss_get_base_rate_response`. Response to mip_3dm_get_gnss_base_rate. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -849,37 +689,16 @@ struct mip_3dm_get_gnss_base_rate_response {
     uint16_t rate;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE 0x0C84
-/** Its descriptor. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR 0x84
-/** Its name in the specification. */
-#define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_NAME "3dm.get_gnss_base_rate_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_gnss_base_rate_response_decode(
-    struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_gnss_base_rate_response_codec, 0x84, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
-    const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_gnss_base_rate_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_gnss_base_rate_response, 0x84);
 
 /**
- * IMU Message Format: command (0x0C,0x08).
+ * IMU message format: command (0x0C,0x08).
  *
  * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_imu_message_format_response.
- * Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as mip_3dm_get_imu_base_rate reports it, divided by the desired
  * rate.
@@ -890,10 +709,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -903,34 +719,15 @@ struct mip_3dm_imu_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT 0x0C08
-/** Its descriptor. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR 0x08
-/** Its name in the specification. */
-#define MIP_3DM_IMU_MESSAGE_FORMAT_NAME "3dm.imu_message_format"
+MIP_FIELD(mip_3dm_imu_message_format, 0x08);
+MIP_FILL(mip_3dm_imu_message_format, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_imu_message_format, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_imu_message_format, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_imu_message_format, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_imu_message_format_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_imu_message_format_codec, 0x08, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_encode(
-    const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_write(
     struct mip_3dm_imu_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -942,43 +739,10 @@ static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_writ
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_imu_message_format *
-mip_3dm_imu_message_format_read(struct mip_3dm_imu_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_imu_message_format *
-mip_3dm_imu_message_format_save(struct mip_3dm_imu_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_imu_message_format *
-mip_3dm_imu_message_format_load(struct mip_3dm_imu_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_imu_message_format *
-mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * IMU Message Format response: response (0x0C,0x80).
+ * IMU message format response: response (0x0C,0x80).
  *
- * Response to mip_3dm_imu_message_format. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_imu_message_format.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
@@ -989,48 +753,34 @@ struct mip_3dm_imu_message_format_response {
     struct mip_descriptor_rate descriptors[84];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE 0x0C80
-/** Its descriptor. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x80
-/** Its name in the specification. */
-#define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_NAME "3dm.imu_message_format_response"
+MIP_FIELD(mip_3dm_imu_message_format_response, 0x80);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_imu_message_format_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_imu_message_format_response_decode(
-    struct mip_3dm_imu_message_format_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_imu_message_format_response_codec, 0x80, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
-    const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_imu_message_format_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_imu_message_format *
+mip_3dm_imu_message_format_write_from(struct mip_3dm_imu_message_format *command,
+                                      const struct mip_3dm_imu_message_format_response *response) {
+    return mip_3dm_imu_message_format_write(command, response->num_descriptors,
+                                            response->descriptors);
 }
 
 /**
- * GNSS Message Format: command (0x0C,0x09).
+ * GNSS message format: command (0x0C,0x09).
  *
  * Sets the fields of the GNSS data packets, their order and their decimations.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_gnss_message_format_response.
- * Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Requires a receiver.
  *
  * The decimation is the base rate, as mip_3dm_get_gnss_base_rate reports it, divided by the desired
  * rate.
  *
- * - mip-sdk-4: GNSS Message Format (0x0C,0x09)
+ * - mip-sdk-4: GNSS message format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 struct mip_3dm_gnss_message_format {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1040,35 +790,15 @@ struct mip_3dm_gnss_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT 0x0C09
-/** Its descriptor. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR 0x09
-/** Its name in the specification. */
-#define MIP_3DM_GNSS_MESSAGE_FORMAT_NAME "3dm.gnss_message_format"
+MIP_FIELD(mip_3dm_gnss_message_format, 0x09);
+MIP_FILL(mip_3dm_gnss_message_format, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_gnss_message_format, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_gnss_message_format, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_gnss_message_format, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gnss_message_format_decode(
-    struct mip_3dm_gnss_message_format *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gnss_message_format_codec, 0x09, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_encode(
-    const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - num_descriptors: Number of fields. Counts the elements of descriptors. Range: 0 to 82. Required
- *   for write.
- * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write(
     struct mip_3dm_gnss_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1080,45 +810,12 @@ static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_wr
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_gnss_message_format *
-mip_3dm_gnss_message_format_read(struct mip_3dm_gnss_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_gnss_message_format *
-mip_3dm_gnss_message_format_save(struct mip_3dm_gnss_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gnss_message_format *
-mip_3dm_gnss_message_format_load(struct mip_3dm_gnss_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gnss_message_format *
-mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * GNSS Message Format response: response (0x0C,0x81).
+ * GNSS message format response: response (0x0C,0x81).
  *
- * Response to mip_3dm_gnss_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_gnss_message_format.
  *
- * - mip-sdk-4: GNSS Message Format (0x0C,0x09)
+ * - mip-sdk-4: GNSS message format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 struct mip_3dm_gnss_message_format_response {
@@ -1128,36 +825,24 @@ struct mip_3dm_gnss_message_format_response {
     struct mip_descriptor_rate descriptors[84];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE 0x0C81
-/** Its descriptor. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x81
-/** Its name in the specification. */
-#define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_NAME "3dm.gnss_message_format_response"
+MIP_FIELD(mip_3dm_gnss_message_format_response, 0x81);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gnss_message_format_response_decode(
-    struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gnss_message_format_response_codec, 0x81, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
-    const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gnss_message_format_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write_from(
+    struct mip_3dm_gnss_message_format *command,
+    const struct mip_3dm_gnss_message_format_response *response) {
+    return mip_3dm_gnss_message_format_write(command, response->num_descriptors,
+                                             response->descriptors);
 }
 
 /**
- * Estimation Filter Message Format: command (0x0C,0x0A).
+ * Estimation filter message format: command (0x0C,0x0A).
  *
  * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_filter_message_format_response.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as mip_3dm_get_filter_base_rate reports it, divided by the
  * desired rate.
@@ -1168,10 +853,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
 struct mip_3dm_filter_message_format {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1181,36 +863,15 @@ struct mip_3dm_filter_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT 0x0C0A
-/** Its descriptor. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
-/** Its name in the specification. */
-#define MIP_3DM_FILTER_MESSAGE_FORMAT_NAME "3dm.filter_message_format"
+MIP_FIELD(mip_3dm_filter_message_format, 0x0A);
+MIP_FILL(mip_3dm_filter_message_format, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_filter_message_format, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_filter_message_format, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_filter_message_format, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_filter_message_format_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_filter_message_format_decode(
-    struct mip_3dm_filter_message_format *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_filter_message_format_codec, 0x0A, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_encode(
-    const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
- *   write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_format_write(
     struct mip_3dm_filter_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1222,43 +883,10 @@ static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_forma
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_filter_message_format *
-mip_3dm_filter_message_format_read(struct mip_3dm_filter_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_filter_message_format *
-mip_3dm_filter_message_format_save(struct mip_3dm_filter_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_filter_message_format *
-mip_3dm_filter_message_format_load(struct mip_3dm_filter_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_filter_message_format *
-mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * Estimation Filter Message Format response: response (0x0C,0x82).
+ * Estimation filter message format response: response (0x0C,0x82).
  *
- * Response to mip_3dm_filter_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_filter_message_format.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
@@ -1269,36 +897,24 @@ struct mip_3dm_filter_message_format_response {
     struct mip_descriptor_rate descriptors[84];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE 0x0C82
-/** Its descriptor. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
-/** Its name in the specification. */
-#define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_NAME "3dm.filter_message_format_response"
+MIP_FIELD(mip_3dm_filter_message_format_response, 0x82);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_filter_message_format_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_filter_message_format_response_decode(
-    struct mip_3dm_filter_message_format_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_filter_message_format_response_codec, 0x82, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_response_encode(
-    const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_filter_message_format_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_format_write_from(
+    struct mip_3dm_filter_message_format *command,
+    const struct mip_3dm_filter_message_format_response *response) {
+    return mip_3dm_filter_message_format_write(command, response->num_descriptors,
+                                               response->descriptors);
 }
 
 /**
- * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
+ * Get estimation filter data base rate: command (0x0C,0x0B).
  *
  * Gets the base rate, which is divided by the decimations of mip_3dm_filter_message_format.
  *
- * Also called `filter_get_base_rate`. Response: mip_3dm_get_filter_base_rate_response. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `filter_get_base_rate`. Response: mip_3dm_get_filter_base_rate_response.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -1307,33 +923,14 @@ struct mip_3dm_get_filter_base_rate {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_FILTER_BASE_RATE 0x0C0B
-/** Its descriptor. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR 0x0B
-/** Its name in the specification. */
-#define MIP_3DM_GET_FILTER_BASE_RATE_NAME "3dm.get_filter_base_rate"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_filter_base_rate_decode(
-    struct mip_3dm_get_filter_base_rate *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_filter_base_rate_codec, 0x0B, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_encode(
-    const struct mip_3dm_get_filter_base_rate *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_filter_base_rate_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_filter_base_rate, 0x0B);
 
 /**
- * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
+ * Get estimation filter data base rate response: response (0x0C,0x8A).
  *
- * Also called `filter_get_base_rate_response`. Response to mip_3dm_get_filter_base_rate. Supported
- * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `filter_get_base_rate_response`. Response to mip_3dm_get_filter_base_rate.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -1342,36 +939,16 @@ struct mip_3dm_get_filter_base_rate_response {
     uint16_t rate;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE 0x0C8A
-/** Its descriptor. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
-/** Its name in the specification. */
-#define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_NAME "3dm.get_filter_base_rate_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_filter_base_rate_response_decode(
-    struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_filter_base_rate_response_codec, 0x8A, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode(
-    const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_filter_base_rate_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_filter_base_rate_response, 0x8A);
 
 /**
- * NMEA Message Format: command (0x0C,0x0C).
+ * NMEA message format: command (0x0C,0x0C).
  *
  * Sets the NMEA sentences that the device streams.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_nmea_message_format_response.
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * A sentence may be listed several times with different talkers or sources.
  *
@@ -1383,10 +960,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1396,34 +970,15 @@ struct mip_3dm_nmea_message_format {
     struct mip_nmea_message format_entries[50];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT 0x0C0C
-/** Its descriptor. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR 0x0C
-/** Its name in the specification. */
-#define MIP_3DM_NMEA_MESSAGE_FORMAT_NAME "3dm.nmea_message_format"
+MIP_FIELD(mip_3dm_nmea_message_format, 0x0C);
+MIP_FILL(mip_3dm_nmea_message_format, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_nmea_message_format, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_nmea_message_format, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_nmea_message_format, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_nmea_message_format_decode(
-    struct mip_3dm_nmea_message_format *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_nmea_message_format_codec, 0x0C, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_encode(
-    const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - count: Number of sentences. Counts the elements of format_entries. Required for write.
- * - format_entries: Sentences to stream. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, uint8_t count,
                                   const struct mip_nmea_message format_entries[]) {
@@ -1435,42 +990,10 @@ mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, u
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_nmea_message_format *
-mip_3dm_nmea_message_format_read(struct mip_3dm_nmea_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_nmea_message_format *
-mip_3dm_nmea_message_format_save(struct mip_3dm_nmea_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_nmea_message_format *
-mip_3dm_nmea_message_format_load(struct mip_3dm_nmea_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_nmea_message_format *
-mip_3dm_nmea_message_format_default(struct mip_3dm_nmea_message_format *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * NMEA Message Format response: response (0x0C,0x8C).
+ * NMEA message format response: response (0x0C,0x8C).
  *
- * Response to mip_3dm_nmea_message_format. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_nmea_message_format.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
@@ -1481,35 +1004,23 @@ struct mip_3dm_nmea_message_format_response {
     struct mip_nmea_message format_entries[50];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE 0x0C8C
-/** Its descriptor. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8C
-/** Its name in the specification. */
-#define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_NAME "3dm.nmea_message_format_response"
+MIP_FIELD(mip_3dm_nmea_message_format_response, 0x8C);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_nmea_message_format_response_decode(
-    struct mip_3dm_nmea_message_format_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_nmea_message_format_response_codec, 0x8C, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_response_encode(
-    const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_nmea_message_format_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_nmea_message_format *mip_3dm_nmea_message_format_write_from(
+    struct mip_3dm_nmea_message_format *command,
+    const struct mip_3dm_nmea_message_format_response *response) {
+    return mip_3dm_nmea_message_format_write(command, response->count, response->format_entries);
 }
 
 /**
- * Poll Data: command (0x0C,0x0D).
+ * Poll data: command (0x0C,0x0D).
  *
  * Requests one data packet of the descriptor set with the listed fields, in the listed order.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
+ * Not acknowledged if suppress_ack is true.
  *
  * An empty list polls the fields that mip_3dm_message_format stores; if nothing is stored, the
  * device rejects the command.
@@ -1533,36 +1044,11 @@ struct mip_3dm_poll_data {
     uint8_t descriptors[250];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_DATA 0x0C0D
-/** Its descriptor. */
 #define MIP_3DM_POLL_DATA_DESCRIPTOR 0x0D
-/** Its name in the specification. */
-#define MIP_3DM_POLL_DATA_NAME "3dm.poll_data"
+MIP_FIELD(mip_3dm_poll_data, 0x0D);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_poll_data_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_poll_data_codec, 0x0D, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
-                                                             struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_poll_data_codec, value, builder);
-}
-
-/**
- * Poll Data. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
- * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. Counts the elements of descriptors.
- * - descriptors: Field descriptors. Refers to fields of descriptor_set.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_poll_data *command,
                                                                uint8_t descriptor_set,
                                                                mip_bool suppress_ack,
@@ -1578,12 +1064,11 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
 }
 
 /**
- * Get Data Base Rate: command (0x0C,0x0E).
+ * Get data base rate: command (0x0C,0x0E).
  *
  * Gets the base rate, which is divided by the decimations of a descriptor set.
  *
- * Response: mip_3dm_get_base_rate_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS
- * and 3DM-GQ7-GNSS/INS.
+ * Response: mip_3dm_get_base_rate_response.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -1592,33 +1077,11 @@ struct mip_3dm_get_base_rate {
     uint8_t descriptor_set;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_BASE_RATE 0x0C0E
-/** Its descriptor. */
 #define MIP_3DM_GET_BASE_RATE_DESCRIPTOR 0x0E
-/** Its name in the specification. */
-#define MIP_3DM_GET_BASE_RATE_NAME "3dm.get_base_rate"
+MIP_FIELD(mip_3dm_get_base_rate, 0x0E);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_base_rate_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
-                                                     const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_base_rate_codec, 0x0E, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode(
-    const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_base_rate_codec, value, builder);
-}
-
-/**
- * Get Data Base Rate. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_get_base_rate *
 mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1627,10 +1090,9 @@ mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descri
 }
 
 /**
- * Get Data Base Rate response: response (0x0C,0x8E).
+ * Get data base rate response: response (0x0C,0x8E).
  *
- * Response to mip_3dm_get_base_rate. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * Response to mip_3dm_get_base_rate.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -1641,36 +1103,16 @@ struct mip_3dm_get_base_rate_response {
     uint16_t rate;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE 0x0C8E
-/** Its descriptor. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
-/** Its name in the specification. */
-#define MIP_3DM_GET_BASE_RATE_RESPONSE_NAME "3dm.get_base_rate_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_base_rate_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_base_rate_response_decode(
-    struct mip_3dm_get_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_base_rate_response_codec, 0x8E, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
-    const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_base_rate_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_base_rate_response, 0x8E);
 
 /**
- * Message Format: command (0x0C,0x0F).
+ * Message format: command (0x0C,0x0F).
  *
  * Sets the fields of the data packets of a descriptor set, their order and their decimations.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_message_format_response.
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * The decimation is the base rate, as mip_3dm_get_base_rate reports it, divided by the desired
  * rate.
@@ -1681,10 +1123,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1696,35 +1135,11 @@ struct mip_3dm_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MESSAGE_FORMAT 0x0C0F
-/** Its descriptor. */
 #define MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR 0x0F
-/** Its name in the specification. */
-#define MIP_3DM_MESSAGE_FORMAT_NAME "3dm.message_format"
+MIP_FIELD(mip_3dm_message_format, 0x0F);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_message_format_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_message_format_codec, 0x0F, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_message_format_encode(
-    const struct mip_3dm_message_format *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_message_format_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
- * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
     struct mip_3dm_message_format *command, uint8_t descriptor_set, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1737,11 +1152,7 @@ static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1750,11 +1161,7 @@ mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t desc
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1763,11 +1170,7 @@ mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t desc
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1776,11 +1179,7 @@ mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t desc
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1790,9 +1189,9 @@ mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t d
 }
 
 /**
- * Message Format response: response (0x0C,0x8F).
+ * Message format response: response (0x0C,0x8F).
  *
- * Response to mip_3dm_message_format. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_message_format.
  *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
@@ -1805,35 +1204,22 @@ struct mip_3dm_message_format_response {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE 0x0C8F
-/** Its descriptor. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8F
-/** Its name in the specification. */
-#define MIP_3DM_MESSAGE_FORMAT_RESPONSE_NAME "3dm.message_format_response"
+MIP_FIELD(mip_3dm_message_format_response, 0x8F);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_message_format_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_message_format_response_decode(
-    struct mip_3dm_message_format_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_message_format_response_codec, 0x8F, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_message_format_response_encode(
-    const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_message_format_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_message_format *
+mip_3dm_message_format_write_from(struct mip_3dm_message_format *command,
+                                  const struct mip_3dm_message_format_response *response) {
+    return mip_3dm_message_format_write(command, response->descriptor_set,
+                                        response->num_descriptors, response->descriptors);
 }
 
 /**
- * Factory Streaming: command (0x0C,0x10).
+ * Factory streaming: command (0x0C,0x10).
  *
  * Sets all message formats to those that technical support needs in a recording.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
@@ -1844,33 +1230,11 @@ struct mip_3dm_factory_streaming {
     uint8_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_FACTORY_STREAMING 0x0C10
-/** Its descriptor. */
 #define MIP_3DM_FACTORY_STREAMING_DESCRIPTOR 0x10
-/** Its name in the specification. */
-#define MIP_3DM_FACTORY_STREAMING_NAME "3dm.factory_streaming"
+MIP_FIELD(mip_3dm_factory_streaming, 0x10);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_factory_streaming_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_factory_streaming_codec, 0x10, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode(
-    const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_factory_streaming_codec, value, builder);
-}
-
-/**
- * Factory Streaming. Fills the structure and returns its address.
- *
- * - action: Treatment of the existing formats. A value of enum mip_3dm_factory_streaming_action.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
     struct mip_3dm_factory_streaming *command, enum mip_3dm_factory_streaming_action action) {
     memset(command, 0, sizeof(*command));
@@ -1879,13 +1243,12 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
 }
 
 /**
- * Data Stream Control: command (0x0C,0x11).
+ * Data stream control: command (0x0C,0x11).
  *
  * Switches a data stream on or off.
  *
  * Also called `datastream_control`. Functions: write, read, save, load and default. Response:
- * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_3dm_data_stream_control_response.
  *
  * Devices of the generations 3 to 5 identify the stream by a number (enum
  * mip_3dm_legacy_data_stream), other devices by its descriptor set.
@@ -1896,19 +1259,17 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10,
-     * 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
-     * 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-     * 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-     * enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
+     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10, -15, -25,
+     * 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR: values of
+     * enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS,
+     * MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45,
+     * 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST:
+     * values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
      * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
      * MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
@@ -1921,40 +1282,11 @@ struct mip_3dm_data_stream_control {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DATA_STREAM_CONTROL 0x0C11
-/** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR 0x11
-/** Its name in the specification. */
-#define MIP_3DM_DATA_STREAM_CONTROL_NAME "3dm.data_stream_control"
+MIP_FIELD(mip_3dm_data_stream_control, 0x11);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_data_stream_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_data_stream_control_decode(
-    struct mip_3dm_data_stream_control *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_data_stream_control_codec, 0x11, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_encode(
-    const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
- *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- * - enable: True if the stream is sent. Default: true. Required for write. The stream starts with
- *   current data. What was measured while it was disabled is not sent.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -1964,16 +1296,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_wr
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
- *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_read(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1982,16 +1305,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_re
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
- *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_save(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -2000,16 +1314,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_sa
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
- *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_load(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -2018,16 +1323,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_lo
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
- *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_default(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -2037,58 +1333,39 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
 }
 
 /**
- * Data Stream Control response: response (0x0C,0x85).
+ * Data stream control response: response (0x0C,0x85).
  *
- * Also called `datastream_control_response`. Response to mip_3dm_data_stream_control. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `datastream_control_response`. Response to mip_3dm_data_stream_control.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control_response {
     /**
-     * Stream specified in the command. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
-     * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-     * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
-     * 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On
-     * the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
-     * MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+     * Stream specified in the command. On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25,
+     * 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR: values of enum
+     * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS,
+     * MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45,
+     * 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST:
+     * values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
+     * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+     * MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
     uint8_t descriptor_set;
     /** True if the stream is sent. */
     mip_bool enabled;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE 0x0C85
-/** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR 0x85
-/** Its name in the specification. */
-#define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_NAME "3dm.data_stream_control_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_data_stream_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_data_stream_control_response_decode(
-    struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_data_stream_control_response_codec, 0x85, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode(
-    const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_data_stream_control_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_data_stream_control_response, 0x85);
 
 /**
  * Raw RTCM 2.3 message: command (0x0C,0x20).
  *
  * Sends RTCM 2.3 corrections to the GNSS receiver.
  *
- * Supported by 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Requires a receiver.
  *
  * The receiver uses the RTCM messages 1, 2, 3 and 9.
  *
@@ -2105,33 +1382,11 @@ struct mip_3dm_raw_rtcm_2_3_message {
     uint8_t data[253];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_RAW_RTCM_2_3_MESSAGE 0x0C20
-/** Its descriptor. */
 #define MIP_3DM_RAW_RTCM_2_3_MESSAGE_DESCRIPTOR 0x20
-/** Its name in the specification. */
-#define MIP_3DM_RAW_RTCM_2_3_MESSAGE_NAME "3dm.raw_rtcm_2_3_message"
+MIP_FIELD(mip_3dm_raw_rtcm_2_3_message, 0x20);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_raw_rtcm_2_3_message_decode(
-    struct mip_3dm_raw_rtcm_2_3_message *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_raw_rtcm_2_3_message_codec, 0x20, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_raw_rtcm_2_3_message_encode(
-    const struct mip_3dm_raw_rtcm_2_3_message *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_raw_rtcm_2_3_message_codec, value, builder);
-}
-
-/**
- * Raw RTCM 2.3 message. Fills the structure and returns its address.
- *
- * - data_: Bytes of the RTCM stream.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_make(
     struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data__count, const uint8_t data_[]) {
     memset(command, 0, sizeof(*command));
@@ -2142,16 +1397,16 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
 }
 
 /**
- * Constellation Settings: command (0x0C,0x21).
+ * Constellation settings: command (0x0C,0x21).
  *
  * Selects the constellations that the GNSS receiver tracks, and their shares of its tracking
  * channels.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_3dm_constellation_settings_response. Probably changes mip_gnss_data_fix_info,
- * mip_gnss_data_sv_info and mip_gnss_data_satellite_status. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
- * Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but has channels
- * for SBAS and QZSS too.
+ * mip_3dm_constellation_settings_response. Probably affects mip_gnss_data_fix_info,
+ * mip_gnss_data_sv_info and mip_gnss_data_satellite_status. Requires a receiver. Uncertain: The
+ * factory default is doubtful: the SDK names only GPS and GLONASS as enabled, but has channels for
+ * SBAS and QZSS too.
  *
  * The device rejects entries that reserve more than 32 channels in total. The maximum of an entry
  * must not be less than the number of channels it reserves.
@@ -2166,14 +1421,11 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
  * Factory default: GPS and GLONASS are enabled. Reserved and maximum channels: GPS 8 and 16,
  * GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
  *
- * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ * - mip-sdk-4: Constellation settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
  */
 struct mip_3dm_constellation_settings {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2188,38 +1440,15 @@ struct mip_3dm_constellation_settings {
     struct mip_3dm_constellation_settings_entry settings[41];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CONSTELLATION_SETTINGS 0x0C21
-/** Its descriptor. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR 0x21
-/** Its name in the specification. */
-#define MIP_3DM_CONSTELLATION_SETTINGS_NAME "3dm.constellation_settings"
+MIP_FIELD(mip_3dm_constellation_settings, 0x21);
+MIP_FILL(mip_3dm_constellation_settings, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_constellation_settings, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_constellation_settings, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_constellation_settings, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_constellation_settings_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_constellation_settings_decode(
-    struct mip_3dm_constellation_settings *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_constellation_settings_codec, 0x21, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_encode(
-    const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - max_channels: Maximum number of tracking channels in use; at most the number that the response
- *   reports as available. Unit: 1. Required for write.
- * - config_count: Number of entries. Counts the elements of settings. Range: 0 to 41. Required for
- *   write.
- * - settings: One entry for each constellation. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_settings_write(
     struct mip_3dm_constellation_settings *command, uint16_t max_channels, uint8_t config_count,
     const struct mip_3dm_constellation_settings_entry settings[]) {
@@ -2232,46 +1461,14 @@ static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_setti
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_constellation_settings *
-mip_3dm_constellation_settings_read(struct mip_3dm_constellation_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_constellation_settings *
-mip_3dm_constellation_settings_save(struct mip_3dm_constellation_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_constellation_settings *
-mip_3dm_constellation_settings_load(struct mip_3dm_constellation_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_constellation_settings *
-mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * Constellation Settings response: response (0x0C,0xA0).
+ * Constellation settings response: response (0x0C,0xA0).
  *
  * Tracking channels of the receiver and the setting of each constellation.
  *
- * Response to mip_3dm_constellation_settings. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
+ * Response to mip_3dm_constellation_settings.
  *
- * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ * - mip-sdk-4: Constellation settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
  */
 struct mip_3dm_constellation_settings_response {
@@ -2285,45 +1482,22 @@ struct mip_3dm_constellation_settings_response {
     struct mip_3dm_constellation_settings_entry settings[41];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE 0x0CA0
-/** Its descriptor. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR 0xA0
-/** Its name in the specification. */
-#define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_NAME "3dm.constellation_settings_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_constellation_settings_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_constellation_settings_response_decode(
-    struct mip_3dm_constellation_settings_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_constellation_settings_response_codec, 0xA0, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_encode(
-    const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_constellation_settings_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_constellation_settings_response, 0xA0);
 
 /**
- * GNSS SBAS Settings: command (0x0C,0x22).
+ * GNSS SBAS settings: command (0x0C,0x22).
  *
  * Sets how the GNSS receivers use satellite-based augmentation (SBAS).
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_gnss_sbas_settings_response.
- * Probably changes mip_gnss_data_sbas_info and mip_gnss_data_sbas_correction. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+ * Probably affects mip_gnss_data_sbas_info and mip_gnss_data_sbas_correction. Requires a receiver.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 struct mip_3dm_gnss_sbas_settings {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2346,39 +1520,15 @@ struct mip_3dm_gnss_sbas_settings {
     uint16_t included_prns[124];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS 0x0C22
-/** Its descriptor. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR 0x22
-/** Its name in the specification. */
-#define MIP_3DM_GNSS_SBAS_SETTINGS_NAME "3dm.gnss_sbas_settings"
+MIP_FIELD(mip_3dm_gnss_sbas_settings, 0x22);
+MIP_FILL(mip_3dm_gnss_sbas_settings, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_gnss_sbas_settings, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_gnss_sbas_settings, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_gnss_sbas_settings, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gnss_sbas_settings_codec, 0x22, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_encode(
-    const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable_sbas: 1 enables SBAS, 0 disables it. Range: 0 to 1. Required for write. On the
- *   3DM-GX5-35: default 1.
- * - sbas_options: Purposes of SBAS. Required for write. On the 3DM-GX5-35: default
- *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
- * - num_included_prns: Number of satellites listed; 0 searches for all. Counts the elements of
- *   included_prns. Required for write.
- * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_write(
     struct mip_3dm_gnss_sbas_settings *command, uint8_t enable_sbas,
     mip_3dm_sbas_options sbas_options, uint8_t num_included_prns, const uint16_t included_prns[]) {
@@ -2392,42 +1542,10 @@ static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_writ
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_gnss_sbas_settings *
-mip_3dm_gnss_sbas_settings_read(struct mip_3dm_gnss_sbas_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_gnss_sbas_settings *
-mip_3dm_gnss_sbas_settings_save(struct mip_3dm_gnss_sbas_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gnss_sbas_settings *
-mip_3dm_gnss_sbas_settings_load(struct mip_3dm_gnss_sbas_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gnss_sbas_settings *
-mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * GNSS SBAS Settings response: response (0x0C,0xA1).
+ * GNSS SBAS settings response: response (0x0C,0xA1).
  *
- * Response to mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+ * Response to mip_3dm_gnss_sbas_settings.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -2442,37 +1560,26 @@ struct mip_3dm_gnss_sbas_settings_response {
     uint16_t included_prns[124];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE 0x0CA1
-/** Its descriptor. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR 0xA1
-/** Its name in the specification. */
-#define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_NAME "3dm.gnss_sbas_settings_response"
+MIP_FIELD(mip_3dm_gnss_sbas_settings_response, 0xA1);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gnss_sbas_settings_response_decode(
-    struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gnss_sbas_settings_response_codec, 0xA1, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
-    const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gnss_sbas_settings_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_gnss_sbas_settings *
+mip_3dm_gnss_sbas_settings_write_from(struct mip_3dm_gnss_sbas_settings *command,
+                                      const struct mip_3dm_gnss_sbas_settings_response *response) {
+    return mip_3dm_gnss_sbas_settings_write(command, response->enable_sbas, response->sbas_options,
+                                            response->num_included_prns, response->included_prns);
 }
 
 /**
- * GNSS Assisted Fix: command (0x0C,0x23).
+ * GNSS assisted fix: command (0x0C,0x23).
  *
  * Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next
  * power-up.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_gnss_assisted_fix_response.
- * Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK. Requires a receiver.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
  *
@@ -2484,13 +1591,10 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  *
  * It slightly increases the power consumption.
  *
- * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
+ * - mip-sdk-4: GNSS assisted fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2504,35 +1608,11 @@ struct mip_3dm_gnss_assisted_fix {
     uint8_t flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_ASSISTED_FIX 0x0C23
-/** Its descriptor. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR 0x23
-/** Its name in the specification. */
-#define MIP_3DM_GNSS_ASSISTED_FIX_NAME "3dm.gnss_assisted_fix"
+MIP_FIELD(mip_3dm_gnss_assisted_fix, 0x23);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gnss_assisted_fix_codec, 0x23, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_encode(
-    const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - option: Storage of data for a faster first fix. A value of enum mip_3dm_assisted_fix_option.
- *   Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
- *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     struct mip_3dm_gnss_assisted_fix *command, enum mip_3dm_assisted_fix_option option) {
     memset(command, 0, sizeof(*command));
@@ -2542,7 +1622,7 @@ static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2551,7 +1631,7 @@ mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
     return command;
 }
 
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_save(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2560,7 +1640,7 @@ mip_3dm_gnss_assisted_fix_save(struct mip_3dm_gnss_assisted_fix *command) {
     return command;
 }
 
-/** Load the saved setting. Fills the structure and returns its address. */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_load(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2569,7 +1649,7 @@ mip_3dm_gnss_assisted_fix_load(struct mip_3dm_gnss_assisted_fix *command) {
     return command;
 }
 
-/** Load the factory default setting. Fills the structure and returns its address. */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2579,12 +1659,11 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
 }
 
 /**
- * GNSS Assisted Fix response: response (0x0C,0xA2).
+ * GNSS assisted fix response: response (0x0C,0xA2).
  *
- * Response to mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known only from the MicroStrain
- * MIP SDK.
+ * Response to mip_3dm_gnss_assisted_fix. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
+ * - mip-sdk-4: GNSS assisted fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix_response {
     /**
@@ -2596,46 +1675,32 @@ struct mip_3dm_gnss_assisted_fix_response {
     uint8_t flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE 0x0CA2
-/** Its descriptor. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR 0xA2
-/** Its name in the specification. */
-#define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_NAME "3dm.gnss_assisted_fix_response"
+MIP_FIELD(mip_3dm_gnss_assisted_fix_response, 0xA2);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gnss_assisted_fix_response_decode(
-    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gnss_assisted_fix_response_codec, 0xA2, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
-    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gnss_assisted_fix_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_gnss_assisted_fix *
+mip_3dm_gnss_assisted_fix_write_from(struct mip_3dm_gnss_assisted_fix *command,
+                                     const struct mip_3dm_gnss_assisted_fix_response *response) {
+    return mip_3dm_gnss_assisted_fix_write(command,
+                                           (enum mip_3dm_assisted_fix_option)response->option);
 }
 
 /**
- * GNSS Time Assistance: command (0x0C,0x24).
+ * GNSS time assistance: command (0x0C,0x24).
  *
  * Sends the current GPS time to the GNSS receiver.
  *
- * Functions: write and read. Response: mip_3dm_gnss_time_assistance_response. Supported by
- * 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+ * Functions: write and read. Response: mip_3dm_gnss_time_assistance_response. Known only from the
+ * MicroStrain MIP SDK. Requires a receiver.
  *
  * It is needed right after power-up if mip_3dm_gnss_assisted_fix was on at power-off.
  *
- * - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
+ * - mip-sdk-4: GNSS time assistance (0x0C,0x24)
  */
 struct mip_3dm_gnss_time_assistance {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2649,36 +1714,12 @@ struct mip_3dm_gnss_time_assistance {
     float accuracy;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE 0x0C24
-/** Its descriptor. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR 0x24
-/** Its name in the specification. */
-#define MIP_3DM_GNSS_TIME_ASSISTANCE_NAME "3dm.gnss_time_assistance"
+MIP_FIELD(mip_3dm_gnss_time_assistance, 0x24);
+MIP_FILL(mip_3dm_gnss_time_assistance, read, MIP_FUNCTION_SELECTOR_READ);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gnss_time_assistance_decode(
-    struct mip_3dm_gnss_time_assistance *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gnss_time_assistance_codec, 0x24, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_encode(
-    const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
- * - week_number: GPS week number since 1980. Unit: week. Required for write.
- * - accuracy: Estimated accuracy of the time that is sent. Unit: s. Range: at least 0. Required for
- *   write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
                                    uint16_t week_number, float accuracy) {
@@ -2690,21 +1731,12 @@ mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command,
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_gnss_time_assistance *
-mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
 /**
- * GNSS Time Assistance response: response (0x0C,0xA3).
+ * GNSS time assistance response: response (0x0C,0xA3).
  *
- * Response to mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known only from the
- * MicroStrain MIP SDK.
+ * Response to mip_3dm_gnss_time_assistance. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
+ * - mip-sdk-4: GNSS time assistance (0x0C,0x24)
  */
 struct mip_3dm_gnss_time_assistance_response {
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
@@ -2715,38 +1747,26 @@ struct mip_3dm_gnss_time_assistance_response {
     float accuracy;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE 0x0CA3
-/** Its descriptor. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR 0xA3
-/** Its name in the specification. */
-#define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_NAME "3dm.gnss_time_assistance_response"
+MIP_FIELD(mip_3dm_gnss_time_assistance_response, 0xA3);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gnss_time_assistance_response_decode(
-    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gnss_time_assistance_response_codec, 0xA3, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode(
-    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gnss_time_assistance_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_gnss_time_assistance *mip_3dm_gnss_time_assistance_write_from(
+    struct mip_3dm_gnss_time_assistance *command,
+    const struct mip_3dm_gnss_time_assistance_response *response) {
+    return mip_3dm_gnss_time_assistance_write(command, response->tow, response->week_number,
+                                              response->accuracy);
 }
 
 /**
- * PPS Source Control: command (0x0C,0x28).
+ * PPS source control: command (0x0C,0x28).
  *
  * Selects the source of the pulse per second (PPS).
  *
  * Also called `pps_source`. Functions: write, read, save, load and default. Response:
- * mip_3dm_pps_source_control_response. Changes mip_system_data_time_sync_status. Probably changes
- * mip_shared_gps_timestamp, mip_shared_external_timestamp and mip_sensor_gps_timestamp. Supported
- * by 3DM-CV7-GNSS/INS.
+ * mip_3dm_pps_source_control_response. Affects mip_system_data_time_sync_status. Probably affects
+ * mip_shared_gps_timestamp, mip_shared_external_timestamp and mip_sensor_gps_timestamp.
  *
  * The pins are configured separately, by mip_3dm_gpio_config.
  *
@@ -2755,56 +1775,30 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
-     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-     * 3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
-     * MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
-     * On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
-     * MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
+     * 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GV7-AHRS, -AR and -INS: only
+     * MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED. On the
+     * 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1. On the 3DM-GQ7-GNSS/INS: only
+     * MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1, MIP_3DM_PPS_SOURCE_RECEIVER_2,
+     * MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
      */
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_PPS_SOURCE_CONTROL 0x0C28
-/** Its descriptor. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR 0x28
-/** Its name in the specification. */
-#define MIP_3DM_PPS_SOURCE_CONTROL_NAME "3dm.pps_source_control"
+MIP_FIELD(mip_3dm_pps_source_control, 0x28);
+MIP_FILL(mip_3dm_pps_source_control, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_pps_source_control, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_pps_source_control, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_pps_source_control, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_pps_source_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_pps_source_control_codec, 0x28, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_encode(
-    const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
- *   3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
- *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
- *   On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
- *   MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_write(
     struct mip_3dm_pps_source_control *command, enum mip_3dm_pps_source source) {
     memset(command, 0, sizeof(*command));
@@ -2813,43 +1807,10 @@ static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_writ
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_pps_source_control *
-mip_3dm_pps_source_control_read(struct mip_3dm_pps_source_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_pps_source_control *
-mip_3dm_pps_source_control_save(struct mip_3dm_pps_source_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_pps_source_control *
-mip_3dm_pps_source_control_load(struct mip_3dm_pps_source_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_pps_source_control *
-mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * PPS Source Control response: response (0x0C,0xA8).
+ * PPS source control response: response (0x0C,0xA8).
  *
- * Also called `pps_source_response`. Response to mip_3dm_pps_source_control. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `pps_source_response`. Response to mip_3dm_pps_source_control.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
@@ -2858,35 +1819,23 @@ struct mip_3dm_pps_source_control_response {
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE 0x0CA8
-/** Its descriptor. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0xA8
-/** Its name in the specification. */
-#define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_NAME "3dm.pps_source_control_response"
+MIP_FIELD(mip_3dm_pps_source_control_response, 0xA8);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_pps_source_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_pps_source_control_response_decode(
-    struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_pps_source_control_response_codec, 0xA8, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode(
-    const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_pps_source_control_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_pps_source_control *
+mip_3dm_pps_source_control_write_from(struct mip_3dm_pps_source_control *command,
+                                      const struct mip_3dm_pps_source_control_response *response) {
+    return mip_3dm_pps_source_control_write(command, (enum mip_3dm_pps_source)response->source);
 }
 
 /**
- * Get Supported Events: command (0x0C,0x2A).
+ * Get supported events: command (0x0C,0x2A).
  *
  * Gets the types of event triggers or actions that the device supports, and the number of each.
  *
- * Response: mip_3dm_get_event_support_response. Supported by 3DM-CV7-GNSS/INS.
+ * Response: mip_3dm_get_event_support_response.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -2895,33 +1844,11 @@ struct mip_3dm_get_event_support {
     uint8_t query;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_SUPPORT 0x0C2A
-/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR 0x2A
-/** Its name in the specification. */
-#define MIP_3DM_GET_EVENT_SUPPORT_NAME "3dm.get_event_support"
+MIP_FIELD(mip_3dm_get_event_support, 0x2A);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_event_support_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_event_support_codec, 0x2A, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode(
-    const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_event_support_codec, value, builder);
-}
-
-/**
- * Get Supported Events. Fills the structure and returns its address.
- *
- * - query: Triggers or actions. A value of enum mip_3dm_event_support_query.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
     struct mip_3dm_get_event_support *command, enum mip_3dm_event_support_query query) {
     memset(command, 0, sizeof(*command));
@@ -2930,16 +1857,16 @@ static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
 }
 
 /**
- * Get Supported Events response: response (0x0C,0xB4).
+ * Get supported events response: response (0x0C,0xB4).
  *
- * Response to mip_3dm_get_event_support. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_get_event_support.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
 struct mip_3dm_get_event_support_response {
     /** Query specified in the command. A value of enum mip_3dm_event_support_query. */
     uint8_t query;
-    /** Number of slots; instances are numbered from 1 to this. Unit: 1. */
+    /** Number of instances, which are numbered from 1. Unit: 1. */
     uint8_t max_instances;
     /** Number of types. Counts the elements of entries. */
     uint8_t num_entries;
@@ -2951,36 +1878,16 @@ struct mip_3dm_get_event_support_response {
     struct mip_3dm_event_support_info entries[125];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE 0x0CB4
-/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR 0xB4
-/** Its name in the specification. */
-#define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_NAME "3dm.get_event_support_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_event_support_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_event_support_response_decode(
-    struct mip_3dm_get_event_support_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_event_support_response_codec, 0xB4, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_event_support_response_encode(
-    const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_event_support_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_event_support_response, 0xB4);
 
 /**
- * Event Control: command (0x0C,0x2B).
+ * Event control: command (0x0C,0x2B).
  *
  * Enables, disables or tests an event trigger.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_event_control_response.
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * Triggers are disabled by default and after configuration.
  *
@@ -2989,10 +1896,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_support_response_encode(
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3005,35 +1909,11 @@ struct mip_3dm_event_control {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_CONTROL 0x0C2B
-/** Its descriptor. */
 #define MIP_3DM_EVENT_CONTROL_DESCRIPTOR 0x2B
-/** Its name in the specification. */
-#define MIP_3DM_EVENT_CONTROL_NAME "3dm.event_control"
+MIP_FIELD(mip_3dm_event_control, 0x2B);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_event_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
-                                                     const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_event_control_codec, 0x2B, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_event_control_encode(
-    const struct mip_3dm_event_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_event_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all configured triggers, except for read.
- * - mode: New mode. A value of enum mip_event_trigger_mode. Default:
- *   MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     struct mip_3dm_event_control *command, uint8_t instance, enum mip_event_trigger_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -3043,11 +1923,7 @@ static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all configured triggers, except for read.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3056,11 +1932,7 @@ mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instan
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all configured triggers, except for read.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3069,11 +1941,7 @@ mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instan
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all configured triggers, except for read.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3082,11 +1950,7 @@ mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instan
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all configured triggers, except for read.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3096,14 +1960,14 @@ mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t ins
 }
 
 /**
- * Event Control response: response (0x0C,0xB5).
+ * Event control response: response (0x0C,0xB5).
  *
- * Response to mip_3dm_event_control. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_event_control.
  *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control_response {
-    /** Number of the trigger. */
+    /** Trigger instance. */
     uint8_t instance;
     /**
      * Mode of the trigger. A value of enum mip_event_trigger_mode. Default:
@@ -3112,41 +1976,29 @@ struct mip_3dm_event_control_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE 0x0CB5
-/** Its descriptor. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR 0xB5
-/** Its name in the specification. */
-#define MIP_3DM_EVENT_CONTROL_RESPONSE_NAME "3dm.event_control_response"
+MIP_FIELD(mip_3dm_event_control_response, 0xB5);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_event_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_event_control_response_decode(
-    struct mip_3dm_event_control_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_event_control_response_codec, 0xB5, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode(
-    const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_event_control_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_event_control *mip_3dm_event_control_write_from(
+    struct mip_3dm_event_control *command, const struct mip_3dm_event_control_response *response) {
+    return mip_3dm_event_control_write(command, response->instance,
+                                       (enum mip_event_trigger_mode)response->mode);
 }
 
 /**
- * Get Event Trigger Status: command (0x0C,0x2C).
+ * Get event trigger status: command (0x0C,0x2C).
  *
  * Gets the type and the state of event triggers.
  *
- * Response: mip_3dm_get_event_trigger_status_response. Supported by 3DM-CV7-GNSS/INS.
+ * Response: mip_3dm_get_event_trigger_status_response.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 struct mip_3dm_get_event_trigger_status {
     /**
-     * Number of requested triggers; 0 requests all slots. Counts the elements of
+     * Number of requested triggers; 0 requests all instances. Counts the elements of
      * requested_instances.
      */
     uint8_t requested_count;
@@ -3154,36 +2006,11 @@ struct mip_3dm_get_event_trigger_status {
     uint8_t requested_instances[252];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS 0x0C2C
-/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR 0x2C
-/** Its name in the specification. */
-#define MIP_3DM_GET_EVENT_TRIGGER_STATUS_NAME "3dm.get_event_trigger_status"
+MIP_FIELD(mip_3dm_get_event_trigger_status, 0x2C);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_event_trigger_status_decode(
-    struct mip_3dm_get_event_trigger_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_event_trigger_status_codec, 0x2C, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_encode(
-    const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
-}
-
-/**
- * Get Event Trigger Status. Fills the structure and returns its address.
- *
- * - requested_count: Number of requested triggers; 0 requests all slots. Counts the elements of
- *   requested_instances.
- * - requested_instances: Numbers of the triggers to report; none for all.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger_status_make(
     struct mip_3dm_get_event_trigger_status *command, uint8_t requested_count,
     const uint8_t requested_instances[]) {
@@ -3196,9 +2023,9 @@ static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger
 }
 
 /**
- * Get Event Trigger Status response: response (0x0C,0xB6).
+ * Get event trigger status response: response (0x0C,0xB6).
  *
- * Response to mip_3dm_get_event_trigger_status. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_get_event_trigger_status.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
@@ -3209,41 +2036,22 @@ struct mip_3dm_get_event_trigger_status_response {
     struct mip_3dm_event_trigger_status_entry triggers[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE 0x0CB6
-/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR 0xB6
-/** Its name in the specification. */
-#define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_NAME "3dm.get_event_trigger_status_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_event_trigger_status_response_decode(
-    struct mip_3dm_get_event_trigger_status_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_event_trigger_status_response_codec, 0xB6, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
-    const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_event_trigger_status_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_event_trigger_status_response, 0xB6);
 
 /**
- * Get Event Action Status: command (0x0C,0x2D).
+ * Get event action status: command (0x0C,0x2D).
  *
  * Gets the type and the trigger of event actions.
  *
- * Response: mip_3dm_get_event_action_status_response. Supported by 3DM-CV7-GNSS/INS.
+ * Response: mip_3dm_get_event_action_status_response.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 struct mip_3dm_get_event_action_status {
     /**
-     * Number of requested actions; 0 requests all slots. Counts the elements of
+     * Number of requested actions; 0 requests all instances. Counts the elements of
      * requested_instances.
      */
     uint8_t requested_count;
@@ -3251,36 +2059,11 @@ struct mip_3dm_get_event_action_status {
     uint8_t requested_instances[252];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS 0x0C2D
-/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR 0x2D
-/** Its name in the specification. */
-#define MIP_3DM_GET_EVENT_ACTION_STATUS_NAME "3dm.get_event_action_status"
+MIP_FIELD(mip_3dm_get_event_action_status, 0x2D);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_event_action_status_decode(
-    struct mip_3dm_get_event_action_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_event_action_status_codec, 0x2D, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_encode(
-    const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
-}
-
-/**
- * Get Event Action Status. Fills the structure and returns its address.
- *
- * - requested_count: Number of requested actions; 0 requests all slots. Counts the elements of
- *   requested_instances.
- * - requested_instances: Numbers of the actions to report; none for all.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_get_event_action_status *
 mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *command,
                                      uint8_t requested_count, const uint8_t requested_instances[]) {
@@ -3293,9 +2076,9 @@ mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *com
 }
 
 /**
- * Get Event Action Status response: response (0x0C,0xB7).
+ * Get event action status response: response (0x0C,0xB7).
  *
- * Response to mip_3dm_get_event_action_status. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_get_event_action_status.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
@@ -3306,28 +2089,9 @@ struct mip_3dm_get_event_action_status_response {
     struct mip_3dm_event_action_status_entry actions[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE 0x0CB7
-/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR 0xB7
-/** Its name in the specification. */
-#define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_NAME "3dm.get_event_action_status_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_event_action_status_response_decode(
-    struct mip_3dm_get_event_action_status_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_event_action_status_response_codec, 0xB7, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_response_encode(
-    const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_event_action_status_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_event_action_status_response, 0xB7);
 
 /** The member of mip_3dm_event_trigger_config that `type` selects. */
 union mip_3dm_event_trigger_config_parameters {
@@ -3346,13 +2110,12 @@ union mip_3dm_event_trigger_config_parameters {
 };
 
 /**
- * Event Trigger Configuration: command (0x0C,0x2E).
+ * Event trigger configuration: command (0x0C,0x2E).
  *
  * Configures the kind and the condition of an event trigger.
  *
  * Also called `event_trigger`. Functions: write, read, save, load and default. Response:
- * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS.
+ * mip_3dm_event_trigger_config_response.
  *
  * The trigger is disabled afterwards; mip_3dm_event_control enables it.
  *
@@ -3361,10 +2124,7 @@ union mip_3dm_event_trigger_config_parameters {
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_3dm_event_trigger_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3382,36 +2142,15 @@ struct mip_3dm_event_trigger_config {
     union mip_3dm_event_trigger_config_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG 0x0C2E
-/** Its descriptor. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR 0x2E
-/** Its name in the specification. */
-#define MIP_3DM_EVENT_TRIGGER_CONFIG_NAME "3dm.event_trigger_config"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_event_trigger_config_decode(
-    struct mip_3dm_event_trigger_config *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_event_trigger_config_codec, 0x2E, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_encode(
-    const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_event_trigger_config, 0x2E);
 
 /**
- * Apply the new setting. Fills the structure and returns its address.
+ * Fills the structure for `write`, and returns it.
  *
- * - instance: Trigger instance; 0 means all (save, load, default).
- * - type: Kind of trigger. A value of enum mip_event_trigger_type. Default:
- *   MIP_EVENT_TRIGGER_TYPE_NONE. Required for write.
- * - parameters: The condition. Selected by type. Required for write. Empty if type is
- *   MIP_EVENT_TRIGGER_TYPE_NONE.
+ * A type without a name cannot be sent: the function stays 0, and sending fails with
+ * MIP_ERROR_MISSING.
  */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_write(
     struct mip_3dm_event_trigger_config *command, uint8_t instance,
@@ -3424,14 +2163,16 @@ static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_
     if (parameters != NULL) {
         command->parameters = *parameters;
     }
+    if (command->type != MIP_EVENT_TRIGGER_TYPE_NONE &&
+        command->type != MIP_EVENT_TRIGGER_TYPE_GPIO &&
+        command->type != MIP_EVENT_TRIGGER_TYPE_THRESHOLD &&
+        command->type != MIP_EVENT_TRIGGER_TYPE_COMBINATION) {
+        command->function = 0;
+    }
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all (save, load, default).
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3440,11 +2181,7 @@ mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, 
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all (save, load, default).
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3453,11 +2190,7 @@ mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, 
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all (save, load, default).
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3466,11 +2199,7 @@ mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, 
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all (save, load, default).
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_default(
     struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3479,32 +2208,15 @@ static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_
     return command;
 }
 
-/** The member of mip_3dm_event_trigger_config_response that `type` selects. */
-union mip_3dm_event_trigger_config_response_parameters {
-    /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
-    struct mip_event_trigger_gpio gpio;
-    /**
-     * If type is MIP_EVENT_TRIGGER_TYPE_THRESHOLD. Compares one value of a data field with
-     * thresholds.
-     */
-    struct mip_event_trigger_threshold threshold;
-    /**
-     * If type is MIP_EVENT_TRIGGER_TYPE_COMBINATION. Combines up to four other triggers in a truth
-     * table.
-     */
-    struct mip_event_trigger_combination combination;
-};
-
 /**
- * Event Trigger Configuration response: response (0x0C,0xB8).
+ * Event trigger configuration response: response (0x0C,0xB8).
  *
- * Also called `event_trigger_response`. Response to mip_3dm_event_trigger_config. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Also called `event_trigger_response`. Response to mip_3dm_event_trigger_config.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_3dm_event_trigger_config_response {
-    /** Number of the trigger. */
+    /** Trigger instance. */
     uint8_t instance;
     /**
      * Kind of trigger. A value of enum mip_event_trigger_type. Default:
@@ -3512,30 +2224,20 @@ struct mip_3dm_event_trigger_config_response {
      */
     uint8_t type;
     /** The condition. Selected by type. Empty if type is MIP_EVENT_TRIGGER_TYPE_NONE. */
-    union mip_3dm_event_trigger_config_response_parameters parameters;
+    union mip_3dm_event_trigger_config_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE 0x0CB8
-/** Its descriptor. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR 0xB8
-/** Its name in the specification. */
-#define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_NAME "3dm.event_trigger_config_response"
+MIP_FIELD(mip_3dm_event_trigger_config_response, 0xB8);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_event_trigger_config_response_decode(
-    struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_event_trigger_config_response_codec, 0xB8, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_response_encode(
-    const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_event_trigger_config_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_write_from(
+    struct mip_3dm_event_trigger_config *command,
+    const struct mip_3dm_event_trigger_config_response *response) {
+    return mip_3dm_event_trigger_config_write(command, response->instance,
+                                              (enum mip_event_trigger_type)response->type,
+                                              &response->parameters);
 }
 
 /** The member of mip_3dm_event_action_config that `type` selects. */
@@ -3547,12 +2249,12 @@ union mip_3dm_event_action_config_parameters {
 };
 
 /**
- * Event Action Configuration: command (0x0C,0x2F).
+ * Event action configuration: command (0x0C,0x2F).
  *
  * Configures the trigger and the effect of an event action.
  *
  * Also called `event_action`. Functions: write, read, save, load and default. Response:
- * mip_3dm_event_action_config_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * mip_3dm_event_action_config_response.
  *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger.
  *
@@ -3565,10 +2267,7 @@ union mip_3dm_event_action_config_parameters {
  * - 3dm-cv7-gnss-ins: Event Cycle
  */
 struct mip_3dm_event_action_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3588,37 +2287,15 @@ struct mip_3dm_event_action_config {
     union mip_3dm_event_action_config_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_ACTION_CONFIG 0x0C2F
-/** Its descriptor. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR 0x2F
-/** Its name in the specification. */
-#define MIP_3DM_EVENT_ACTION_CONFIG_NAME "3dm.event_action_config"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_event_action_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_event_action_config_decode(
-    struct mip_3dm_event_action_config *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_event_action_config_codec, 0x2F, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_event_action_config_encode(
-    const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_event_action_config, 0x2F);
 
 /**
- * Apply the new setting. Fills the structure and returns its address.
+ * Fills the structure for `write`, and returns it.
  *
- * - instance: Action instance; 0 means all (save, load, default).
- * - trigger: Trigger instance that the action follows. Required for write.
- * - type: Kind of action. A value of enum mip_event_action_type. Default:
- *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
- * - parameters: Effect of the action. Selected by type. Required for write. Empty if type is
- *   MIP_EVENT_ACTION_TYPE_NONE.
+ * A type without a name cannot be sent: the function stays 0, and sending fails with
+ * MIP_ERROR_MISSING.
  */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, uint8_t instance,
@@ -3632,14 +2309,15 @@ mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, u
     if (parameters != NULL) {
         command->parameters = *parameters;
     }
+    if (command->type != MIP_EVENT_ACTION_TYPE_NONE &&
+        command->type != MIP_EVENT_ACTION_TYPE_GPIO &&
+        command->type != MIP_EVENT_ACTION_TYPE_MESSAGE) {
+        command->function = 0;
+    }
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - instance: Action instance; 0 means all (save, load, default).
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3648,11 +2326,7 @@ mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, ui
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - instance: Action instance; 0 means all (save, load, default).
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3661,11 +2335,7 @@ mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, ui
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - instance: Action instance; 0 means all (save, load, default).
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3674,11 +2344,7 @@ mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, ui
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - instance: Action instance; 0 means all (save, load, default).
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_default(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3687,25 +2353,16 @@ mip_3dm_event_action_config_default(struct mip_3dm_event_action_config *command,
     return command;
 }
 
-/** The member of mip_3dm_event_action_config_response that `type` selects. */
-union mip_3dm_event_action_config_response_parameters {
-    /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
-    struct mip_event_action_gpio gpio;
-    /** If type is MIP_EVENT_ACTION_TYPE_MESSAGE. Sends a data packet. */
-    struct mip_event_action_message message;
-};
-
 /**
- * Event Action Configuration response: response (0x0C,0xB9).
+ * Event action configuration response: response (0x0C,0xB9).
  *
- * Also called `event_action_response`. Response to mip_3dm_event_action_config. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Also called `event_action_response`. Response to mip_3dm_event_action_config.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Event Cycle
  */
 struct mip_3dm_event_action_config_response {
-    /** Number of the action. */
+    /** Action instance. */
     uint8_t instance;
     /** Trigger instance that the action follows. */
     uint8_t trigger;
@@ -3714,40 +2371,28 @@ struct mip_3dm_event_action_config_response {
      */
     uint8_t type;
     /** Effect of the action. Selected by type. Empty if type is MIP_EVENT_ACTION_TYPE_NONE. */
-    union mip_3dm_event_action_config_response_parameters parameters;
+    union mip_3dm_event_action_config_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE 0x0CB9
-/** Its descriptor. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR 0xB9
-/** Its name in the specification. */
-#define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_NAME "3dm.event_action_config_response"
+MIP_FIELD(mip_3dm_event_action_config_response, 0xB9);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_event_action_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_event_action_config_response_decode(
-    struct mip_3dm_event_action_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_event_action_config_response_codec, 0xB9, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_event_action_config_response_encode(
-    const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_event_action_config_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_event_action_config *mip_3dm_event_action_config_write_from(
+    struct mip_3dm_event_action_config *command,
+    const struct mip_3dm_event_action_config_response *response) {
+    return mip_3dm_event_action_config_write(command, response->instance, response->trigger,
+                                             (enum mip_event_action_type)response->type,
+                                             &response->parameters);
 }
 
 /**
- * Device Start Up Settings: command (0x0C,0x30).
+ * Device start up settings: command (0x0C,0x30).
  *
  * Saves, loads or resets all settings of the device at once.
  *
- * Functions: save, load and default. The device may take 2 s to reply. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Functions: save, load and default. The device may take 2 s to reply.
  *
  * A save may disturb the data output for a short time.
  *
@@ -3761,65 +2406,26 @@ struct mip_3dm_device_settings {
     uint8_t function;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DEVICE_SETTINGS 0x0C30
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR 0x30
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_SETTINGS_NAME "3dm.device_settings"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_settings_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_settings_codec, 0x30, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode(
-    const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_settings_codec, value, builder);
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_device_settings *
-mip_3dm_device_settings_save(struct mip_3dm_device_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_device_settings *
-mip_3dm_device_settings_load(struct mip_3dm_device_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_device_settings *
-mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
+MIP_FIELD(mip_3dm_device_settings, 0x30);
+MIP_FILL(mip_3dm_device_settings, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_device_settings, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_device_settings, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: command (0x0C,0x31).
+ * Sensor-to-vehicle frame transformation Euler: command (0x0C,0x31).
  *
  * Sets the mounting of the sensor in the vehicle as Euler angles.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
- * Response: mip_3dm_sensor_to_vehicle_transform_euler_response. Changes mip_sensor_scaled_accel,
+ * Response: mip_3dm_sensor_to_vehicle_transform_euler_response. Affects mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
- * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
- * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * mip_filter_data_gravity_vector. Probably affects mip_filter_data_comp_accel and
+ * mip_sensor_comp_orientation_update_matrix.
  *
  * mip_3dm_sensor_to_vehicle_transform_quaternion and mip_3dm_sensor_to_vehicle_transform_dcm set
  * the same transformation; the value read back may be another form of it.
@@ -3836,51 +2442,36 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
 struct mip_3dm_sensor_to_vehicle_transform_euler {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Rotation about the x axis. Unit: rad. Required for write. */
+    /**
+     * Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: right
+     * side down. Required for write.
+     */
     float roll;
-    /** Rotation about the y axis. Unit: rad. Required for write. */
+    /**
+     * Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: nose
+     * up. Required for write.
+     */
     float pitch;
-    /** Rotation about the z axis. Unit: rad. Required for write. */
+    /**
+     * Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive:
+     * clockwise seen from above. Required for write.
+     */
     float yaw;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER 0x0C31
-/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR 0x31
-/** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
+MIP_FIELD(mip_3dm_sensor_to_vehicle_transform_euler, 0x31);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_euler, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_euler, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_euler, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_euler, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_euler_codec, 0x31, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - roll: Rotation about the x axis. Unit: rad. Required for write.
- * - pitch: Rotation about the y axis. Unit: rad. Required for write.
- * - yaw: Rotation about the z axis. Unit: rad. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
 mip_3dm_sensor_to_vehicle_transform_euler_write(
     struct mip_3dm_sensor_to_vehicle_transform_euler *command, float roll, float pitch, float yaw) {
@@ -3892,98 +2483,58 @@ mip_3dm_sensor_to_vehicle_transform_euler_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
-mip_3dm_sensor_to_vehicle_transform_euler_read(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
-mip_3dm_sensor_to_vehicle_transform_euler_save(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
-mip_3dm_sensor_to_vehicle_transform_euler_load(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
-mip_3dm_sensor_to_vehicle_transform_euler_default(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
+ * Sensor-to-vehicle frame transformation Euler response: response (0x0C,0xB1).
  *
  * Also called `sensor_2_vehicle_transform_euler_response`. Response to
- * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_transform_euler.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
 struct mip_3dm_sensor_to_vehicle_transform_euler_response {
-    /** Rotation about the x axis. Unit: rad. */
+    /**
+     * Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: right
+     * side down.
+     */
     float roll;
-    /** Rotation about the y axis. Unit: rad. */
+    /**
+     * Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: nose
+     * up.
+     */
     float pitch;
-    /** Rotation about the z axis. Unit: rad. */
+    /**
+     * Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive:
+     * clockwise seen from above.
+     */
     float yaw;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE 0x0CB1
-/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR 0xB1
-/** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_transform_euler_response"
+MIP_FIELD(mip_3dm_sensor_to_vehicle_transform_euler_response, 0xB1);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_euler_response_codec, 0xB1, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_write_from(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command,
+    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *response) {
+    return mip_3dm_sensor_to_vehicle_transform_euler_write(command, response->roll, response->pitch,
+                                                           response->yaw);
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
+ * Sensor-to-vehicle frame transformation quaternion: command (0x0C,0x32).
  *
  * Sets the mounting of the sensor in the vehicle as a quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
- * default. Response: mip_3dm_sensor_to_vehicle_transform_quaternion_response. Changes
+ * default. Response: mip_3dm_sensor_to_vehicle_transform_quaternion_response. Affects
  * mip_sensor_scaled_accel, mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta,
  * mip_sensor_delta_velocity, mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion,
  * mip_sensor_comp_euler_angles, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
  * mip_filter_data_euler_angles, mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
- * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
- * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_data_gravity_vector. Probably affects mip_filter_data_comp_accel and
+ * mip_sensor_comp_orientation_update_matrix.
  *
  * mip_3dm_sensor_to_vehicle_transform_euler and mip_3dm_sensor_to_vehicle_transform_dcm set the
  * same transformation; the value read back may be another form of it.
@@ -3996,10 +2547,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_re
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
 struct mip_3dm_sensor_to_vehicle_transform_quaternion {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4010,37 +2558,15 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion {
     float q[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION 0x0C32
-/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR 0x32
-/** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_NAME \
-    "3dm.sensor_to_vehicle_transform_quaternion"
+MIP_FIELD(mip_3dm_sensor_to_vehicle_transform_quaternion, 0x32);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_quaternion, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_quaternion, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_quaternion, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_quaternion, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, 0x32, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
- *   Elements: w, x, y, z. Unit: 1. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
 mip_3dm_sensor_to_vehicle_transform_quaternion_write(
     struct mip_3dm_sensor_to_vehicle_transform_quaternion *command, const float q[4]) {
@@ -4050,47 +2576,11 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
-mip_3dm_sensor_to_vehicle_transform_quaternion_read(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
-mip_3dm_sensor_to_vehicle_transform_quaternion_save(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
-mip_3dm_sensor_to_vehicle_transform_quaternion_load(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
-mip_3dm_sensor_to_vehicle_transform_quaternion_default(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
+ * Sensor-to-vehicle frame transformation quaternion response: response (0x0C,0xB2).
  *
  * Also called `sensor_2_vehicle_transform_quaternion_response`. Response to
- * mip_3dm_sensor_to_vehicle_transform_quaternion. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_transform_quaternion.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -4102,46 +2592,31 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
     float q[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE 0x0CB2
-/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
-/** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_transform_quaternion_response"
+MIP_FIELD(mip_3dm_sensor_to_vehicle_transform_quaternion_response, 0xB2);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, 0xB2,
-                           value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, value,
-                      builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_write_from(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command,
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *response) {
+    return mip_3dm_sensor_to_vehicle_transform_quaternion_write(command, response->q);
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
+ * Sensor-to-vehicle frame transformation direction cosine matrix: command (0x0C,0x33).
  *
  * Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
- * Response: mip_3dm_sensor_to_vehicle_transform_dcm_response. Changes mip_sensor_scaled_accel,
+ * Response: mip_3dm_sensor_to_vehicle_transform_dcm_response. Affects mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
- * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
- * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_data_gravity_vector. Probably affects mip_filter_data_comp_accel and
+ * mip_sensor_comp_orientation_update_matrix.
  *
  * mip_3dm_sensor_to_vehicle_transform_euler and mip_3dm_sensor_to_vehicle_transform_quaternion set
  * the same transformation; the value read back may be another form of it.
@@ -4154,10 +2629,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaterni
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
 struct mip_3dm_sensor_to_vehicle_transform_dcm {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4168,35 +2640,15 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm {
     float dcm[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM 0x0C33
-/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR 0x33
-/** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
+MIP_FIELD(mip_3dm_sensor_to_vehicle_transform_dcm, 0x33);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_dcm, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_dcm, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_dcm, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_sensor_to_vehicle_transform_dcm, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, 0x33, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
- *   Unit: 1. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
 mip_3dm_sensor_to_vehicle_transform_dcm_write(
     struct mip_3dm_sensor_to_vehicle_transform_dcm *command, const float dcm[9]) {
@@ -4206,47 +2658,11 @@ mip_3dm_sensor_to_vehicle_transform_dcm_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
-mip_3dm_sensor_to_vehicle_transform_dcm_read(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
-mip_3dm_sensor_to_vehicle_transform_dcm_save(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
-mip_3dm_sensor_to_vehicle_transform_dcm_load(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
-mip_3dm_sensor_to_vehicle_transform_dcm_default(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
+ * Sensor-to-vehicle frame transformation direction cosine matrix response: response (0x0C,0xB3).
  *
  * Also called `sensor_2_vehicle_transform_dcm_response`. Response to
- * mip_3dm_sensor_to_vehicle_transform_dcm. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_transform_dcm.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
@@ -4258,29 +2674,16 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
     float dcm[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE 0x0CB3
-/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR 0xB3
-/** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_transform_dcm_response"
+MIP_FIELD(mip_3dm_sensor_to_vehicle_transform_dcm_response, 0xB3);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, 0xB3, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_write_from(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command,
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *response) {
+    return mip_3dm_sensor_to_vehicle_transform_dcm_write(command, response->dcm);
 }
 
 /**
@@ -4289,19 +2692,16 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_resp
  * Sets the dynamics that the GNSS receiver assumes of the vehicle.
  *
  * No device is known for certain to support it. Functions: write, read, save, load and default.
- * Response: mip_3dm_gps_dynamics_mode_response. Probably changes mip_gnss_data_llh_position and
+ * Response: mip_3dm_gps_dynamics_mode_response. Probably affects mip_gnss_data_llh_position and
  * mip_gnss_data_ned_velocity. Known only from the MIP SDK of 2014 and MicroStrain Communication
- * Library. Uncertain: Which devices support it. The SDK of 2014 uses it in its example for the
- * 3DM-GX3-35 only.
+ * Library. Requires a receiver. Uncertain: No source lists the devices that support it; the SDK of
+ * 2014 uses it in its example for the 3DM-GX3-35 only.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
  * - mscl: GPS dynamics mode (0x0C,0x34)
  */
 struct mip_3dm_gps_dynamics_mode {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4309,70 +2709,20 @@ struct mip_3dm_gps_dynamics_mode {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPS_DYNAMICS_MODE 0x0C34
-/** Its descriptor. */
 #define MIP_3DM_GPS_DYNAMICS_MODE_DESCRIPTOR 0x34
-/** Its name in the specification. */
-#define MIP_3DM_GPS_DYNAMICS_MODE_NAME "3dm.gps_dynamics_mode"
+MIP_FIELD(mip_3dm_gps_dynamics_mode, 0x34);
+MIP_FILL(mip_3dm_gps_dynamics_mode, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_gps_dynamics_mode, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_gps_dynamics_mode, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_gps_dynamics_mode, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gps_dynamics_mode_decode(struct mip_3dm_gps_dynamics_mode *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gps_dynamics_mode_codec, 0x34, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_encode(
-    const struct mip_3dm_gps_dynamics_mode *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gps_dynamics_mode_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_gps_dynamics_mode *mip_3dm_gps_dynamics_mode_write(
     struct mip_3dm_gps_dynamics_mode *command, enum mip_3dm_receiver_dynamics mode) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->mode = (uint8_t)mode;
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_gps_dynamics_mode *
-mip_3dm_gps_dynamics_mode_read(struct mip_3dm_gps_dynamics_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_gps_dynamics_mode *
-mip_3dm_gps_dynamics_mode_save(struct mip_3dm_gps_dynamics_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gps_dynamics_mode *
-mip_3dm_gps_dynamics_mode_load(struct mip_3dm_gps_dynamics_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gps_dynamics_mode *
-mip_3dm_gps_dynamics_mode_default(struct mip_3dm_gps_dynamics_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -4390,27 +2740,15 @@ struct mip_3dm_gps_dynamics_mode_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE 0x0C92
-/** Its descriptor. */
 #define MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x92
-/** Its name in the specification. */
-#define MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE_NAME "3dm.gps_dynamics_mode_response"
+MIP_FIELD(mip_3dm_gps_dynamics_mode_response, 0x92);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gps_dynamics_mode_response_decode(
-    struct mip_3dm_gps_dynamics_mode_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gps_dynamics_mode_response_codec, 0x92, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
-    const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gps_dynamics_mode_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_gps_dynamics_mode *
+mip_3dm_gps_dynamics_mode_write_from(struct mip_3dm_gps_dynamics_mode *command,
+                                     const struct mip_3dm_gps_dynamics_mode_response *response) {
+    return mip_3dm_gps_dynamics_mode_write(command, (enum mip_3dm_receiver_dynamics)response->mode);
 }
 
 /**
@@ -4419,14 +2757,14 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
  * No device is known for certain to support it. Functions: write, read, save, load and default.
- * Response: mip_3dm_imu_signal_conditioning_response. Changes mip_sensor_scaled_accel,
+ * Response: mip_3dm_imu_signal_conditioning_response. Affects mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion and mip_sensor_comp_euler_angles.
- * Probably changes mip_sensor_scaled_mag. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are those
- * of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices
- * support it. The SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: Whether
- * every device sends `reserved` in the response. MSCL reads it without.
+ * Probably affects mip_sensor_scaled_mag. Known only from the MIP SDK of 2014 and MicroStrain
+ * Communication Library. Uncertain: The ranges, the defaults and some of the flags are those of the
+ * single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: No source lists the
+ * devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only.
+ * Uncertain: MSCL reads the response without `reserved`, so some devices may not send it.
  *
  * The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
  * width.
@@ -4435,10 +2773,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
  * - mscl: IMU signal conditioning (0x0C,0x35)
  */
 struct mip_3dm_imu_signal_conditioning {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4478,46 +2813,15 @@ struct mip_3dm_imu_signal_conditioning {
     uint16_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING 0x0C35
-/** Its descriptor. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING_DESCRIPTOR 0x35
-/** Its name in the specification. */
-#define MIP_3DM_IMU_SIGNAL_CONDITIONING_NAME "3dm.imu_signal_conditioning"
+MIP_FIELD(mip_3dm_imu_signal_conditioning, 0x35);
+MIP_FILL(mip_3dm_imu_signal_conditioning, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_imu_signal_conditioning, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_imu_signal_conditioning, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_imu_signal_conditioning, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_imu_signal_conditioning_decode(
-    struct mip_3dm_imu_signal_conditioning *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_imu_signal_conditioning_codec, 0x35, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_encode(
-    const struct mip_3dm_imu_signal_conditioning *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_imu_signal_conditioning_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - orientation_decimation: Divisor of 1000 Hz that sets the rate at which the orientation is
- *   computed. Unit: 1. Range: 1 to 1000. Required for write.
- * - data_conditioning_flags: Processing steps. Default: 3. Required for write.
- * - inertial_filter_width: Width of the accelerometer and gyroscope filter in samples. Unit: 1.
- *   Range: 1 to 32. Default: 15. Required for write.
- * - mag_filter_width: Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32.
- *   Default: 17. Required for write.
- * - up_compensation: Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000.
- *   Default: 10. Required for write.
- * - north_compensation: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
- *   Default: 10. Required for write.
- * - mag_bandwidth: Bandwidth of the magnetometer of 3-series devices. A value of enum
- *   mip_3dm_mag_bandwidth. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_imu_signal_conditioning *mip_3dm_imu_signal_conditioning_write(
     struct mip_3dm_imu_signal_conditioning *command, uint16_t orientation_decimation,
     mip_3dm_data_conditioning_flags data_conditioning_flags, uint8_t inertial_filter_width,
@@ -4532,38 +2836,6 @@ static inline struct mip_3dm_imu_signal_conditioning *mip_3dm_imu_signal_conditi
     command->up_compensation = up_compensation;
     command->north_compensation = north_compensation;
     command->mag_bandwidth = (uint8_t)mag_bandwidth;
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_imu_signal_conditioning *
-mip_3dm_imu_signal_conditioning_read(struct mip_3dm_imu_signal_conditioning *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_imu_signal_conditioning *
-mip_3dm_imu_signal_conditioning_save(struct mip_3dm_imu_signal_conditioning *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_imu_signal_conditioning *
-mip_3dm_imu_signal_conditioning_load(struct mip_3dm_imu_signal_conditioning *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_imu_signal_conditioning *
-mip_3dm_imu_signal_conditioning_default(struct mip_3dm_imu_signal_conditioning *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -4601,27 +2873,18 @@ struct mip_3dm_imu_signal_conditioning_response {
     uint16_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE 0x0C86
-/** Its descriptor. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE_DESCRIPTOR 0x86
-/** Its name in the specification. */
-#define MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE_NAME "3dm.imu_signal_conditioning_response"
+MIP_FIELD(mip_3dm_imu_signal_conditioning_response, 0x86);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_imu_signal_conditioning_response_decode(
-    struct mip_3dm_imu_signal_conditioning_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_imu_signal_conditioning_response_codec, 0x86, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_encode(
-    const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_imu_signal_conditioning_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_imu_signal_conditioning *mip_3dm_imu_signal_conditioning_write_from(
+    struct mip_3dm_imu_signal_conditioning *command,
+    const struct mip_3dm_imu_signal_conditioning_response *response) {
+    return mip_3dm_imu_signal_conditioning_write(
+        command, response->orientation_decimation, response->data_conditioning_flags,
+        response->inertial_filter_width, response->mag_filter_width, response->up_compensation,
+        response->north_compensation, (enum mip_3dm_mag_bandwidth)response->mag_bandwidth);
 }
 
 /**
@@ -4630,17 +2893,14 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_enc
  * Sets or reads a time counter of the sensor data.
  *
  * No device is known for certain to support it. Functions: write and read. Response:
- * mip_3dm_imu_timestamp_response. Known only from the MIP SDK of 2014. Uncertain: Which devices
- * support it. The SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: Whether a
- * read includes `time`, which is ignored, or omits it, as is assumed.
+ * mip_3dm_imu_timestamp_response. Known only from the MIP SDK of 2014. Uncertain: No source lists
+ * the devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only.
+ * Uncertain: A read is assumed to omit `time`, which the device would ignore.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
 struct mip_3dm_imu_timestamp {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4650,34 +2910,11 @@ struct mip_3dm_imu_timestamp {
     uint32_t time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_TIMESTAMP 0x0C36
-/** Its descriptor. */
 #define MIP_3DM_IMU_TIMESTAMP_DESCRIPTOR 0x36
-/** Its name in the specification. */
-#define MIP_3DM_IMU_TIMESTAMP_NAME "3dm.imu_timestamp"
+MIP_FIELD(mip_3dm_imu_timestamp, 0x36);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_imu_timestamp_decode(struct mip_3dm_imu_timestamp *value,
-                                                     const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_imu_timestamp_codec, 0x36, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_encode(
-    const struct mip_3dm_imu_timestamp *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_imu_timestamp_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
- * - time: Value of the counter, in the unit that `selector` selects. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_imu_timestamp *
 mip_3dm_imu_timestamp_write(struct mip_3dm_imu_timestamp *command,
                             enum mip_3dm_imu_timestamp_selector selector, uint32_t time) {
@@ -4688,11 +2925,7 @@ mip_3dm_imu_timestamp_write(struct mip_3dm_imu_timestamp *command,
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_imu_timestamp *mip_3dm_imu_timestamp_read(
     struct mip_3dm_imu_timestamp *command, enum mip_3dm_imu_timestamp_selector selector) {
     memset(command, 0, sizeof(*command));
@@ -4716,48 +2949,32 @@ struct mip_3dm_imu_timestamp_response {
     uint32_t time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_TIMESTAMP_RESPONSE 0x0C93
-/** Its descriptor. */
 #define MIP_3DM_IMU_TIMESTAMP_RESPONSE_DESCRIPTOR 0x93
-/** Its name in the specification. */
-#define MIP_3DM_IMU_TIMESTAMP_RESPONSE_NAME "3dm.imu_timestamp_response"
+MIP_FIELD(mip_3dm_imu_timestamp_response, 0x93);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_imu_timestamp_response_decode(
-    struct mip_3dm_imu_timestamp_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_imu_timestamp_response_codec, 0x93, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode(
-    const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_imu_timestamp_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_imu_timestamp *mip_3dm_imu_timestamp_write_from(
+    struct mip_3dm_imu_timestamp *command, const struct mip_3dm_imu_timestamp_response *response) {
+    return mip_3dm_imu_timestamp_write(
+        command, (enum mip_3dm_imu_timestamp_selector)response->selector, response->time);
 }
 
 /**
- * Accelerometer Bias Configuration: command (0x0C,0x37).
+ * Accelerometer bias configuration: command (0x0C,0x37).
  *
  * Sets the bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Response:
- * mip_3dm_accel_bias_response. Changes mip_sensor_scaled_accel. Probably changes
- * mip_sensor_delta_velocity and mip_filter_data_accel_bias. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS:
- * write, read, save, load and default only.
+ * mip_3dm_accel_bias_response. Affects mip_sensor_scaled_accel. Probably affects
+ * mip_sensor_delta_velocity and mip_filter_data_accel_bias. On the 3DM-CV7-GNSS/INS: write, read,
+ * save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
 struct mip_3dm_accel_bias {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4768,34 +2985,15 @@ struct mip_3dm_accel_bias {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_ACCEL_BIAS 0x0C37
-/** Its descriptor. */
 #define MIP_3DM_ACCEL_BIAS_DESCRIPTOR 0x37
-/** Its name in the specification. */
-#define MIP_3DM_ACCEL_BIAS_NAME "3dm.accel_bias"
+MIP_FIELD(mip_3dm_accel_bias, 0x37);
+MIP_FILL(mip_3dm_accel_bias, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_accel_bias, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_accel_bias, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_accel_bias, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_accel_bias_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
-                                                  const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_accel_bias_codec, 0x37, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
- *   g. Frame: sensor. Required for write and apply.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4804,45 +3002,7 @@ mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_accel_bias *
-mip_3dm_accel_bias_read(struct mip_3dm_accel_bias *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_accel_bias *
-mip_3dm_accel_bias_save(struct mip_3dm_accel_bias *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_accel_bias *
-mip_3dm_accel_bias_load(struct mip_3dm_accel_bias *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_accel_bias *
-mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
-/**
- * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
- * its address.
- *
- * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
- *   g. Frame: sensor. Required for write and apply.
- */
+/** Fills the structure for `apply`, and returns it. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4852,10 +3012,9 @@ mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]
 }
 
 /**
- * Accelerometer Bias Configuration response: response (0x0C,0x9A).
+ * Accelerometer bias configuration response: response (0x0C,0x9A).
  *
- * Response to mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_accel_bias.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -4868,49 +3027,32 @@ struct mip_3dm_accel_bias_response {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE 0x0C9A
-/** Its descriptor. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR 0x9A
-/** Its name in the specification. */
-#define MIP_3DM_ACCEL_BIAS_RESPONSE_NAME "3dm.accel_bias_response"
+MIP_FIELD(mip_3dm_accel_bias_response, 0x9A);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_accel_bias_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_accel_bias_response_decode(
-    struct mip_3dm_accel_bias_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_accel_bias_response_codec, 0x9A, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
-    const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_accel_bias_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_accel_bias *mip_3dm_accel_bias_write_from(
+    struct mip_3dm_accel_bias *command, const struct mip_3dm_accel_bias_response *response) {
+    return mip_3dm_accel_bias_write(command, response->bias);
 }
 
 /**
- * Gyroscope Bias Configuration: command (0x0C,0x38).
+ * Gyroscope bias configuration: command (0x0C,0x38).
  *
  * Sets the bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Response:
- * mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
- * mip_sensor_delta_theta, mip_filter_data_gyro_bias and mip_filter_data_status. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR:
- * write, read, save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and
- * default only.
+ * mip_3dm_gyro_bias_response. Affects mip_sensor_scaled_gyro. Probably affects
+ * mip_sensor_delta_theta, mip_filter_data_gyro_bias and mip_filter_data_status. On the
+ * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
+ * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
 struct mip_3dm_gyro_bias {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4921,34 +3063,15 @@ struct mip_3dm_gyro_bias {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GYRO_BIAS 0x0C38
-/** Its descriptor. */
 #define MIP_3DM_GYRO_BIAS_DESCRIPTOR 0x38
-/** Its name in the specification. */
-#define MIP_3DM_GYRO_BIAS_NAME "3dm.gyro_bias"
+MIP_FIELD(mip_3dm_gyro_bias, 0x38);
+MIP_FILL(mip_3dm_gyro_bias, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_gyro_bias, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_gyro_bias, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_gyro_bias, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gyro_bias_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gyro_bias_codec, 0x38, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
-                                                             struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
- *   rad/s. Frame: sensor. Required for write and apply.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4957,42 +3080,7 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_g
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_read(struct mip_3dm_gyro_bias *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_save(struct mip_3dm_gyro_bias *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_load(struct mip_3dm_gyro_bias *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gyro_bias *
-mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
-/**
- * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
- * its address.
- *
- * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
- *   rad/s. Frame: sensor. Required for write and apply.
- */
+/** Fills the structure for `apply`, and returns it. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -5002,13 +3090,12 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_g
 }
 
 /**
- * Gyroscope Bias Configuration response: response (0x0C,0x9B).
+ * Gyroscope bias configuration response: response (0x0C,0x9B).
  *
  * The bias in use.
  *
  * Also called `capture_gyro_bias_response`. Response to mip_3dm_gyro_bias and
- * mip_3dm_capture_gyro_bias. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_3dm_capture_gyro_bias.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -5021,37 +3108,24 @@ struct mip_3dm_gyro_bias_response {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE 0x0C9B
-/** Its descriptor. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR 0x9B
-/** Its name in the specification. */
-#define MIP_3DM_GYRO_BIAS_RESPONSE_NAME "3dm.gyro_bias_response"
+MIP_FIELD(mip_3dm_gyro_bias_response, 0x9B);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gyro_bias_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gyro_bias_response_codec, 0x9B, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
-    const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gyro_bias_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write_from(
+    struct mip_3dm_gyro_bias *command, const struct mip_3dm_gyro_bias_response *response) {
+    return mip_3dm_gyro_bias_write(command, response->bias);
 }
 
 /**
- * Capture Gyroscope Bias: command (0x0C,0x39).
+ * Capture gyroscope bias: command (0x0C,0x39).
  *
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
- * Response: mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
+ * Response: mip_3dm_gyro_bias_response. Affects mip_sensor_scaled_gyro. Probably affects
  * mip_sensor_delta_theta, mip_filter_data_gyro_bias and mip_filter_data_status. The device may take
- * 31 s to reply. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 31 s to reply.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time.
  *
@@ -5069,33 +3143,11 @@ struct mip_3dm_capture_gyro_bias {
     uint16_t averaging_time_ms;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS 0x0C39
-/** Its descriptor. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR 0x39
-/** Its name in the specification. */
-#define MIP_3DM_CAPTURE_GYRO_BIAS_NAME "3dm.capture_gyro_bias"
+MIP_FIELD(mip_3dm_capture_gyro_bias, 0x39);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_capture_gyro_bias_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_capture_gyro_bias_codec, 0x39, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode(
-    const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_capture_gyro_bias_codec, value, builder);
-}
-
-/**
- * Capture Gyroscope Bias. Fills the structure and returns its address.
- *
- * - averaging_time_ms: Time to average over. Unit: ms. Range: 1000 to 30000.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
     struct mip_3dm_capture_gyro_bias *command, uint16_t averaging_time_ms) {
     memset(command, 0, sizeof(*command));
@@ -5104,15 +3156,14 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
 }
 
 /**
- * Magnetometer Hard Iron Offset: command (0x0C,0x3A).
+ * Magnetometer hard iron offset: command (0x0C,0x3A).
  *
  * Sets the offset that corrects the scaled magnetic field for hard iron.
  *
  * Functions: write, read, save, load, default and apply. Response:
- * mip_3dm_mag_hard_iron_offset_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the
- * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
- * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_3dm_mag_hard_iron_offset_response. Affects mip_sensor_scaled_mag. On the 3DM-CV7-AHRS: write,
+ * read, save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
+ * only. Requires a magnetometer.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -5125,10 +3176,7 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  * - 3dm-gx5-45: (0x0C, 0x3A)
  */
 struct mip_3dm_mag_hard_iron_offset {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5139,34 +3187,15 @@ struct mip_3dm_mag_hard_iron_offset {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET 0x0C3A
-/** Its descriptor. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
-/** Its name in the specification. */
-#define MIP_3DM_MAG_HARD_IRON_OFFSET_NAME "3dm.mag_hard_iron_offset"
+MIP_FIELD(mip_3dm_mag_hard_iron_offset, 0x3A);
+MIP_FILL(mip_3dm_mag_hard_iron_offset, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_mag_hard_iron_offset, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_mag_hard_iron_offset, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_mag_hard_iron_offset, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_mag_hard_iron_offset_decode(
-    struct mip_3dm_mag_hard_iron_offset *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_mag_hard_iron_offset_codec, 0x3A, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
-    const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
- *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_write(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -5175,45 +3204,7 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_mag_hard_iron_offset *
-mip_3dm_mag_hard_iron_offset_read(struct mip_3dm_mag_hard_iron_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_mag_hard_iron_offset *
-mip_3dm_mag_hard_iron_offset_save(struct mip_3dm_mag_hard_iron_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_mag_hard_iron_offset *
-mip_3dm_mag_hard_iron_offset_load(struct mip_3dm_mag_hard_iron_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_mag_hard_iron_offset *
-mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
-/**
- * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
- * its address.
- *
- * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
- *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
- */
+/** Fills the structure for `apply`, and returns it. */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_apply(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -5223,10 +3214,9 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
 }
 
 /**
- * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
+ * Magnetometer hard iron offset response: response (0x0C,0x9C).
  *
- * Response to mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_mag_hard_iron_offset.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -5239,39 +3229,26 @@ struct mip_3dm_mag_hard_iron_offset_response {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE 0x0C9C
-/** Its descriptor. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
-/** Its name in the specification. */
-#define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_NAME "3dm.mag_hard_iron_offset_response"
+MIP_FIELD(mip_3dm_mag_hard_iron_offset_response, 0x9C);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode(
-    struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_mag_hard_iron_offset_response_codec, 0x9C, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode(
-    const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_mag_hard_iron_offset_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_write_from(
+    struct mip_3dm_mag_hard_iron_offset *command,
+    const struct mip_3dm_mag_hard_iron_offset_response *response) {
+    return mip_3dm_mag_hard_iron_offset_write(command, response->offset);
 }
 
 /**
- * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
+ * Magnetometer soft iron matrix: command (0x0C,0x3B).
  *
  * Sets the matrix that corrects the scaled magnetic field for soft iron.
  *
  * Functions: write, read, save, load, default and apply. Response:
- * mip_3dm_mag_soft_iron_matrix_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the
- * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
- * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_3dm_mag_soft_iron_matrix_response. Affects mip_sensor_scaled_mag. On the 3DM-CV7-AHRS: write,
+ * read, save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
+ * only. Requires a magnetometer.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -5284,10 +3261,7 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode
  * - 3dm-gx5-35: (0x0C, 0x3B)
  */
 struct mip_3dm_mag_soft_iron_matrix {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5298,34 +3272,15 @@ struct mip_3dm_mag_soft_iron_matrix {
     float matrix[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX 0x0C3B
-/** Its descriptor. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
-/** Its name in the specification. */
-#define MIP_3DM_MAG_SOFT_IRON_MATRIX_NAME "3dm.mag_soft_iron_matrix"
+MIP_FIELD(mip_3dm_mag_soft_iron_matrix, 0x3B);
+MIP_FILL(mip_3dm_mag_soft_iron_matrix, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_mag_soft_iron_matrix, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_mag_soft_iron_matrix, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_mag_soft_iron_matrix, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_mag_soft_iron_matrix_decode(
-    struct mip_3dm_mag_soft_iron_matrix *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_mag_soft_iron_matrix_codec, 0x3B, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
-    const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
- *   m33. Unit: 1. Frame: sensor. Required for write and apply.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_write(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
     memset(command, 0, sizeof(*command));
@@ -5334,45 +3289,7 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_mag_soft_iron_matrix *
-mip_3dm_mag_soft_iron_matrix_read(struct mip_3dm_mag_soft_iron_matrix *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_mag_soft_iron_matrix *
-mip_3dm_mag_soft_iron_matrix_save(struct mip_3dm_mag_soft_iron_matrix *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_mag_soft_iron_matrix *
-mip_3dm_mag_soft_iron_matrix_load(struct mip_3dm_mag_soft_iron_matrix *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_mag_soft_iron_matrix *
-mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
-/**
- * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
- * its address.
- *
- * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
- *   m33. Unit: 1. Frame: sensor. Required for write and apply.
- */
+/** Fills the structure for `apply`, and returns it. */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_apply(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
     memset(command, 0, sizeof(*command));
@@ -5382,10 +3299,9 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
 }
 
 /**
- * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
+ * Magnetometer soft iron matrix response: response (0x0C,0x9D).
  *
- * Response to mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_mag_soft_iron_matrix.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)
@@ -5398,45 +3314,30 @@ struct mip_3dm_mag_soft_iron_matrix_response {
     float matrix[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE 0x0C9D
-/** Its descriptor. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
-/** Its name in the specification. */
-#define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_NAME "3dm.mag_soft_iron_matrix_response"
+MIP_FIELD(mip_3dm_mag_soft_iron_matrix_response, 0x9D);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
-    struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_mag_soft_iron_matrix_response_codec, 0x9D, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
-    const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_write_from(
+    struct mip_3dm_mag_soft_iron_matrix *command,
+    const struct mip_3dm_mag_soft_iron_matrix_response *response) {
+    return mip_3dm_mag_soft_iron_matrix_write(command, response->matrix);
 }
 
 /**
- * Coning and Sculling Enable: command (0x0C,0x3E).
+ * Coning and sculling enable: command (0x0C,0x3E).
  *
  * Enables or disables coning and sculling compensation.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_3dm_coning_sculling_enable_response. Probably changes mip_sensor_delta_theta and
- * mip_sensor_delta_velocity. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_3dm_coning_sculling_enable_response. Probably affects mip_sensor_delta_theta and
+ * mip_sensor_delta_velocity.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
 struct mip_3dm_coning_sculling_enable {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5444,34 +3345,15 @@ struct mip_3dm_coning_sculling_enable {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CONING_SCULLING_ENABLE 0x0C3E
-/** Its descriptor. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR 0x3E
-/** Its name in the specification. */
-#define MIP_3DM_CONING_SCULLING_ENABLE_NAME "3dm.coning_sculling_enable"
+MIP_FIELD(mip_3dm_coning_sculling_enable, 0x3E);
+MIP_FILL(mip_3dm_coning_sculling_enable, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_coning_sculling_enable, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_coning_sculling_enable, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_coning_sculling_enable, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_coning_sculling_enable_decode(
-    struct mip_3dm_coning_sculling_enable *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_coning_sculling_enable_codec, 0x3E, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_encode(
-    const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: True if the compensation is on. Default: true. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_enable_write(
     struct mip_3dm_coning_sculling_enable *command, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -5480,43 +3362,10 @@ static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_ena
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_coning_sculling_enable *
-mip_3dm_coning_sculling_enable_read(struct mip_3dm_coning_sculling_enable *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_coning_sculling_enable *
-mip_3dm_coning_sculling_enable_save(struct mip_3dm_coning_sculling_enable *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_coning_sculling_enable *
-mip_3dm_coning_sculling_enable_load(struct mip_3dm_coning_sculling_enable *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_coning_sculling_enable *
-mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * Coning and Sculling Enable response: response (0x0C,0x9E).
+ * Coning and sculling enable response: response (0x0C,0x9E).
  *
- * Response to mip_3dm_coning_sculling_enable. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_coning_sculling_enable.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -5525,37 +3374,24 @@ struct mip_3dm_coning_sculling_enable_response {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE 0x0C9E
-/** Its descriptor. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
-/** Its name in the specification. */
-#define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_sculling_enable_response"
+MIP_FIELD(mip_3dm_coning_sculling_enable_response, 0x9E);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_coning_sculling_enable_response_decode(
-    struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_coning_sculling_enable_response_codec, 0x9E, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_encode(
-    const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_coning_sculling_enable_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_enable_write_from(
+    struct mip_3dm_coning_sculling_enable *command,
+    const struct mip_3dm_coning_sculling_enable_response *response) {
+    return mip_3dm_coning_sculling_enable_write(command, response->enable);
 }
 
 /**
- * UART Baud Rate: command (0x0C,0x40).
+ * UART baud rate: command (0x0C,0x40).
  *
  * Sets the baud rate of the main port.
  *
  * Also called `uart_baudrate`. Functions: write, read, save, load and default. Response:
- * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_3dm_uart_baud_rate_response.
  *
  * The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later.
  *
@@ -5568,48 +3404,26 @@ MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_enco
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * New baud rate; the port must support it. Unit: Bd. Required for write. On the 3DM-GX5-15 and
-     * 3DM-GX5-45: default 115200.
+     * -45: default 115200.
      */
     uint32_t baud;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_UART_BAUD_RATE 0x0C40
-/** Its descriptor. */
 #define MIP_3DM_UART_BAUD_RATE_DESCRIPTOR 0x40
-/** Its name in the specification. */
-#define MIP_3DM_UART_BAUD_RATE_NAME "3dm.uart_baud_rate"
+MIP_FIELD(mip_3dm_uart_baud_rate, 0x40);
+MIP_FILL(mip_3dm_uart_baud_rate, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_uart_baud_rate, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_uart_baud_rate, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_uart_baud_rate, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_uart_baud_rate_codec, 0x40, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_encode(
-    const struct mip_3dm_uart_baud_rate *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - baud: New baud rate; the port must support it. Unit: Bd. Required for write. On the 3DM-GX5-15
- *   and 3DM-GX5-45: default 115200.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -5618,43 +3432,10 @@ mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t ba
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_uart_baud_rate *
-mip_3dm_uart_baud_rate_read(struct mip_3dm_uart_baud_rate *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_uart_baud_rate *
-mip_3dm_uart_baud_rate_save(struct mip_3dm_uart_baud_rate *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_uart_baud_rate *
-mip_3dm_uart_baud_rate_load(struct mip_3dm_uart_baud_rate *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_uart_baud_rate *
-mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * UART Baud Rate response: response (0x0C,0x87).
+ * UART baud rate response: response (0x0C,0x87).
  *
- * Also called `uart_baudrate_response`. Response to mip_3dm_uart_baud_rate. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `uart_baudrate_response`. Response to mip_3dm_uart_baud_rate.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -5664,37 +3445,24 @@ struct mip_3dm_uart_baud_rate_response {
     uint32_t baud;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE 0x0C87
-/** Its descriptor. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR 0x87
-/** Its name in the specification. */
-#define MIP_3DM_UART_BAUD_RATE_RESPONSE_NAME "3dm.uart_baud_rate_response"
+MIP_FIELD(mip_3dm_uart_baud_rate_response, 0x87);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_uart_baud_rate_response_decode(
-    struct mip_3dm_uart_baud_rate_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_uart_baud_rate_response_codec, 0x87, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
-    const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_uart_baud_rate_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_uart_baud_rate *
+mip_3dm_uart_baud_rate_write_from(struct mip_3dm_uart_baud_rate *command,
+                                  const struct mip_3dm_uart_baud_rate_response *response) {
+    return mip_3dm_uart_baud_rate_write(command, response->baud);
 }
 
 /**
- * GPIO Configuration: command (0x0C,0x41).
+ * GPIO configuration: command (0x0C,0x41).
  *
  * Sets the use of a GPIO pin.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_gpio_config_response. Probably
- * changes mip_system_data_gpio_state and mip_system_data_gpio_analog_value. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * affects mip_system_data_gpio_state and mip_system_data_gpio_analog_value.
  *
  * Not every pin has every feature.
  *
@@ -5711,10 +3479,7 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
 struct mip_3dm_gpio_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5739,43 +3504,11 @@ struct mip_3dm_gpio_config {
     mip_gpio_pin_mode pin_mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPIO_CONFIG 0x0C41
-/** Its descriptor. */
 #define MIP_3DM_GPIO_CONFIG_DESCRIPTOR 0x41
-/** Its name in the specification. */
-#define MIP_3DM_GPIO_CONFIG_NAME "3dm.gpio_config"
+MIP_FIELD(mip_3dm_gpio_config, 0x41);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gpio_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
-                                                   const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gpio_config_codec, 0x41, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
- * - feature: Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED.
- *   Required for write.
- * - behavior: Role of the pin within the feature; 0 if the feature has no roles. Required for
- *   write. If feature is MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If
- *   feature is MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is
- *   MIP_GPIO_FEATURE_PPS: values of enum mip_gpio_pps_behavior. If feature is
- *   MIP_GPIO_FEATURE_ENCODER: values of enum mip_gpio_encoder_behavior. If feature is
- *   MIP_GPIO_FEATURE_TIMESTAMP: values of enum mip_gpio_timestamp_behavior. If feature is
- *   MIP_GPIO_FEATURE_UART: values of enum mip_gpio_uart_behavior.
- * - pin_mode: Electrical options. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     struct mip_3dm_gpio_config *command, uint8_t pin, enum mip_gpio_feature feature,
     uint8_t behavior, mip_gpio_pin_mode pin_mode) {
@@ -5788,11 +3521,7 @@ static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5801,11 +3530,7 @@ mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5814,11 +3539,7 @@ mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5827,11 +3548,7 @@ mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5841,9 +3558,9 @@ mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
 }
 
 /**
- * GPIO Configuration response: response (0x0C,0xC1).
+ * GPIO configuration response: response (0x0C,0xC1).
  *
- * Response to mip_3dm_gpio_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_gpio_config.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -5866,35 +3583,25 @@ struct mip_3dm_gpio_config_response {
     mip_gpio_pin_mode pin_mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE 0x0CC1
-/** Its descriptor. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR 0xC1
-/** Its name in the specification. */
-#define MIP_3DM_GPIO_CONFIG_RESPONSE_NAME "3dm.gpio_config_response"
+MIP_FIELD(mip_3dm_gpio_config_response, 0xC1);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gpio_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gpio_config_response_decode(
-    struct mip_3dm_gpio_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gpio_config_response_codec, 0xC1, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode(
-    const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gpio_config_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write_from(
+    struct mip_3dm_gpio_config *command, const struct mip_3dm_gpio_config_response *response) {
+    return mip_3dm_gpio_config_write(command, response->pin,
+                                     (enum mip_gpio_feature)response->feature, response->behavior,
+                                     response->pin_mode);
 }
 
 /**
- * GPIO State: command (0x0C,0x42).
+ * GPIO state: command (0x0C,0x42).
  *
  * Sets or reads the state of a GPIO pin.
  *
- * Functions: write and read. Response: mip_3dm_gpio_state_response. Changes
- * mip_system_data_gpio_state. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Functions: write and read. Response: mip_3dm_gpio_state_response. Affects
+ * mip_system_data_gpio_state.
  *
  * A read returns the level of the pin itself.
  *
@@ -5909,10 +3616,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode(
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5922,34 +3626,11 @@ struct mip_3dm_gpio_state {
     mip_bool state;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPIO_STATE 0x0C42
-/** Its descriptor. */
 #define MIP_3DM_GPIO_STATE_DESCRIPTOR 0x42
-/** Its name in the specification. */
-#define MIP_3DM_GPIO_STATE_NAME "3dm.gpio_state"
+MIP_FIELD(mip_3dm_gpio_state, 0x42);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gpio_state_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
-                                                  const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gpio_state_codec, 0x42, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - pin: GPIO pin, counted from 1. Range: at least 1.
- * - state: True means high. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_gpio_state *
 mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bool state) {
     memset(command, 0, sizeof(*command));
@@ -5959,11 +3640,7 @@ mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bo
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - pin: GPIO pin, counted from 1. Range: at least 1.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_gpio_state *command,
                                                                  uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5973,9 +3650,9 @@ static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_
 }
 
 /**
- * GPIO State response: response (0x0C,0xC2).
+ * GPIO state response: response (0x0C,0xC2).
  *
- * Response to mip_3dm_gpio_state. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response to mip_3dm_gpio_state.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
@@ -5986,43 +3663,28 @@ struct mip_3dm_gpio_state_response {
     mip_bool state;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPIO_STATE_RESPONSE 0x0CC2
-/** Its descriptor. */
 #define MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR 0xC2
-/** Its name in the specification. */
-#define MIP_3DM_GPIO_STATE_RESPONSE_NAME "3dm.gpio_state_response"
+MIP_FIELD(mip_3dm_gpio_state_response, 0xC2);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gpio_state_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gpio_state_response_decode(
-    struct mip_3dm_gpio_state_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gpio_state_response_codec, 0xC2, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode(
-    const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gpio_state_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_write_from(
+    struct mip_3dm_gpio_state *command, const struct mip_3dm_gpio_state_response *response) {
+    return mip_3dm_gpio_state_write(command, response->pin, response->state);
 }
 
 /**
- * Odometer Configuration: command (0x0C,0x43).
+ * Odometer configuration: command (0x0C,0x43).
  *
  * Configures the input from a wheel encoder.
  *
  * Also called `odometer`. Functions: write, read, save, load and default. Response:
- * mip_3dm_odometer_config_response. Changes mip_sensor_odometer. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_odometer_config_response. Affects mip_sensor_odometer.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
 struct mip_3dm_odometer_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6041,38 +3703,15 @@ struct mip_3dm_odometer_config {
     float uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_ODOMETER_CONFIG 0x0C43
-/** Its descriptor. */
 #define MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR 0x43
-/** Its name in the specification. */
-#define MIP_3DM_ODOMETER_CONFIG_NAME "3dm.odometer_config"
+MIP_FIELD(mip_3dm_odometer_config, 0x43);
+MIP_FILL(mip_3dm_odometer_config, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_odometer_config, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_odometer_config, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_odometer_config, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_odometer_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_odometer_config_codec, 0x43, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_odometer_config_encode(
-    const struct mip_3dm_odometer_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write.
- * - scaling: Pulses per distance travelled; negative if the encoder rotates backwards. Unit:
- *   pulse/m. Required for write. Pulses on line A per turn of the wheel, divided by the
- *   circumference of the wheel.
- * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required
- *   for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
                               enum mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
@@ -6084,43 +3723,10 @@ mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_odometer_config *
-mip_3dm_odometer_config_read(struct mip_3dm_odometer_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_odometer_config *
-mip_3dm_odometer_config_save(struct mip_3dm_odometer_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_odometer_config *
-mip_3dm_odometer_config_load(struct mip_3dm_odometer_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_odometer_config *
-mip_3dm_odometer_config_default(struct mip_3dm_odometer_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * Odometer Configuration response: response (0x0C,0xC3).
+ * Odometer configuration response: response (0x0C,0xC3).
  *
- * Also called `odometer_response`. Response to mip_3dm_odometer_config. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `odometer_response`. Response to mip_3dm_odometer_config.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -6137,43 +3743,31 @@ struct mip_3dm_odometer_config_response {
     float uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE 0x0CC3
-/** Its descriptor. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR 0xC3
-/** Its name in the specification. */
-#define MIP_3DM_ODOMETER_CONFIG_RESPONSE_NAME "3dm.odometer_config_response"
+MIP_FIELD(mip_3dm_odometer_config_response, 0xC3);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_odometer_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_odometer_config_response_decode(
-    struct mip_3dm_odometer_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_odometer_config_response_codec, 0xC3, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
-    const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_odometer_config_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_odometer_config *
+mip_3dm_odometer_config_write_from(struct mip_3dm_odometer_config *command,
+                                   const struct mip_3dm_odometer_config_response *response) {
+    return mip_3dm_odometer_config_write(command, (enum mip_3dm_odometer_mode)response->mode,
+                                         response->scaling, response->uncertainty);
 }
 
 /**
- * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
+ * Advanced low-pass filter settings: command (0x0C,0x50).
  *
  * Configures the low-pass filter of one sensor data quantity.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
- * default. Response: mip_3dm_imu_low_pass_filter_response. Changes mip_sensor_scaled_accel,
- * mip_sensor_scaled_gyro, mip_sensor_scaled_mag and mip_sensor_scaled_pressure. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use mip_3dm_low_pass_filter
- * instead. Deprecated on the 3DM-CV7-AR: use mip_3dm_low_pass_filter instead. Deprecated on the
- * 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter instead. Deprecated on the 3DM-GQ7-GNSS/INS: use
- * mip_3dm_low_pass_filter instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On the 3DM-CV7-AR:
- * firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
+ * default. Response: mip_3dm_imu_low_pass_filter_response. Affects mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag and mip_sensor_scaled_pressure. Deprecated on the
+ * 3DM-CV7-AHRS: use mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-AR: use
+ * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter
+ * instead. Deprecated on the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead. On the
+ * 3DM-CV7-AHRS: firmware <= 1.0.07. On the 3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS:
+ * firmware <= 1.0.10.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
@@ -6182,10 +3776,7 @@ MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
  */
 struct mip_3dm_imu_low_pass_filter {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6212,41 +3803,11 @@ struct mip_3dm_imu_low_pass_filter {
     uint8_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER 0x0C50
-/** Its descriptor. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR 0x50
-/** Its name in the specification. */
-#define MIP_3DM_IMU_LOW_PASS_FILTER_NAME "3dm.imu_low_pass_filter"
+MIP_FIELD(mip_3dm_imu_low_pass_filter, 0x50);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_imu_low_pass_filter_decode(
-    struct mip_3dm_imu_low_pass_filter *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_imu_low_pass_filter_codec, 0x50, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_encode(
-    const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
- *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
- * - enable: True if the quantity is filtered. Default: true. Required for write.
- * - manual: True uses `frequency`; false uses half the rate of the message format. Default: false.
- *   Required for write.
- * - frequency: Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for
- *   write. On the 3DM-GX5-15: range at most 250.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_write(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor, mip_bool enable,
     mip_bool manual, uint16_t frequency) {
@@ -6259,14 +3820,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_wr
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
- *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_read(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6275,14 +3829,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_re
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
- *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_save(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6291,14 +3838,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_sa
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
- *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_load(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6307,14 +3847,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_lo
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
- *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_default(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6324,11 +3857,9 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
 }
 
 /**
- * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
+ * Advanced low-pass filter settings response: response (0x0C,0x8B).
  *
- * Also called `imu_lowpass_filter_response`. Response to mip_3dm_imu_low_pass_filter. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `imu_lowpass_filter_response`. Response to mip_3dm_imu_low_pass_filter.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -6349,39 +3880,27 @@ struct mip_3dm_imu_low_pass_filter_response {
     uint8_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE 0x0C8B
-/** Its descriptor. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0x8B
-/** Its name in the specification. */
-#define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_NAME "3dm.imu_low_pass_filter_response"
+MIP_FIELD(mip_3dm_imu_low_pass_filter_response, 0x8B);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_imu_low_pass_filter_response_decode(
-    struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_imu_low_pass_filter_response_codec, 0x8B, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
-    const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_imu_low_pass_filter_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_write_from(
+    struct mip_3dm_imu_low_pass_filter *command,
+    const struct mip_3dm_imu_low_pass_filter_response *response) {
+    return mip_3dm_imu_low_pass_filter_write(command, response->target_descriptor, response->enable,
+                                             response->manual, response->frequency);
 }
 
 /**
- * Complementary Filter Configuration: command (0x0C,0x51).
+ * Complementary filter configuration: command (0x0C,0x51).
  *
  * Configures the complementary filter, which computes the attitude independently of the estimation
  * filter.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_complementary_filter_response.
- * Changes mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion and
- * mip_sensor_comp_euler_angles. Probably changes mip_sensor_north_vector and mip_sensor_up_vector.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+ * Affects mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion and
+ * mip_sensor_comp_euler_angles. Probably affects mip_sensor_north_vector and mip_sensor_up_vector.
  *
  * Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
  *
@@ -6396,10 +3915,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
 struct mip_3dm_complementary_filter {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6410,8 +3926,8 @@ struct mip_3dm_complementary_filter {
     mip_bool pitch_roll_enable;
     /**
      * True enables the heading correction, which 5-series manuals call north compensation. Required
-     * for write. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15: MSCL has no support for
-     * it. On the 3DM-GX5-15: default true.
+     * for write. On the 3DM-CV5-10, -15, 3DM-CX5-10 and -15: MSCL has no support for it. On the
+     * 3DM-GX5-15: default true.
      */
     mip_bool heading_enable;
     /**
@@ -6426,41 +3942,15 @@ struct mip_3dm_complementary_filter {
     float heading_time_constant;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_COMPLEMENTARY_FILTER 0x0C51
-/** Its descriptor. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR 0x51
-/** Its name in the specification. */
-#define MIP_3DM_COMPLEMENTARY_FILTER_NAME "3dm.complementary_filter"
+MIP_FIELD(mip_3dm_complementary_filter, 0x51);
+MIP_FILL(mip_3dm_complementary_filter, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_3dm_complementary_filter, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_complementary_filter, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_complementary_filter, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_complementary_filter_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_complementary_filter_decode(
-    struct mip_3dm_complementary_filter *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_complementary_filter_codec, 0x51, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_encode(
-    const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - pitch_roll_enable: True enables the pitch and roll correction, which 5-series manuals call up
- *   compensation. Required for write. On the 3DM-GX5-15: default true.
- * - heading_enable: True enables the heading correction, which 5-series manuals call north
- *   compensation. Required for write. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15:
- *   MSCL has no support for it. On the 3DM-GX5-15: default true.
- * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1 to
- *   1000. Default: 10. Required for write.
- * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
- *   Default: 10. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_write(
     struct mip_3dm_complementary_filter *command, mip_bool pitch_roll_enable,
     mip_bool heading_enable, float pitch_roll_time_constant, float heading_time_constant) {
@@ -6473,43 +3963,10 @@ static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_complementary_filter *
-mip_3dm_complementary_filter_read(struct mip_3dm_complementary_filter *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_complementary_filter *
-mip_3dm_complementary_filter_save(struct mip_3dm_complementary_filter *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_complementary_filter *
-mip_3dm_complementary_filter_load(struct mip_3dm_complementary_filter *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_complementary_filter *
-mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
- * Complementary Filter Configuration response: response (0x0C,0x97).
+ * Complementary filter configuration response: response (0x0C,0x97).
  *
- * Response to mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15
- * and 3DM-GX5-35.
+ * Response to mip_3dm_complementary_filter.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -6525,37 +3982,26 @@ struct mip_3dm_complementary_filter_response {
     float heading_time_constant;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE 0x0C97
-/** Its descriptor. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR 0x97
-/** Its name in the specification. */
-#define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_NAME "3dm.complementary_filter_response"
+MIP_FIELD(mip_3dm_complementary_filter_response, 0x97);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_complementary_filter_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_complementary_filter_response_decode(
-    struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_complementary_filter_response_codec, 0x97, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode(
-    const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_complementary_filter_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_write_from(
+    struct mip_3dm_complementary_filter *command,
+    const struct mip_3dm_complementary_filter_response *response) {
+    return mip_3dm_complementary_filter_write(
+        command, response->pitch_roll_enable, response->heading_enable,
+        response->pitch_roll_time_constant, response->heading_time_constant);
 }
 
 /**
- * Sensor Range: command (0x0C,0x52).
+ * Sensor range: command (0x0C,0x52).
  *
  * Sets the measuring range of a sensor.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_sensor_range_response. Probably
- * changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro and mip_sensor_overrange_status.
- * Supported by 3DM-CV7-GNSS/INS.
+ * affects mip_sensor_scaled_accel, mip_sensor_scaled_gyro and mip_sensor_overrange_status.
  *
  * mip_3dm_get_calibrated_sensor_ranges lists the settings. The device may reject other settings, or
  * measure incorrectly with them.
@@ -6563,47 +4009,26 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 struct mip_3dm_sensor_range {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. */
+    /**
+     * Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. On the
+     * 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only MIP_3DM_SENSOR_RANGE_TYPE_ALL,
+     * MIP_3DM_SENSOR_RANGE_TYPE_ACCEL, MIP_3DM_SENSOR_RANGE_TYPE_GYRO and
+     * MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE.
+     */
     uint8_t sensor;
     /** Number of the range. Required for write. */
     uint8_t setting;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_RANGE 0x0C52
-/** Its descriptor. */
 #define MIP_3DM_SENSOR_RANGE_DESCRIPTOR 0x52
-/** Its name in the specification. */
-#define MIP_3DM_SENSOR_RANGE_NAME "3dm.sensor_range"
+MIP_FIELD(mip_3dm_sensor_range, 0x52);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_range_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
-                                                    const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_range_codec, 0x52, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
- * - setting: Number of the range. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
     memset(command, 0, sizeof(*command));
@@ -6613,11 +4038,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6626,11 +4047,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6639,11 +4056,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6652,11 +4065,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6666,9 +4075,9 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
 }
 
 /**
- * Sensor Range response: response (0x0C,0xD2).
+ * Sensor range response: response (0x0C,0xD2).
  *
- * Response to mip_3dm_sensor_range. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_sensor_range.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
@@ -6679,72 +4088,41 @@ struct mip_3dm_sensor_range_response {
     uint8_t setting;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE 0x0CD2
-/** Its descriptor. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR 0xD2
-/** Its name in the specification. */
-#define MIP_3DM_SENSOR_RANGE_RESPONSE_NAME "3dm.sensor_range_response"
+MIP_FIELD(mip_3dm_sensor_range_response, 0xD2);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_range_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_range_response_decode(
-    struct mip_3dm_sensor_range_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_range_response_codec, 0xD2, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode(
-    const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_range_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write_from(
+    struct mip_3dm_sensor_range *command, const struct mip_3dm_sensor_range_response *response) {
+    return mip_3dm_sensor_range_write(command, (enum mip_3dm_sensor_range_type)response->sensor,
+                                      response->setting);
 }
 
 /**
- * Get Calibrated Sensor Ranges: command (0x0C,0x53).
+ * Get calibrated sensor ranges: command (0x0C,0x53).
  *
  * Gets the ranges that a sensor supports.
  *
  * Also called `calibrated_sensor_ranges`. Response: mip_3dm_get_calibrated_sensor_ranges_response.
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
 struct mip_3dm_get_calibrated_sensor_ranges {
-    /** Sensor to query; `all` is not allowed. A value of enum mip_3dm_sensor_range_type. */
+    /**
+     * Sensor to query; `all` is not allowed. A value of enum mip_3dm_sensor_range_type. On the
+     * 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only MIP_3DM_SENSOR_RANGE_TYPE_ALL,
+     * MIP_3DM_SENSOR_RANGE_TYPE_ACCEL, MIP_3DM_SENSOR_RANGE_TYPE_GYRO and
+     * MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE.
+     */
     uint8_t sensor;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES 0x0C53
-/** Its descriptor. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR 0x53
-/** Its name in the specification. */
-#define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_NAME "3dm.get_calibrated_sensor_ranges"
+MIP_FIELD(mip_3dm_get_calibrated_sensor_ranges, 0x53);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
-    struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_calibrated_sensor_ranges_codec, 0x53, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
-    const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, builder);
-}
-
-/**
- * Get Calibrated Sensor Ranges. Fills the structure and returns its address.
- *
- * - sensor: Sensor to query; `all` is not allowed. A value of enum mip_3dm_sensor_range_type.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_get_calibrated_sensor_ranges *
 mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_ranges *command,
                                           enum mip_3dm_sensor_range_type sensor) {
@@ -6754,10 +4132,10 @@ mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_r
 }
 
 /**
- * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
+ * Get calibrated sensor ranges response: response (0x0C,0xD3).
  *
  * Also called `calibrated_sensor_ranges_response`. Response to
- * mip_3dm_get_calibrated_sensor_ranges. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_get_calibrated_sensor_ranges.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -6775,42 +4153,20 @@ struct mip_3dm_get_calibrated_sensor_ranges_response {
     struct mip_3dm_sensor_range_entry ranges[50];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE 0x0CD3
-/** Its descriptor. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR 0xD3
-/** Its name in the specification. */
-#define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_NAME \
-    "3dm.get_calibrated_sensor_ranges_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
-    struct mip_3dm_get_calibrated_sensor_ranges_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_get_calibrated_sensor_ranges_response_codec, 0xD3, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
-    const struct mip_3dm_get_calibrated_sensor_ranges_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_get_calibrated_sensor_ranges_response, 0xD3);
 
 /**
- * Low-Pass Anti-Aliasing Filter: command (0x0C,0x54).
+ * Low-pass anti-aliasing filter: command (0x0C,0x54).
  *
  * Configures the low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Response:
- * mip_3dm_low_pass_filter_response. Changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro,
+ * mip_3dm_low_pass_filter_response. Affects mip_sensor_scaled_accel, mip_sensor_scaled_gyro,
  * mip_sensor_scaled_mag, mip_sensor_scaled_pressure, mip_filter_data_comp_accel,
- * mip_filter_data_comp_angular_rate and mip_filter_data_linear_accel. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07. On the
- * 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * mip_filter_data_comp_angular_rate and mip_filter_data_linear_accel. On the 3DM-CV7-AHRS: firmware
+ * > 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are
  * meant.
@@ -6818,10 +4174,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_respons
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
 struct mip_3dm_low_pass_filter {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6843,39 +4196,11 @@ struct mip_3dm_low_pass_filter {
     float frequency;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_LOW_PASS_FILTER 0x0C54
-/** Its descriptor. */
 #define MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR 0x54
-/** Its name in the specification. */
-#define MIP_3DM_LOW_PASS_FILTER_NAME "3dm.low_pass_filter"
+MIP_FIELD(mip_3dm_low_pass_filter, 0x54);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_low_pass_filter_codec, 0x54, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_encode(
-    const struct mip_3dm_low_pass_filter *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Descriptor set of the field.
- * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
- * - enable: True if the field is filtered. Required for write.
- * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
- *   Required for write.
- * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
- *   Unit: Hz. Range: at least 0. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor,
     mip_bool enable, mip_bool manual, float frequency) {
@@ -6889,12 +4214,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - descriptor_set: Descriptor set of the field.
- * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6904,12 +4224,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - descriptor_set: Descriptor set of the field.
- * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6919,12 +4234,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Descriptor set of the field.
- * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6934,12 +4244,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Descriptor set of the field.
- * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6950,10 +4255,9 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
+ * Low-pass anti-aliasing filter response: response (0x0C,0xD4).
  *
- * Also called `lowpass_filter_response`. Response to mip_3dm_low_pass_filter. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `lowpass_filter_response`. Response to mip_3dm_low_pass_filter.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
@@ -6970,27 +4274,17 @@ struct mip_3dm_low_pass_filter_response {
     float frequency;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE 0x0CD4
-/** Its descriptor. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0xD4
-/** Its name in the specification. */
-#define MIP_3DM_LOW_PASS_FILTER_RESPONSE_NAME "3dm.low_pass_filter_response"
+MIP_FIELD(mip_3dm_low_pass_filter_response, 0xD4);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_low_pass_filter_response_decode(
-    struct mip_3dm_low_pass_filter_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_low_pass_filter_response_codec, 0xD4, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
-    const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_low_pass_filter_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_low_pass_filter *
+mip_3dm_low_pass_filter_write_from(struct mip_3dm_low_pass_filter *command,
+                                   const struct mip_3dm_low_pass_filter_response *response) {
+    return mip_3dm_low_pass_filter_write(command, response->descriptor_set,
+                                         response->field_descriptor, response->enable,
+                                         response->manual, response->frequency);
 }
 
 /**
@@ -7000,10 +4294,10 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
  *
  * No device is known for certain to support it. Functions: write, read, save, load and default.
  * Response: mip_3dm_data_stream_format_response. Known only from the MIP SDK of 2014 and
- * MicroStrain Communication Library. Uncertain: Which devices support it. A comment in the SDK of
- * 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write require
- * `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
- * `format`.
+ * MicroStrain Communication Library. Uncertain: A comment in the SDK of 2014 restricts it to the
+ * 3DM-GX3-35; no other source lists devices. Uncertain: Functions other than write are assumed not
+ * to require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place
+ * of `format`.
  *
  * In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and
  * `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -7012,10 +4306,7 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
  * - mscl: Data stream format (0x0C,0x60)
  */
 struct mip_3dm_data_stream_format {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7025,34 +4316,11 @@ struct mip_3dm_data_stream_format {
     uint8_t format;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DATA_STREAM_FORMAT 0x0C60
-/** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_FORMAT_DESCRIPTOR 0x60
-/** Its name in the specification. */
-#define MIP_3DM_DATA_STREAM_FORMAT_NAME "3dm.data_stream_format"
+MIP_FIELD(mip_3dm_data_stream_format, 0x60);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_data_stream_format_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_data_stream_format_decode(struct mip_3dm_data_stream_format *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_data_stream_format_codec, 0x60, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_encode(
-    const struct mip_3dm_data_stream_format *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_data_stream_format_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_write(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
@@ -7063,12 +4331,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_writ
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_read(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
@@ -7079,12 +4342,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_read
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_save(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
@@ -7095,12 +4353,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_save
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_load(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
@@ -7111,12 +4364,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_load
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_default(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
@@ -7143,27 +4391,16 @@ struct mip_3dm_data_stream_format_response {
     uint8_t format;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DATA_STREAM_FORMAT_RESPONSE 0x0C88
-/** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_FORMAT_RESPONSE_DESCRIPTOR 0x88
-/** Its name in the specification. */
-#define MIP_3DM_DATA_STREAM_FORMAT_RESPONSE_NAME "3dm.data_stream_format_response"
+MIP_FIELD(mip_3dm_data_stream_format_response, 0x88);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_data_stream_format_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_data_stream_format_response_decode(
-    struct mip_3dm_data_stream_format_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_data_stream_format_response_codec, 0x88, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
-    const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_data_stream_format_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_data_stream_format *
+mip_3dm_data_stream_format_write_from(struct mip_3dm_data_stream_format *command,
+                                      const struct mip_3dm_data_stream_format_response *response) {
+    return mip_3dm_data_stream_format_write(command, (enum mip_3dm_internal_sensor)response->stream,
+                                            (enum mip_3dm_stream_format)response->format);
 }
 
 /**
@@ -7173,24 +4410,24 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
  *
  * No device is known for certain to support it. Functions: write, read, save, load and default.
  * Response: mip_3dm_device_power_state_response. The device may take 5 s to reply. Known only from
- * the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices support it. A
- * comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The
- * SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether `state` may be omitted
- * with functions other than write. The SDK of 2014 sends `device` with every function, and a 0 in
- * place of `state`.
+ * the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: A comment in the SDK of
+ * 2014 names the 3DM-GX3-25 and the 3DM-GX3-35; no other source lists devices. Uncertain: The
+ * time-out of 5 s is assumed; the SDK of 2014 uses one that is longer than usual. Uncertain:
+ * Functions other than write are assumed not to require `state`. The SDK of 2014 sends `device`
+ * with every function, and a 0 in place of `state`.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
  * - mscl: Device power state (0x0C,0x61)
  */
 struct mip_3dm_device_power_state {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** The sensor. A value of enum mip_3dm_internal_sensor. */
+    /**
+     * The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
+     * MIP_3DM_INTERNAL_SENSOR_IMU.
+     */
     uint8_t device;
     /**
      * Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state. Required for
@@ -7199,35 +4436,11 @@ struct mip_3dm_device_power_state {
     uint8_t state;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DEVICE_POWER_STATE 0x0C61
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_POWER_STATE_DESCRIPTOR 0x61
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_POWER_STATE_NAME "3dm.device_power_state"
+MIP_FIELD(mip_3dm_device_power_state, 0x61);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_power_state_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_power_state_decode(struct mip_3dm_device_power_state *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_power_state_codec, 0x61, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_power_state_encode(
-    const struct mip_3dm_device_power_state *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_power_state_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
- * - state: Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state. Required
- *   for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_write(
     struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_,
     enum mip_3dm_sensor_power_state state) {
@@ -7238,11 +4451,7 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_writ
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_read(
     struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_) {
     memset(command, 0, sizeof(*command));
@@ -7251,11 +4460,7 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_read
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_save(
     struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_) {
     memset(command, 0, sizeof(*command));
@@ -7264,11 +4469,7 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_save
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_load(
     struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_) {
     memset(command, 0, sizeof(*command));
@@ -7277,11 +4478,7 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_load
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_default(
     struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_) {
     memset(command, 0, sizeof(*command));
@@ -7306,27 +4503,16 @@ struct mip_3dm_device_power_state_response {
     uint8_t state;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DEVICE_POWER_STATE_RESPONSE 0x0C89
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_POWER_STATE_RESPONSE_DESCRIPTOR 0x89
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_POWER_STATE_RESPONSE_NAME "3dm.device_power_state_response"
+MIP_FIELD(mip_3dm_device_power_state_response, 0x89);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_power_state_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_power_state_response_decode(
-    struct mip_3dm_device_power_state_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_power_state_response_codec, 0x89, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
-    const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_power_state_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_3dm_device_power_state *
+mip_3dm_device_power_state_write_from(struct mip_3dm_device_power_state *command,
+                                      const struct mip_3dm_device_power_state_response *response) {
+    return mip_3dm_device_power_state_write(command, (enum mip_3dm_internal_sensor)response->device,
+                                            (enum mip_3dm_sensor_power_state)response->state);
 }
 
 /**
@@ -7335,8 +4521,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
  * Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
  *
  * No device is known for certain to support it. For advanced use. Functions: save, load and
- * default. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain:
- * Which devices support it. A comment in the SDK of 2014 names the 3DM-GX3-35.
+ * default. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Requires a
+ * receiver. Uncertain: A comment in the SDK of 2014 names the 3DM-GX3-35; no other source lists
+ * devices.
  *
  * In direct mode, your program configures the u-blox receiver with its own protocol; see
  * mip_system_comm_mode.
@@ -7349,55 +4536,15 @@ struct mip_3dm_gps_advanced_settings {
     uint8_t function;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPS_ADVANCED_SETTINGS 0x0C62
-/** Its descriptor. */
 #define MIP_3DM_GPS_ADVANCED_SETTINGS_DESCRIPTOR 0x62
-/** Its name in the specification. */
-#define MIP_3DM_GPS_ADVANCED_SETTINGS_NAME "3dm.gps_advanced_settings"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_gps_advanced_settings_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_gps_advanced_settings_decode(
-    struct mip_3dm_gps_advanced_settings *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_gps_advanced_settings_codec, 0x62, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode(
-    const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_gps_advanced_settings_codec, value, builder);
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_gps_advanced_settings *
-mip_3dm_gps_advanced_settings_save(struct mip_3dm_gps_advanced_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gps_advanced_settings *
-mip_3dm_gps_advanced_settings_load(struct mip_3dm_gps_advanced_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_gps_advanced_settings *
-mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
+MIP_FIELD(mip_3dm_gps_advanced_settings, 0x62);
+MIP_FILL(mip_3dm_gps_advanced_settings, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_3dm_gps_advanced_settings, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_3dm_gps_advanced_settings, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
 /**
- * Device Status: command (0x0C,0x64).
+ * Device status: command (0x0C,0x64).
  *
  * Gets the state of the device, in basic form or with counters.
  *
@@ -7408,8 +4555,7 @@ mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *comm
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response, mip_3dm_device_status_basic_gx3_response or
- * mip_3dm_device_status_diagnostic_gx3_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_3dm_device_status_diagnostic_gx3_response.
  *
  * The device expects its own model number, which mip_base_get_device_info returns.
  *
@@ -7418,7 +4564,7 @@ mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *comm
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status {
     /**
@@ -7430,35 +4576,11 @@ struct mip_3dm_device_status {
     uint8_t status_selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DEVICE_STATUS 0x0C64
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DESCRIPTOR 0x64
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_NAME "3dm.device_status"
+MIP_FIELD(mip_3dm_device_status, 0x64);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
-                                                     const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_codec, 0x64, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_encode(
-    const struct mip_3dm_device_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_codec, value, builder);
-}
-
-/**
- * Device Status. Fills the structure and returns its address.
- *
- * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
- *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
- * - status_selector: Level of detail of the reply. A value of enum mip_3dm_device_status_selector.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_3dm_device_status *
 mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model_number,
                            enum mip_3dm_device_status_selector status_selector) {
@@ -7469,7 +4591,7 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
 }
 
 /**
- * Basic Device Status of the inertial sensor of the 3DM-RQ1-45: response (0x0C,0x90).
+ * Basic device status (inertial sensor of the 3DM-RQ1-45): response (0x0C,0x90).
  *
  * Timer only, in microseconds.
  *
@@ -7484,7 +4606,7 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_basic_rq1_imu_response {
     /** Reserved. */
@@ -7493,41 +4615,19 @@ struct mip_3dm_device_status_basic_rq1_imu_response {
     uint64_t system_timer;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_NAME "3dm.device_status_basic_rq1_imu_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_basic_rq1_imu_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_basic_rq1_imu_response_decode(
-    struct mip_3dm_device_status_basic_rq1_imu_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_basic_rq1_imu_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_rq1_imu_response_encode(
-    const struct mip_3dm_device_status_basic_rq1_imu_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_basic_rq1_imu_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_basic_rq1_imu_response, 0x90);
 
 /**
- * Basic Device Status: response (0x0C,0x90).
+ * Basic device status: response (0x0C,0x90).
  *
  * State and timer.
  *
  * Response to mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_basic_without_state_response and mip_3dm_device_status_basic_gx3_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -7535,7 +4635,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_rq1_imu_response
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_basic_response {
     /** Model number of the device. */
@@ -7544,41 +4644,20 @@ struct mip_3dm_device_status_basic_response {
     uint32_t status_flags;
     /**
      * State of the system; the meaning of its values is not documented. On the 3DM-GX4-45,
-     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_gx4_system_state.
+     * 3DM-RQ1-45-LT and -45-ST: values of enum mip_3dm_gx4_system_state.
      */
     uint16_t system_state;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_NAME "3dm.device_status_basic_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_basic_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_basic_response_decode(
-    struct mip_3dm_device_status_basic_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_basic_response_codec, 0x90, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
-    const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_basic_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_basic_response, 0x90);
 
 /**
- * Basic Device Status without a state: response (0x0C,0x90).
+ * Basic device status (without state): response (0x0C,0x90).
  *
  * Timer only.
  *
@@ -7596,7 +4675,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_basic_without_state_response {
     /** Model number of the device. */
@@ -7607,37 +4686,13 @@ struct mip_3dm_device_status_basic_without_state_response {
     uint32_t system_timer;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_NAME \
-    "3dm.device_status_basic_without_state_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_basic_without_state_response_decode(
-    struct mip_3dm_device_status_basic_without_state_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_basic_without_state_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_without_state_response_encode(
-    const struct mip_3dm_device_status_basic_without_state_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_basic_without_state_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_basic_without_state_response, 0x90);
 
 /**
- * Diagnostic Device Status: response (0x0C,0x90).
+ * Diagnostic device status: response (0x0C,0x90).
  *
  * State, timer, and the counters of streams and port.
  *
@@ -7647,7 +4702,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_without_state_re
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7655,7 +4710,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_without_state_re
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_response {
     /** Model number of the device. */
@@ -7690,34 +4745,13 @@ struct mip_3dm_device_status_diagnostic_response {
     uint32_t imu_last_message_time;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_NAME "3dm.device_status_diagnostic_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_diagnostic_response_decode(
-    struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_diagnostic_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
-    const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_diagnostic_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_diagnostic_response, 0x90);
 
 /**
- * Diagnostic Device Status with GNSS: response (0x0C,0x90).
+ * Diagnostic device status (with GNSS): response (0x0C,0x90).
  *
  * State, timer, and the counters of pulses, streams, port and receiver.
  *
@@ -7727,10 +4761,10 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_en
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain:
- * MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
- * Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the
- * times are assumed to be in ms like the system timer.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35
+ * and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the
+ * values, from which the descriptions are inferred; the times are assumed to be in ms like the
+ * system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7738,7 +4772,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_en
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_gnss_response {
     /** Model number of the device. */
@@ -7789,36 +4823,13 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
     uint32_t gnss_last_message_time;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_NAME \
-    "3dm.device_status_diagnostic_gnss_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
-    struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gnss_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_diagnostic_gnss_response, 0x90);
 
 /**
- * Diagnostic Device Status of the 3DM-GQ4-45: response (0x0C,0x90).
+ * Diagnostic device status (3DM-GQ4-45): response (0x0C,0x90).
  *
  * The layout with GNSS, plus flags for parts that could not be started.
  *
@@ -7828,9 +4839,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_respon
  * mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45. Uncertain: No known manual
- * documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are
- * inferred; the times are assumed to be in ms like the system timer.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual documents it. Uncertain:
+ * MSCL lists only the names of the values, from which the descriptions are inferred; the times are
+ * assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7838,7 +4849,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_respon
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_gq4_45_response {
     /** Model number of the device. */
@@ -7895,36 +4906,13 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     mip_bool receiver_init_failed;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_NAME \
-    "3dm.device_status_diagnostic_gq4_45_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
-    struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_diagnostic_gq4_45_response, 0x90);
 
 /**
- * Diagnostic Device Status of the 3DM-RQ1-45: response (0x0C,0x90).
+ * Diagnostic device status (3DM-RQ1-45): response (0x0C,0x90).
  *
  * The layout with GNSS, plus the temperature.
  *
@@ -7934,9 +4922,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_resp
  * mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Uncertain: No known manual documents it. Uncertain: MSCL lists only the names of the values, from
- * which the descriptions are inferred; the times are assumed to be in ms like the system timer.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual documents it. Uncertain:
+ * MSCL lists only the names of the values, from which the descriptions are inferred; the times are
+ * assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7944,7 +4932,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_resp
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_rq1_45_response {
     /** Model number of the device. */
@@ -8001,36 +4989,13 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint32_t gnss_last_message_time;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_NAME \
-    "3dm.device_status_diagnostic_rq1_45_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
-    struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
-    const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_diagnostic_rq1_45_response, 0x90);
 
 /**
- * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25: response (0x0C,0x90).
+ * Diagnostic device status (3DM-GX4-15, 3DM-GX4-25): response (0x0C,0x90).
  *
  * Timer, and counters of pulses, streams, port and USB.
  *
@@ -8052,7 +5017,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_resp
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_gx4_response {
     /** Model number of the device. */
@@ -8097,36 +5062,13 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
     uint32_t imu_last_message_time;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_NAME \
-    "3dm.device_status_diagnostic_gx4_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
-    struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gx4_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_diagnostic_gx4_response, 0x90);
 
 /**
- * Diagnostic Device Status of an IMU: response (0x0C,0x90).
+ * Diagnostic device status (IMU): response (0x0C,0x90).
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
@@ -8148,7 +5090,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_respons
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_imu_response {
     /** Model number of the device. */
@@ -8163,9 +5105,9 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     mip_bool has_pressure;
     /** Power state of the sensors. */
     uint8_t power_state;
-    /** Largest angular rate that can be measured. */
+    /** Largest measurable angular rate. */
     uint16_t gyro_range;
-    /** Largest acceleration that can be measured. */
+    /** Largest measurable acceleration. */
     uint16_t accel_range;
     /** Reserved. */
     uint32_t reserved;
@@ -8193,36 +5135,13 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint32_t comm_port_read_overruns;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_NAME \
-    "3dm.device_status_diagnostic_imu_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
-    struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_diagnostic_imu_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
-    const struct mip_3dm_device_status_diagnostic_imu_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_diagnostic_imu_response, 0x90);
 
 /**
- * Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45: response (0x0C,0x90).
+ * Diagnostic device status (inertial sensor of the 3DM-GX4-45): response (0x0C,0x90).
  *
  * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
  * port.
@@ -8243,7 +5162,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_respons
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_gx4_imu_response {
     /** Model number of the inertial sensor. */
@@ -8256,13 +5175,13 @@ struct mip_3dm_device_status_diagnostic_gx4_imu_response {
     mip_bool has_mag;
     /** True if the device has a pressure sensor. */
     mip_bool has_pressure;
-    /** Largest angular rate that can be measured. */
+    /** Largest measurable angular rate. */
     uint16_t gyro_range;
-    /** Largest acceleration that can be measured. */
+    /** Largest measurable acceleration. */
     uint8_t accel_range;
-    /** Largest magnetic field that can be measured. */
+    /** Largest measurable magnetic field. */
     float mag_range;
-    /** Largest pressure that can be measured. */
+    /** Largest measurable pressure. */
     float pressure_range;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     float temperature;
@@ -8288,37 +5207,13 @@ struct mip_3dm_device_status_diagnostic_gx4_imu_response {
     uint32_t comm_port_read_overruns;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_NAME \
-    "3dm.device_status_diagnostic_gx4_imu_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx4_imu_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_response_decode(
-    struct mip_3dm_device_status_diagnostic_gx4_imu_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_diagnostic_gx4_imu_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gx4_imu_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_diagnostic_gx4_imu_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_diagnostic_gx4_imu_response, 0x90);
 
 /**
- * Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45: response (0x0C,0x90).
+ * Diagnostic device status (inertial sensor of the 3DM-RQ1-45): response (0x0C,0x90).
  *
  * Timer, temperature and supply, and the counters of pulses, stream and port.
  *
@@ -8338,7 +5233,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_res
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_rq1_imu_response {
     /** Model number of the inertial sensor. */
@@ -8379,37 +5274,13 @@ struct mip_3dm_device_status_diagnostic_rq1_imu_response {
     uint32_t comm_port_read_overruns;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_NAME \
-    "3dm.device_status_diagnostic_rq1_imu_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_rq1_imu_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_response_decode(
-    struct mip_3dm_device_status_diagnostic_rq1_imu_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_diagnostic_rq1_imu_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_response_encode(
-    const struct mip_3dm_device_status_diagnostic_rq1_imu_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_diagnostic_rq1_imu_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_diagnostic_rq1_imu_response, 0x90);
 
 /**
- * Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
+ * Basic device status (3DM-GX3-35, 3DM-GX3-45): response (0x0C,0x90).
  *
  * State of the port.
  *
@@ -8425,7 +5296,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_res
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_basic_gx3_response {
     /** Model number of the device. */
@@ -8442,34 +5313,13 @@ struct mip_3dm_device_status_basic_gx3_response {
     uint32_t comm_baud_rate;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE_NAME "3dm.device_status_basic_gx3_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_basic_gx3_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_basic_gx3_response_decode(
-    struct mip_3dm_device_status_basic_gx3_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_basic_gx3_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_encode(
-    const struct mip_3dm_device_status_basic_gx3_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_basic_gx3_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_basic_gx3_response, 0x90);
 
 /**
- * Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
+ * Diagnostic device status (3DM-GX3-35, 3DM-GX3-45): response (0x0C,0x90).
  *
  * State of the port, and the counters of the port, USB, receiver and IMU.
  *
@@ -8488,7 +5338,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_enc
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
- * - mscl: Device Status (0x0C,0x64)
+ * - mscl: Device status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_gx3_response {
     /** Model number of the device. */
@@ -8555,33 +5405,10 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
     uint32_t imu_delayed_message_count;
 };
 
-/**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
- * rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE 0x0C90
-/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_NAME \
-    "3dm.device_status_diagnostic_gx3_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx3_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_diagnostic_gx3_response_decode(
-    struct mip_3dm_device_status_diagnostic_gx3_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx3_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gx3_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_diagnostic_gx3_response_codec, value, builder);
-}
+MIP_FIELD(mip_3dm_device_status_diagnostic_gx3_response, 0x90);
 
 /** @} */
 

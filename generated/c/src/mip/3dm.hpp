@@ -10,194 +10,244 @@
 
 namespace mip {
 
-MIP_LAYOUT(mip_3dm_poll_imu_data, MIP_3DM_POLL_IMU_DATA, MIP_3DM_POLL_IMU_DATA)
-MIP_LAYOUT(mip_3dm_poll_gnss_data, MIP_3DM_POLL_GNSS_DATA, MIP_3DM_POLL_GNSS_DATA)
-MIP_LAYOUT(mip_3dm_poll_filter_data, MIP_3DM_POLL_FILTER_DATA, MIP_3DM_POLL_FILTER_DATA)
-MIP_LAYOUT(mip_3dm_poll_nmea_data, MIP_3DM_POLL_NMEA_DATA, MIP_3DM_POLL_NMEA_DATA)
-MIP_LAYOUT(mip_3dm_get_imu_base_rate, MIP_3DM_GET_IMU_BASE_RATE, MIP_3DM_GET_IMU_BASE_RATE)
-MIP_LAYOUT(mip_3dm_get_gnss_base_rate, MIP_3DM_GET_GNSS_BASE_RATE, MIP_3DM_GET_GNSS_BASE_RATE)
-MIP_LAYOUT(mip_3dm_imu_message_format, MIP_3DM_IMU_MESSAGE_FORMAT, MIP_3DM_IMU_MESSAGE_FORMAT)
-MIP_LAYOUT(mip_3dm_gnss_message_format, MIP_3DM_GNSS_MESSAGE_FORMAT, MIP_3DM_GNSS_MESSAGE_FORMAT)
+MIP_LAYOUT(mip_3dm_poll_imu_data, MIP_3DM_POLL_IMU_DATA, MIP_3DM_POLL_IMU_DATA, "3dm.poll_imu_data")
+MIP_LAYOUT(mip_3dm_poll_gnss_data, MIP_3DM_POLL_GNSS_DATA, MIP_3DM_POLL_GNSS_DATA,
+           "3dm.poll_gnss_data")
+MIP_LAYOUT(mip_3dm_poll_filter_data, MIP_3DM_POLL_FILTER_DATA, MIP_3DM_POLL_FILTER_DATA,
+           "3dm.poll_filter_data")
+MIP_LAYOUT(mip_3dm_poll_nmea_data, MIP_3DM_POLL_NMEA_DATA, MIP_3DM_POLL_NMEA_DATA,
+           "3dm.poll_nmea_data")
+MIP_LAYOUT(mip_3dm_get_imu_base_rate, MIP_3DM_GET_IMU_BASE_RATE, MIP_3DM_GET_IMU_BASE_RATE,
+           "3dm.get_imu_base_rate")
+MIP_LAYOUT(mip_3dm_get_gnss_base_rate, MIP_3DM_GET_GNSS_BASE_RATE, MIP_3DM_GET_GNSS_BASE_RATE,
+           "3dm.get_gnss_base_rate")
+MIP_LAYOUT(mip_3dm_imu_message_format, MIP_3DM_IMU_MESSAGE_FORMAT, MIP_3DM_IMU_MESSAGE_FORMAT,
+           "3dm.imu_message_format")
+MIP_LAYOUT(mip_3dm_gnss_message_format, MIP_3DM_GNSS_MESSAGE_FORMAT, MIP_3DM_GNSS_MESSAGE_FORMAT,
+           "3dm.gnss_message_format")
 MIP_LAYOUT(mip_3dm_filter_message_format, MIP_3DM_FILTER_MESSAGE_FORMAT,
-           MIP_3DM_FILTER_MESSAGE_FORMAT)
-MIP_LAYOUT(mip_3dm_get_filter_base_rate, MIP_3DM_GET_FILTER_BASE_RATE, MIP_3DM_GET_FILTER_BASE_RATE)
-MIP_LAYOUT(mip_3dm_nmea_message_format, MIP_3DM_NMEA_MESSAGE_FORMAT, MIP_3DM_NMEA_MESSAGE_FORMAT)
-MIP_LAYOUT(mip_3dm_poll_data, MIP_3DM_POLL_DATA, MIP_3DM_POLL_DATA)
-MIP_LAYOUT(mip_3dm_get_base_rate, MIP_3DM_GET_BASE_RATE, MIP_3DM_GET_BASE_RATE)
-MIP_LAYOUT(mip_3dm_message_format, MIP_3DM_MESSAGE_FORMAT, MIP_3DM_MESSAGE_FORMAT)
-MIP_LAYOUT(mip_3dm_factory_streaming, MIP_3DM_FACTORY_STREAMING, MIP_3DM_FACTORY_STREAMING)
-MIP_LAYOUT(mip_3dm_data_stream_control, MIP_3DM_DATA_STREAM_CONTROL, MIP_3DM_DATA_STREAM_CONTROL)
-MIP_LAYOUT(mip_3dm_raw_rtcm_2_3_message, MIP_3DM_RAW_RTCM_2_3_MESSAGE, MIP_3DM_RAW_RTCM_2_3_MESSAGE)
+           MIP_3DM_FILTER_MESSAGE_FORMAT, "3dm.filter_message_format")
+MIP_LAYOUT(mip_3dm_get_filter_base_rate, MIP_3DM_GET_FILTER_BASE_RATE, MIP_3DM_GET_FILTER_BASE_RATE,
+           "3dm.get_filter_base_rate")
+MIP_LAYOUT(mip_3dm_nmea_message_format, MIP_3DM_NMEA_MESSAGE_FORMAT, MIP_3DM_NMEA_MESSAGE_FORMAT,
+           "3dm.nmea_message_format")
+MIP_LAYOUT(mip_3dm_poll_data, MIP_3DM_POLL_DATA, MIP_3DM_POLL_DATA, "3dm.poll_data")
+MIP_LAYOUT(mip_3dm_get_base_rate, MIP_3DM_GET_BASE_RATE, MIP_3DM_GET_BASE_RATE, "3dm.get_base_rate")
+MIP_LAYOUT(mip_3dm_message_format, MIP_3DM_MESSAGE_FORMAT, MIP_3DM_MESSAGE_FORMAT,
+           "3dm.message_format")
+MIP_LAYOUT(mip_3dm_factory_streaming, MIP_3DM_FACTORY_STREAMING, MIP_3DM_FACTORY_STREAMING,
+           "3dm.factory_streaming")
+MIP_LAYOUT(mip_3dm_data_stream_control, MIP_3DM_DATA_STREAM_CONTROL, MIP_3DM_DATA_STREAM_CONTROL,
+           "3dm.data_stream_control")
+MIP_LAYOUT(mip_3dm_raw_rtcm_2_3_message, MIP_3DM_RAW_RTCM_2_3_MESSAGE, MIP_3DM_RAW_RTCM_2_3_MESSAGE,
+           "3dm.raw_rtcm_2_3_message")
 MIP_LAYOUT(mip_3dm_constellation_settings, MIP_3DM_CONSTELLATION_SETTINGS,
-           MIP_3DM_CONSTELLATION_SETTINGS)
-MIP_LAYOUT(mip_3dm_gnss_sbas_settings, MIP_3DM_GNSS_SBAS_SETTINGS, MIP_3DM_GNSS_SBAS_SETTINGS)
-MIP_LAYOUT(mip_3dm_gnss_assisted_fix, MIP_3DM_GNSS_ASSISTED_FIX, MIP_3DM_GNSS_ASSISTED_FIX)
-MIP_LAYOUT(mip_3dm_gnss_time_assistance, MIP_3DM_GNSS_TIME_ASSISTANCE, MIP_3DM_GNSS_TIME_ASSISTANCE)
-MIP_LAYOUT(mip_3dm_pps_source_control, MIP_3DM_PPS_SOURCE_CONTROL, MIP_3DM_PPS_SOURCE_CONTROL)
-MIP_LAYOUT(mip_3dm_get_event_support, MIP_3DM_GET_EVENT_SUPPORT, MIP_3DM_GET_EVENT_SUPPORT)
-MIP_LAYOUT(mip_3dm_event_control, MIP_3DM_EVENT_CONTROL, MIP_3DM_EVENT_CONTROL)
+           MIP_3DM_CONSTELLATION_SETTINGS, "3dm.constellation_settings")
+MIP_LAYOUT(mip_3dm_gnss_sbas_settings, MIP_3DM_GNSS_SBAS_SETTINGS, MIP_3DM_GNSS_SBAS_SETTINGS,
+           "3dm.gnss_sbas_settings")
+MIP_LAYOUT(mip_3dm_gnss_assisted_fix, MIP_3DM_GNSS_ASSISTED_FIX, MIP_3DM_GNSS_ASSISTED_FIX,
+           "3dm.gnss_assisted_fix")
+MIP_LAYOUT(mip_3dm_gnss_time_assistance, MIP_3DM_GNSS_TIME_ASSISTANCE, MIP_3DM_GNSS_TIME_ASSISTANCE,
+           "3dm.gnss_time_assistance")
+MIP_LAYOUT(mip_3dm_pps_source_control, MIP_3DM_PPS_SOURCE_CONTROL, MIP_3DM_PPS_SOURCE_CONTROL,
+           "3dm.pps_source_control")
+MIP_LAYOUT(mip_3dm_get_event_support, MIP_3DM_GET_EVENT_SUPPORT, MIP_3DM_GET_EVENT_SUPPORT,
+           "3dm.get_event_support")
+MIP_LAYOUT(mip_3dm_event_control, MIP_3DM_EVENT_CONTROL, MIP_3DM_EVENT_CONTROL, "3dm.event_control")
 MIP_LAYOUT(mip_3dm_get_event_trigger_status, MIP_3DM_GET_EVENT_TRIGGER_STATUS,
-           MIP_3DM_GET_EVENT_TRIGGER_STATUS)
+           MIP_3DM_GET_EVENT_TRIGGER_STATUS, "3dm.get_event_trigger_status")
 MIP_LAYOUT(mip_3dm_get_event_action_status, MIP_3DM_GET_EVENT_ACTION_STATUS,
-           MIP_3DM_GET_EVENT_ACTION_STATUS)
-MIP_LAYOUT(mip_3dm_event_trigger_config, MIP_3DM_EVENT_TRIGGER_CONFIG, MIP_3DM_EVENT_TRIGGER_CONFIG)
-MIP_LAYOUT(mip_3dm_event_action_config, MIP_3DM_EVENT_ACTION_CONFIG, MIP_3DM_EVENT_ACTION_CONFIG)
-MIP_LAYOUT(mip_3dm_device_settings, MIP_3DM_DEVICE_SETTINGS, MIP_3DM_DEVICE_SETTINGS)
+           MIP_3DM_GET_EVENT_ACTION_STATUS, "3dm.get_event_action_status")
+MIP_LAYOUT(mip_3dm_event_trigger_config, MIP_3DM_EVENT_TRIGGER_CONFIG, MIP_3DM_EVENT_TRIGGER_CONFIG,
+           "3dm.event_trigger_config")
+MIP_LAYOUT(mip_3dm_event_action_config, MIP_3DM_EVENT_ACTION_CONFIG, MIP_3DM_EVENT_ACTION_CONFIG,
+           "3dm.event_action_config")
+MIP_LAYOUT(mip_3dm_device_settings, MIP_3DM_DEVICE_SETTINGS, MIP_3DM_DEVICE_SETTINGS,
+           "3dm.device_settings")
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_euler, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER,
-           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER)
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER, "3dm.sensor_to_vehicle_transform_euler")
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_quaternion,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION,
-           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION)
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION,
+           "3dm.sensor_to_vehicle_transform_quaternion")
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_dcm, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM,
-           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM)
-MIP_LAYOUT(mip_3dm_gps_dynamics_mode, MIP_3DM_GPS_DYNAMICS_MODE, MIP_3DM_GPS_DYNAMICS_MODE)
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM, "3dm.sensor_to_vehicle_transform_dcm")
+MIP_LAYOUT(mip_3dm_gps_dynamics_mode, MIP_3DM_GPS_DYNAMICS_MODE, MIP_3DM_GPS_DYNAMICS_MODE,
+           "3dm.gps_dynamics_mode")
 MIP_LAYOUT(mip_3dm_imu_signal_conditioning, MIP_3DM_IMU_SIGNAL_CONDITIONING,
-           MIP_3DM_IMU_SIGNAL_CONDITIONING)
-MIP_LAYOUT(mip_3dm_imu_timestamp, MIP_3DM_IMU_TIMESTAMP, MIP_3DM_IMU_TIMESTAMP)
-MIP_LAYOUT(mip_3dm_accel_bias, MIP_3DM_ACCEL_BIAS, MIP_3DM_ACCEL_BIAS)
-MIP_LAYOUT(mip_3dm_gyro_bias, MIP_3DM_GYRO_BIAS, MIP_3DM_GYRO_BIAS)
-MIP_LAYOUT(mip_3dm_capture_gyro_bias, MIP_3DM_CAPTURE_GYRO_BIAS, MIP_3DM_CAPTURE_GYRO_BIAS)
-MIP_LAYOUT(mip_3dm_mag_hard_iron_offset, MIP_3DM_MAG_HARD_IRON_OFFSET, MIP_3DM_MAG_HARD_IRON_OFFSET)
-MIP_LAYOUT(mip_3dm_mag_soft_iron_matrix, MIP_3DM_MAG_SOFT_IRON_MATRIX, MIP_3DM_MAG_SOFT_IRON_MATRIX)
+           MIP_3DM_IMU_SIGNAL_CONDITIONING, "3dm.imu_signal_conditioning")
+MIP_LAYOUT(mip_3dm_imu_timestamp, MIP_3DM_IMU_TIMESTAMP, MIP_3DM_IMU_TIMESTAMP, "3dm.imu_timestamp")
+MIP_LAYOUT(mip_3dm_accel_bias, MIP_3DM_ACCEL_BIAS, MIP_3DM_ACCEL_BIAS, "3dm.accel_bias")
+MIP_LAYOUT(mip_3dm_gyro_bias, MIP_3DM_GYRO_BIAS, MIP_3DM_GYRO_BIAS, "3dm.gyro_bias")
+MIP_LAYOUT(mip_3dm_capture_gyro_bias, MIP_3DM_CAPTURE_GYRO_BIAS, MIP_3DM_CAPTURE_GYRO_BIAS,
+           "3dm.capture_gyro_bias")
+MIP_LAYOUT(mip_3dm_mag_hard_iron_offset, MIP_3DM_MAG_HARD_IRON_OFFSET, MIP_3DM_MAG_HARD_IRON_OFFSET,
+           "3dm.mag_hard_iron_offset")
+MIP_LAYOUT(mip_3dm_mag_soft_iron_matrix, MIP_3DM_MAG_SOFT_IRON_MATRIX, MIP_3DM_MAG_SOFT_IRON_MATRIX,
+           "3dm.mag_soft_iron_matrix")
 MIP_LAYOUT(mip_3dm_coning_sculling_enable, MIP_3DM_CONING_SCULLING_ENABLE,
-           MIP_3DM_CONING_SCULLING_ENABLE)
-MIP_LAYOUT(mip_3dm_uart_baud_rate, MIP_3DM_UART_BAUD_RATE, MIP_3DM_UART_BAUD_RATE)
-MIP_LAYOUT(mip_3dm_gpio_config, MIP_3DM_GPIO_CONFIG, MIP_3DM_GPIO_CONFIG)
-MIP_LAYOUT(mip_3dm_gpio_state, MIP_3DM_GPIO_STATE, MIP_3DM_GPIO_STATE)
-MIP_LAYOUT(mip_3dm_odometer_config, MIP_3DM_ODOMETER_CONFIG, MIP_3DM_ODOMETER_CONFIG)
-MIP_LAYOUT(mip_3dm_imu_low_pass_filter, MIP_3DM_IMU_LOW_PASS_FILTER, MIP_3DM_IMU_LOW_PASS_FILTER)
-MIP_LAYOUT(mip_3dm_complementary_filter, MIP_3DM_COMPLEMENTARY_FILTER, MIP_3DM_COMPLEMENTARY_FILTER)
-MIP_LAYOUT(mip_3dm_sensor_range, MIP_3DM_SENSOR_RANGE, MIP_3DM_SENSOR_RANGE)
+           MIP_3DM_CONING_SCULLING_ENABLE, "3dm.coning_sculling_enable")
+MIP_LAYOUT(mip_3dm_uart_baud_rate, MIP_3DM_UART_BAUD_RATE, MIP_3DM_UART_BAUD_RATE,
+           "3dm.uart_baud_rate")
+MIP_LAYOUT(mip_3dm_gpio_config, MIP_3DM_GPIO_CONFIG, MIP_3DM_GPIO_CONFIG, "3dm.gpio_config")
+MIP_LAYOUT(mip_3dm_gpio_state, MIP_3DM_GPIO_STATE, MIP_3DM_GPIO_STATE, "3dm.gpio_state")
+MIP_LAYOUT(mip_3dm_odometer_config, MIP_3DM_ODOMETER_CONFIG, MIP_3DM_ODOMETER_CONFIG,
+           "3dm.odometer_config")
+MIP_LAYOUT(mip_3dm_imu_low_pass_filter, MIP_3DM_IMU_LOW_PASS_FILTER, MIP_3DM_IMU_LOW_PASS_FILTER,
+           "3dm.imu_low_pass_filter")
+MIP_LAYOUT(mip_3dm_complementary_filter, MIP_3DM_COMPLEMENTARY_FILTER, MIP_3DM_COMPLEMENTARY_FILTER,
+           "3dm.complementary_filter")
+MIP_LAYOUT(mip_3dm_sensor_range, MIP_3DM_SENSOR_RANGE, MIP_3DM_SENSOR_RANGE, "3dm.sensor_range")
 MIP_LAYOUT(mip_3dm_get_calibrated_sensor_ranges, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES,
-           MIP_3DM_GET_CALIBRATED_SENSOR_RANGES)
-MIP_LAYOUT(mip_3dm_low_pass_filter, MIP_3DM_LOW_PASS_FILTER, MIP_3DM_LOW_PASS_FILTER)
-MIP_LAYOUT(mip_3dm_data_stream_format, MIP_3DM_DATA_STREAM_FORMAT, MIP_3DM_DATA_STREAM_FORMAT)
-MIP_LAYOUT(mip_3dm_device_power_state, MIP_3DM_DEVICE_POWER_STATE, MIP_3DM_DEVICE_POWER_STATE)
+           MIP_3DM_GET_CALIBRATED_SENSOR_RANGES, "3dm.get_calibrated_sensor_ranges")
+MIP_LAYOUT(mip_3dm_low_pass_filter, MIP_3DM_LOW_PASS_FILTER, MIP_3DM_LOW_PASS_FILTER,
+           "3dm.low_pass_filter")
+MIP_LAYOUT(mip_3dm_data_stream_format, MIP_3DM_DATA_STREAM_FORMAT, MIP_3DM_DATA_STREAM_FORMAT,
+           "3dm.data_stream_format")
+MIP_LAYOUT(mip_3dm_device_power_state, MIP_3DM_DEVICE_POWER_STATE, MIP_3DM_DEVICE_POWER_STATE,
+           "3dm.device_power_state")
 MIP_LAYOUT(mip_3dm_gps_advanced_settings, MIP_3DM_GPS_ADVANCED_SETTINGS,
-           MIP_3DM_GPS_ADVANCED_SETTINGS)
-MIP_LAYOUT(mip_3dm_device_status, MIP_3DM_DEVICE_STATUS, MIP_3DM_DEVICE_STATUS)
+           MIP_3DM_GPS_ADVANCED_SETTINGS, "3dm.gps_advanced_settings")
+MIP_LAYOUT(mip_3dm_device_status, MIP_3DM_DEVICE_STATUS, MIP_3DM_DEVICE_STATUS, "3dm.device_status")
 MIP_LAYOUT(mip_3dm_imu_message_format_response, MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE)
+           MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE, "3dm.imu_message_format_response")
 MIP_LAYOUT(mip_3dm_gnss_message_format_response, MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE)
+           MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE, "3dm.gnss_message_format_response")
 MIP_LAYOUT(mip_3dm_filter_message_format_response, MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE)
+           MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE, "3dm.filter_message_format_response")
 MIP_LAYOUT(mip_3dm_get_imu_base_rate_response, MIP_3DM_GET_IMU_BASE_RATE_RESPONSE,
-           MIP_3DM_GET_IMU_BASE_RATE_RESPONSE)
+           MIP_3DM_GET_IMU_BASE_RATE_RESPONSE, "3dm.get_imu_base_rate_response")
 MIP_LAYOUT(mip_3dm_get_gnss_base_rate_response, MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE,
-           MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE)
+           MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE, "3dm.get_gnss_base_rate_response")
 MIP_LAYOUT(mip_3dm_data_stream_control_response, MIP_3DM_DATA_STREAM_CONTROL_RESPONSE,
-           MIP_3DM_DATA_STREAM_CONTROL_RESPONSE)
+           MIP_3DM_DATA_STREAM_CONTROL_RESPONSE, "3dm.data_stream_control_response")
 MIP_LAYOUT(mip_3dm_imu_signal_conditioning_response, MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE,
-           MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE)
+           MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE, "3dm.imu_signal_conditioning_response")
 MIP_LAYOUT(mip_3dm_uart_baud_rate_response, MIP_3DM_UART_BAUD_RATE_RESPONSE,
-           MIP_3DM_UART_BAUD_RATE_RESPONSE)
+           MIP_3DM_UART_BAUD_RATE_RESPONSE, "3dm.uart_baud_rate_response")
 MIP_LAYOUT(mip_3dm_data_stream_format_response, MIP_3DM_DATA_STREAM_FORMAT_RESPONSE,
-           MIP_3DM_DATA_STREAM_FORMAT_RESPONSE)
+           MIP_3DM_DATA_STREAM_FORMAT_RESPONSE, "3dm.data_stream_format_response")
 MIP_LAYOUT(mip_3dm_device_power_state_response, MIP_3DM_DEVICE_POWER_STATE_RESPONSE,
-           MIP_3DM_DEVICE_POWER_STATE_RESPONSE)
+           MIP_3DM_DEVICE_POWER_STATE_RESPONSE, "3dm.device_power_state_response")
 MIP_LAYOUT(mip_3dm_get_filter_base_rate_response, MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE,
-           MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE)
+           MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE, "3dm.get_filter_base_rate_response")
 MIP_LAYOUT(mip_3dm_imu_low_pass_filter_response, MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE,
-           MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE)
+           MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE, "3dm.imu_low_pass_filter_response")
 MIP_LAYOUT(mip_3dm_nmea_message_format_response, MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE)
+           MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE, "3dm.nmea_message_format_response")
 MIP_LAYOUT(mip_3dm_get_base_rate_response, MIP_3DM_GET_BASE_RATE_RESPONSE,
-           MIP_3DM_GET_BASE_RATE_RESPONSE)
+           MIP_3DM_GET_BASE_RATE_RESPONSE, "3dm.get_base_rate_response")
 MIP_LAYOUT(mip_3dm_message_format_response, MIP_3DM_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_MESSAGE_FORMAT_RESPONSE)
+           MIP_3DM_MESSAGE_FORMAT_RESPONSE, "3dm.message_format_response")
 MIP_LAYOUT(mip_3dm_device_status_basic_rq1_imu_response,
            MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE, "3dm.device_status_basic_rq1_imu_response")
 MIP_LAYOUT(mip_3dm_device_status_basic_response, MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE, "3dm.device_status_basic_response")
 MIP_LAYOUT(mip_3dm_device_status_basic_without_state_response,
            MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE,
+           "3dm.device_status_basic_without_state_response")
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_response, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE, "3dm.device_status_diagnostic_response")
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gnss_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE,
+           "3dm.device_status_diagnostic_gnss_response")
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gq4_45_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE,
+           "3dm.device_status_diagnostic_gq4_45_response")
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_rq1_45_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE,
+           "3dm.device_status_diagnostic_rq1_45_response")
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gx4_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE,
+           "3dm.device_status_diagnostic_gx4_response")
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_imu_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE,
+           "3dm.device_status_diagnostic_imu_response")
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gx4_imu_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE,
+           "3dm.device_status_diagnostic_gx4_imu_response")
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_rq1_imu_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE,
+           "3dm.device_status_diagnostic_rq1_imu_response")
 MIP_LAYOUT(mip_3dm_device_status_basic_gx3_response, MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE, "3dm.device_status_basic_gx3_response")
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gx3_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE)
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE,
+           "3dm.device_status_diagnostic_gx3_response")
 MIP_LAYOUT(mip_3dm_gps_dynamics_mode_response, MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE,
-           MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE)
+           MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE, "3dm.gps_dynamics_mode_response")
 MIP_LAYOUT(mip_3dm_imu_timestamp_response, MIP_3DM_IMU_TIMESTAMP_RESPONSE,
-           MIP_3DM_IMU_TIMESTAMP_RESPONSE)
+           MIP_3DM_IMU_TIMESTAMP_RESPONSE, "3dm.imu_timestamp_response")
 MIP_LAYOUT(mip_3dm_complementary_filter_response, MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE,
-           MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE)
-MIP_LAYOUT(mip_3dm_accel_bias_response, MIP_3DM_ACCEL_BIAS_RESPONSE, MIP_3DM_ACCEL_BIAS_RESPONSE)
-MIP_LAYOUT(mip_3dm_gyro_bias_response, MIP_3DM_GYRO_BIAS_RESPONSE, MIP_3DM_GYRO_BIAS_RESPONSE)
+           MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE, "3dm.complementary_filter_response")
+MIP_LAYOUT(mip_3dm_accel_bias_response, MIP_3DM_ACCEL_BIAS_RESPONSE, MIP_3DM_ACCEL_BIAS_RESPONSE,
+           "3dm.accel_bias_response")
+MIP_LAYOUT(mip_3dm_gyro_bias_response, MIP_3DM_GYRO_BIAS_RESPONSE, MIP_3DM_GYRO_BIAS_RESPONSE,
+           "3dm.gyro_bias_response")
 MIP_LAYOUT(mip_3dm_mag_hard_iron_offset_response, MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE,
-           MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE)
+           MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE, "3dm.mag_hard_iron_offset_response")
 MIP_LAYOUT(mip_3dm_mag_soft_iron_matrix_response, MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE,
-           MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE)
+           MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE, "3dm.mag_soft_iron_matrix_response")
 MIP_LAYOUT(mip_3dm_coning_sculling_enable_response, MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE,
-           MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE)
+           MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE, "3dm.coning_sculling_enable_response")
 MIP_LAYOUT(mip_3dm_constellation_settings_response, MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE,
-           MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE)
+           MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE, "3dm.constellation_settings_response")
 MIP_LAYOUT(mip_3dm_gnss_sbas_settings_response, MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE,
-           MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE)
+           MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE, "3dm.gnss_sbas_settings_response")
 MIP_LAYOUT(mip_3dm_gnss_assisted_fix_response, MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE,
-           MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE)
+           MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE, "3dm.gnss_assisted_fix_response")
 MIP_LAYOUT(mip_3dm_gnss_time_assistance_response, MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE,
-           MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE)
+           MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE, "3dm.gnss_time_assistance_response")
 MIP_LAYOUT(mip_3dm_pps_source_control_response, MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE,
-           MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE)
+           MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE, "3dm.pps_source_control_response")
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_euler_response,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE,
-           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE)
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE,
+           "3dm.sensor_to_vehicle_transform_euler_response")
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_quaternion_response,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE,
-           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE)
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE,
+           "3dm.sensor_to_vehicle_transform_quaternion_response")
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_dcm_response,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE,
-           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE)
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE,
+           "3dm.sensor_to_vehicle_transform_dcm_response")
 MIP_LAYOUT(mip_3dm_get_event_support_response, MIP_3DM_GET_EVENT_SUPPORT_RESPONSE,
-           MIP_3DM_GET_EVENT_SUPPORT_RESPONSE)
+           MIP_3DM_GET_EVENT_SUPPORT_RESPONSE, "3dm.get_event_support_response")
 MIP_LAYOUT(mip_3dm_event_control_response, MIP_3DM_EVENT_CONTROL_RESPONSE,
-           MIP_3DM_EVENT_CONTROL_RESPONSE)
+           MIP_3DM_EVENT_CONTROL_RESPONSE, "3dm.event_control_response")
 MIP_LAYOUT(mip_3dm_get_event_trigger_status_response, MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE,
-           MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE)
+           MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE, "3dm.get_event_trigger_status_response")
 MIP_LAYOUT(mip_3dm_get_event_action_status_response, MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE,
-           MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE)
+           MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE, "3dm.get_event_action_status_response")
 MIP_LAYOUT(mip_3dm_event_trigger_config_response, MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE,
-           MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE)
+           MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE, "3dm.event_trigger_config_response")
 MIP_LAYOUT(mip_3dm_event_action_config_response, MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE,
-           MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE)
-MIP_LAYOUT(mip_3dm_gpio_config_response, MIP_3DM_GPIO_CONFIG_RESPONSE, MIP_3DM_GPIO_CONFIG_RESPONSE)
-MIP_LAYOUT(mip_3dm_gpio_state_response, MIP_3DM_GPIO_STATE_RESPONSE, MIP_3DM_GPIO_STATE_RESPONSE)
+           MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE, "3dm.event_action_config_response")
+MIP_LAYOUT(mip_3dm_gpio_config_response, MIP_3DM_GPIO_CONFIG_RESPONSE, MIP_3DM_GPIO_CONFIG_RESPONSE,
+           "3dm.gpio_config_response")
+MIP_LAYOUT(mip_3dm_gpio_state_response, MIP_3DM_GPIO_STATE_RESPONSE, MIP_3DM_GPIO_STATE_RESPONSE,
+           "3dm.gpio_state_response")
 MIP_LAYOUT(mip_3dm_odometer_config_response, MIP_3DM_ODOMETER_CONFIG_RESPONSE,
-           MIP_3DM_ODOMETER_CONFIG_RESPONSE)
+           MIP_3DM_ODOMETER_CONFIG_RESPONSE, "3dm.odometer_config_response")
 MIP_LAYOUT(mip_3dm_sensor_range_response, MIP_3DM_SENSOR_RANGE_RESPONSE,
-           MIP_3DM_SENSOR_RANGE_RESPONSE)
+           MIP_3DM_SENSOR_RANGE_RESPONSE, "3dm.sensor_range_response")
 MIP_LAYOUT(mip_3dm_get_calibrated_sensor_ranges_response,
            MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE,
-           MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE)
+           MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE,
+           "3dm.get_calibrated_sensor_ranges_response")
 MIP_LAYOUT(mip_3dm_low_pass_filter_response, MIP_3DM_LOW_PASS_FILTER_RESPONSE,
-           MIP_3DM_LOW_PASS_FILTER_RESPONSE)
+           MIP_3DM_LOW_PASS_FILTER_RESPONSE, "3dm.low_pass_filter_response")
 
 /** 3DM */
 inline constexpr std::uint8_t mip_3dm_set = MIP_3DM_SET;
@@ -440,10 +490,10 @@ inline value_names names_of(gx4_system_state) {
     return {::mip_names_3dm_gx4_system_state};
 }
 
-/** Get IMU Data Base Rate response. See struct mip_3dm_get_imu_base_rate_response. */
+/** Get IMU data base rate response. See struct mip_3dm_get_imu_base_rate_response. */
 using get_imu_base_rate_response = ::mip_3dm_get_imu_base_rate_response;
 
-/** Get GNSS Data Base Rate response. See struct mip_3dm_get_gnss_base_rate_response. */
+/** Get GNSS data base rate response. See struct mip_3dm_get_gnss_base_rate_response. */
 using get_gnss_base_rate_response = ::mip_3dm_get_gnss_base_rate_response;
 
 struct imu_message_format_response_ : ::mip_3dm_imu_message_format_response {
@@ -453,7 +503,7 @@ struct imu_message_format_response_ : ::mip_3dm_imu_message_format_response {
     }
 };
 
-/** IMU Message Format response. See struct mip_3dm_imu_message_format_response. */
+/** IMU message format response. See struct mip_3dm_imu_message_format_response. */
 using imu_message_format_response = imu_message_format_response_;
 
 struct gnss_message_format_response_ : ::mip_3dm_gnss_message_format_response {
@@ -463,7 +513,7 @@ struct gnss_message_format_response_ : ::mip_3dm_gnss_message_format_response {
     }
 };
 
-/** GNSS Message Format response. See struct mip_3dm_gnss_message_format_response. */
+/** GNSS message format response. See struct mip_3dm_gnss_message_format_response. */
 using gnss_message_format_response = gnss_message_format_response_;
 
 struct filter_message_format_response_ : ::mip_3dm_filter_message_format_response {
@@ -473,11 +523,11 @@ struct filter_message_format_response_ : ::mip_3dm_filter_message_format_respons
     }
 };
 
-/** Estimation Filter Message Format response. See struct mip_3dm_filter_message_format_response. */
+/** Estimation filter message format response. See struct mip_3dm_filter_message_format_response. */
 using filter_message_format_response = filter_message_format_response_;
 
 /**
- * Get Estimation Filter Data Base Rate response. See struct mip_3dm_get_filter_base_rate_response.
+ * Get estimation filter data base rate response. See struct mip_3dm_get_filter_base_rate_response.
  */
 using get_filter_base_rate_response = ::mip_3dm_get_filter_base_rate_response;
 
@@ -488,10 +538,10 @@ struct nmea_message_format_response_ : ::mip_3dm_nmea_message_format_response {
     }
 };
 
-/** NMEA Message Format response. See struct mip_3dm_nmea_message_format_response. */
+/** NMEA message format response. See struct mip_3dm_nmea_message_format_response. */
 using nmea_message_format_response = nmea_message_format_response_;
 
-/** Get Data Base Rate response. See struct mip_3dm_get_base_rate_response. */
+/** Get data base rate response. See struct mip_3dm_get_base_rate_response. */
 using get_base_rate_response = ::mip_3dm_get_base_rate_response;
 
 struct message_format_response_ : ::mip_3dm_message_format_response {
@@ -501,10 +551,10 @@ struct message_format_response_ : ::mip_3dm_message_format_response {
     }
 };
 
-/** Message Format response. See struct mip_3dm_message_format_response. */
+/** Message format response. See struct mip_3dm_message_format_response. */
 using message_format_response = message_format_response_;
 
-/** Data Stream Control response. See struct mip_3dm_data_stream_control_response. */
+/** Data stream control response. See struct mip_3dm_data_stream_control_response. */
 using data_stream_control_response = ::mip_3dm_data_stream_control_response;
 
 struct constellation_settings_response_ : ::mip_3dm_constellation_settings_response {
@@ -514,7 +564,7 @@ struct constellation_settings_response_ : ::mip_3dm_constellation_settings_respo
     }
 };
 
-/** Constellation Settings response. See struct mip_3dm_constellation_settings_response. */
+/** Constellation settings response. See struct mip_3dm_constellation_settings_response. */
 using constellation_settings_response = constellation_settings_response_;
 
 struct gnss_sbas_settings_response_ : ::mip_3dm_gnss_sbas_settings_response {
@@ -527,7 +577,7 @@ struct gnss_sbas_settings_response_ : ::mip_3dm_gnss_sbas_settings_response {
     }
 };
 
-/** GNSS SBAS Settings response. See struct mip_3dm_gnss_sbas_settings_response. */
+/** GNSS SBAS settings response. See struct mip_3dm_gnss_sbas_settings_response. */
 using gnss_sbas_settings_response = gnss_sbas_settings_response_;
 
 struct gnss_assisted_fix_response_ : ::mip_3dm_gnss_assisted_fix_response {
@@ -537,10 +587,10 @@ struct gnss_assisted_fix_response_ : ::mip_3dm_gnss_assisted_fix_response {
     }
 };
 
-/** GNSS Assisted Fix response. See struct mip_3dm_gnss_assisted_fix_response. */
+/** GNSS assisted fix response. See struct mip_3dm_gnss_assisted_fix_response. */
 using gnss_assisted_fix_response = gnss_assisted_fix_response_;
 
-/** GNSS Time Assistance response. See struct mip_3dm_gnss_time_assistance_response. */
+/** GNSS time assistance response. See struct mip_3dm_gnss_time_assistance_response. */
 using gnss_time_assistance_response = ::mip_3dm_gnss_time_assistance_response;
 
 struct pps_source_control_response_ : ::mip_3dm_pps_source_control_response {
@@ -550,7 +600,7 @@ struct pps_source_control_response_ : ::mip_3dm_pps_source_control_response {
     }
 };
 
-/** PPS Source Control response. See struct mip_3dm_pps_source_control_response. */
+/** PPS source control response. See struct mip_3dm_pps_source_control_response. */
 using pps_source_control_response = pps_source_control_response_;
 
 struct get_event_support_response_ : ::mip_3dm_get_event_support_response {
@@ -563,7 +613,7 @@ struct get_event_support_response_ : ::mip_3dm_get_event_support_response {
     }
 };
 
-/** Get Supported Events response. See struct mip_3dm_get_event_support_response. */
+/** Get supported events response. See struct mip_3dm_get_event_support_response. */
 using get_event_support_response = get_event_support_response_;
 
 struct event_control_response_ : ::mip_3dm_event_control_response {
@@ -573,7 +623,7 @@ struct event_control_response_ : ::mip_3dm_event_control_response {
     }
 };
 
-/** Event Control response. See struct mip_3dm_event_control_response. */
+/** Event control response. See struct mip_3dm_event_control_response. */
 using event_control_response = event_control_response_;
 
 struct get_event_trigger_status_response_ : ::mip_3dm_get_event_trigger_status_response {
@@ -583,7 +633,7 @@ struct get_event_trigger_status_response_ : ::mip_3dm_get_event_trigger_status_r
     }
 };
 
-/** Get Event Trigger Status response. See struct mip_3dm_get_event_trigger_status_response. */
+/** Get event trigger status response. See struct mip_3dm_get_event_trigger_status_response. */
 using get_event_trigger_status_response = get_event_trigger_status_response_;
 
 struct get_event_action_status_response_ : ::mip_3dm_get_event_action_status_response {
@@ -593,7 +643,7 @@ struct get_event_action_status_response_ : ::mip_3dm_get_event_action_status_res
     }
 };
 
-/** Get Event Action Status response. See struct mip_3dm_get_event_action_status_response. */
+/** Get event action status response. See struct mip_3dm_get_event_action_status_response. */
 using get_event_action_status_response = get_event_action_status_response_;
 
 struct event_trigger_config_response_ : ::mip_3dm_event_trigger_config_response {
@@ -603,7 +653,7 @@ struct event_trigger_config_response_ : ::mip_3dm_event_trigger_config_response 
     }
 };
 
-/** Event Trigger Configuration response. See struct mip_3dm_event_trigger_config_response. */
+/** Event trigger configuration response. See struct mip_3dm_event_trigger_config_response. */
 using event_trigger_config_response = event_trigger_config_response_;
 
 struct event_action_config_response_ : ::mip_3dm_event_action_config_response {
@@ -613,25 +663,25 @@ struct event_action_config_response_ : ::mip_3dm_event_action_config_response {
     }
 };
 
-/** Event Action Configuration response. See struct mip_3dm_event_action_config_response. */
+/** Event action configuration response. See struct mip_3dm_event_action_config_response. */
 using event_action_config_response = event_action_config_response_;
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler response. See struct
+ * Sensor-to-vehicle frame transformation Euler response. See struct
  * mip_3dm_sensor_to_vehicle_transform_euler_response.
  */
 using sensor_to_vehicle_transform_euler_response =
     ::mip_3dm_sensor_to_vehicle_transform_euler_response;
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion response. See struct
+ * Sensor-to-vehicle frame transformation quaternion response. See struct
  * mip_3dm_sensor_to_vehicle_transform_quaternion_response.
  */
 using sensor_to_vehicle_transform_quaternion_response =
     ::mip_3dm_sensor_to_vehicle_transform_quaternion_response;
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response. See struct
+ * Sensor-to-vehicle frame transformation direction cosine matrix response. See struct
  * mip_3dm_sensor_to_vehicle_transform_dcm_response.
  */
 using sensor_to_vehicle_transform_dcm_response = ::mip_3dm_sensor_to_vehicle_transform_dcm_response;
@@ -670,22 +720,22 @@ struct imu_timestamp_response_ : ::mip_3dm_imu_timestamp_response {
 /** IMU timestamp response. See struct mip_3dm_imu_timestamp_response. */
 using imu_timestamp_response = imu_timestamp_response_;
 
-/** Accelerometer Bias Configuration response. See struct mip_3dm_accel_bias_response. */
+/** Accelerometer bias configuration response. See struct mip_3dm_accel_bias_response. */
 using accel_bias_response = ::mip_3dm_accel_bias_response;
 
-/** Gyroscope Bias Configuration response. See struct mip_3dm_gyro_bias_response. */
+/** Gyroscope bias configuration response. See struct mip_3dm_gyro_bias_response. */
 using gyro_bias_response = ::mip_3dm_gyro_bias_response;
 
-/** Magnetometer Hard Iron Offset response. See struct mip_3dm_mag_hard_iron_offset_response. */
+/** Magnetometer hard iron offset response. See struct mip_3dm_mag_hard_iron_offset_response. */
 using mag_hard_iron_offset_response = ::mip_3dm_mag_hard_iron_offset_response;
 
-/** Magnetometer Soft Iron Matrix response. See struct mip_3dm_mag_soft_iron_matrix_response. */
+/** Magnetometer soft iron matrix response. See struct mip_3dm_mag_soft_iron_matrix_response. */
 using mag_soft_iron_matrix_response = ::mip_3dm_mag_soft_iron_matrix_response;
 
-/** Coning and Sculling Enable response. See struct mip_3dm_coning_sculling_enable_response. */
+/** Coning and sculling enable response. See struct mip_3dm_coning_sculling_enable_response. */
 using coning_sculling_enable_response = ::mip_3dm_coning_sculling_enable_response;
 
-/** UART Baud Rate response. See struct mip_3dm_uart_baud_rate_response. */
+/** UART baud rate response. See struct mip_3dm_uart_baud_rate_response. */
 using uart_baud_rate_response = ::mip_3dm_uart_baud_rate_response;
 
 struct gpio_config_response_ : ::mip_3dm_gpio_config_response {
@@ -698,10 +748,10 @@ struct gpio_config_response_ : ::mip_3dm_gpio_config_response {
     }
 };
 
-/** GPIO Configuration response. See struct mip_3dm_gpio_config_response. */
+/** GPIO configuration response. See struct mip_3dm_gpio_config_response. */
 using gpio_config_response = gpio_config_response_;
 
-/** GPIO State response. See struct mip_3dm_gpio_state_response. */
+/** GPIO state response. See struct mip_3dm_gpio_state_response. */
 using gpio_state_response = ::mip_3dm_gpio_state_response;
 
 struct odometer_config_response_ : ::mip_3dm_odometer_config_response {
@@ -711,14 +761,14 @@ struct odometer_config_response_ : ::mip_3dm_odometer_config_response {
     }
 };
 
-/** Odometer Configuration response. See struct mip_3dm_odometer_config_response. */
+/** Odometer configuration response. See struct mip_3dm_odometer_config_response. */
 using odometer_config_response = odometer_config_response_;
 
-/** Advanced Low-Pass Filter Settings response. See struct mip_3dm_imu_low_pass_filter_response. */
+/** Advanced low-pass filter settings response. See struct mip_3dm_imu_low_pass_filter_response. */
 using imu_low_pass_filter_response = ::mip_3dm_imu_low_pass_filter_response;
 
 /**
- * Complementary Filter Configuration response. See struct mip_3dm_complementary_filter_response.
+ * Complementary filter configuration response. See struct mip_3dm_complementary_filter_response.
  */
 using complementary_filter_response = ::mip_3dm_complementary_filter_response;
 
@@ -729,7 +779,7 @@ struct sensor_range_response_ : ::mip_3dm_sensor_range_response {
     }
 };
 
-/** Sensor Range response. See struct mip_3dm_sensor_range_response. */
+/** Sensor range response. See struct mip_3dm_sensor_range_response. */
 using sensor_range_response = sensor_range_response_;
 
 struct get_calibrated_sensor_ranges_response_ : ::mip_3dm_get_calibrated_sensor_ranges_response {
@@ -743,11 +793,11 @@ struct get_calibrated_sensor_ranges_response_ : ::mip_3dm_get_calibrated_sensor_
 };
 
 /**
- * Get Calibrated Sensor Ranges response. See struct mip_3dm_get_calibrated_sensor_ranges_response.
+ * Get calibrated sensor ranges response. See struct mip_3dm_get_calibrated_sensor_ranges_response.
  */
 using get_calibrated_sensor_ranges_response = get_calibrated_sensor_ranges_response_;
 
-/** Low-Pass Anti-Aliasing Filter response. See struct mip_3dm_low_pass_filter_response. */
+/** Low-pass anti-aliasing filter response. See struct mip_3dm_low_pass_filter_response. */
 using low_pass_filter_response = ::mip_3dm_low_pass_filter_response;
 
 struct data_stream_format_response_ : ::mip_3dm_data_stream_format_response {
@@ -777,72 +827,72 @@ struct device_power_state_response_ : ::mip_3dm_device_power_state_response {
 using device_power_state_response = device_power_state_response_;
 
 /**
- * Basic Device Status of the inertial sensor of the 3DM-RQ1-45. See struct
+ * Basic device status (inertial sensor of the 3DM-RQ1-45). See struct
  * mip_3dm_device_status_basic_rq1_imu_response.
  */
 using device_status_basic_rq1_imu_response = ::mip_3dm_device_status_basic_rq1_imu_response;
 
-/** Basic Device Status. See struct mip_3dm_device_status_basic_response. */
+/** Basic device status. See struct mip_3dm_device_status_basic_response. */
 using device_status_basic_response = ::mip_3dm_device_status_basic_response;
 
 /**
- * Basic Device Status without a state. See struct
+ * Basic device status (without state). See struct
  * mip_3dm_device_status_basic_without_state_response.
  */
 using device_status_basic_without_state_response =
     ::mip_3dm_device_status_basic_without_state_response;
 
-/** Diagnostic Device Status. See struct mip_3dm_device_status_diagnostic_response. */
+/** Diagnostic device status. See struct mip_3dm_device_status_diagnostic_response. */
 using device_status_diagnostic_response = ::mip_3dm_device_status_diagnostic_response;
 
 /**
- * Diagnostic Device Status with GNSS. See struct mip_3dm_device_status_diagnostic_gnss_response.
+ * Diagnostic device status (with GNSS). See struct mip_3dm_device_status_diagnostic_gnss_response.
  */
 using device_status_diagnostic_gnss_response = ::mip_3dm_device_status_diagnostic_gnss_response;
 
 /**
- * Diagnostic Device Status of the 3DM-GQ4-45. See struct
+ * Diagnostic device status (3DM-GQ4-45). See struct
  * mip_3dm_device_status_diagnostic_gq4_45_response.
  */
 using device_status_diagnostic_gq4_45_response = ::mip_3dm_device_status_diagnostic_gq4_45_response;
 
 /**
- * Diagnostic Device Status of the 3DM-RQ1-45. See struct
+ * Diagnostic device status (3DM-RQ1-45). See struct
  * mip_3dm_device_status_diagnostic_rq1_45_response.
  */
 using device_status_diagnostic_rq1_45_response = ::mip_3dm_device_status_diagnostic_rq1_45_response;
 
 /**
- * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25. See struct
+ * Diagnostic device status (3DM-GX4-15, 3DM-GX4-25). See struct
  * mip_3dm_device_status_diagnostic_gx4_response.
  */
 using device_status_diagnostic_gx4_response = ::mip_3dm_device_status_diagnostic_gx4_response;
 
-/** Diagnostic Device Status of an IMU. See struct mip_3dm_device_status_diagnostic_imu_response. */
+/** Diagnostic device status (IMU). See struct mip_3dm_device_status_diagnostic_imu_response. */
 using device_status_diagnostic_imu_response = ::mip_3dm_device_status_diagnostic_imu_response;
 
 /**
- * Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45. See struct
+ * Diagnostic device status (inertial sensor of the 3DM-GX4-45). See struct
  * mip_3dm_device_status_diagnostic_gx4_imu_response.
  */
 using device_status_diagnostic_gx4_imu_response =
     ::mip_3dm_device_status_diagnostic_gx4_imu_response;
 
 /**
- * Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45. See struct
+ * Diagnostic device status (inertial sensor of the 3DM-RQ1-45). See struct
  * mip_3dm_device_status_diagnostic_rq1_imu_response.
  */
 using device_status_diagnostic_rq1_imu_response =
     ::mip_3dm_device_status_diagnostic_rq1_imu_response;
 
 /**
- * Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45. See struct
+ * Basic device status (3DM-GX3-35, 3DM-GX3-45). See struct
  * mip_3dm_device_status_basic_gx3_response.
  */
 using device_status_basic_gx3_response = ::mip_3dm_device_status_basic_gx3_response;
 
 /**
- * Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45. See struct
+ * Diagnostic device status (3DM-GX3-35, 3DM-GX3-45). See struct
  * mip_3dm_device_status_diagnostic_gx3_response.
  */
 using device_status_diagnostic_gx3_response = ::mip_3dm_device_status_diagnostic_gx3_response;

@@ -19,13 +19,9 @@ extern "C" {
 /** @addtogroup mip_3dm 3DM (0x0C)
  * @{ */
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_poll_imu_data_command;
+MIP_COMMAND_REPLIES(mip_3dm_poll_imu_data);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_poll_imu_data_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Poll IMU Data. */
+/** Poll IMU data: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_poll_imu_data(struct mip_client *client,
                                                    struct mip_request *request,
                                                    struct mip_builder *packet,
@@ -36,7 +32,7 @@ static inline mip_error mip_send_3dm_poll_imu_data(struct mip_client *client,
 }
 
 /**
- * Poll IMU Data. See mip_device_call.
+ * Poll IMU data.
  *
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. Counts the elements of descriptors.
@@ -52,22 +48,15 @@ mip_call_3dm_poll_imu_data(struct mip_device *device, mip_bool suppress_ack,
         NULL);
 }
 
-/**
- * Poll IMU Data: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Poll IMU data, with these values, including optional parameters. */
 static inline struct mip_result mip_call_3dm_poll_imu_data_with(
     struct mip_device *device, const struct mip_3dm_poll_imu_data *command) {
     return mip_device_call(device, &mip_3dm_poll_imu_data_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_poll_gnss_data_command;
+MIP_COMMAND_REPLIES(mip_3dm_poll_gnss_data);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_poll_gnss_data_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Poll GNSS Data. */
+/** Poll GNSS data: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_poll_gnss_data(struct mip_client *client,
                                                     struct mip_request *request,
                                                     struct mip_builder *packet,
@@ -78,7 +67,7 @@ static inline mip_error mip_send_3dm_poll_gnss_data(struct mip_client *client,
 }
 
 /**
- * Poll GNSS Data. See mip_device_call.
+ * Poll GNSS data.
  *
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. Counts the elements of descriptors. Range: 0 to 83.
@@ -95,25 +84,15 @@ static inline struct mip_result mip_call_3dm_poll_gnss_data(
         NULL);
 }
 
-/**
- * Poll GNSS Data: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Poll GNSS data, with these values, including optional parameters. */
 static inline struct mip_result mip_call_3dm_poll_gnss_data_with(
     struct mip_device *device, const struct mip_3dm_poll_gnss_data *command) {
     return mip_device_call(device, &mip_3dm_poll_gnss_data_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_poll_filter_data_command;
+MIP_COMMAND_REPLIES(mip_3dm_poll_filter_data);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_poll_filter_data_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Poll Estimation Filter
- * Data.
- */
+/** Poll estimation filter data: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_poll_filter_data(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_poll_filter_data *command, uint32_t now) {
@@ -122,7 +101,7 @@ static inline mip_error mip_send_3dm_poll_filter_data(
 }
 
 /**
- * Poll Estimation Filter Data. See mip_device_call.
+ * Poll estimation filter data.
  *
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. Counts the elements of descriptors.
@@ -138,22 +117,15 @@ static inline struct mip_result mip_call_3dm_poll_filter_data(
         NULL);
 }
 
-/**
- * Poll Estimation Filter Data: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
+/** Poll estimation filter data, with these values, including optional parameters. */
 static inline struct mip_result mip_call_3dm_poll_filter_data_with(
     struct mip_device *device, const struct mip_3dm_poll_filter_data *command) {
     return mip_device_call(device, &mip_3dm_poll_filter_data_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_poll_nmea_data_command;
+MIP_COMMAND_REPLIES(mip_3dm_poll_nmea_data);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_poll_nmea_data_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Poll NMEA Data. */
+/** Poll NMEA data: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_poll_nmea_data(struct mip_client *client,
                                                     struct mip_request *request,
                                                     struct mip_builder *packet,
@@ -164,7 +136,7 @@ static inline mip_error mip_send_3dm_poll_nmea_data(struct mip_client *client,
 }
 
 /**
- * Poll NMEA Data. See mip_device_call.
+ * Poll NMEA data.
  *
  * - suppress_ack: Send no acknowledge.
  * - count: Number of sentences. Counts the elements of format_entries.
@@ -179,25 +151,15 @@ mip_call_3dm_poll_nmea_data(struct mip_device *device, mip_bool suppress_ack, ui
         mip_3dm_poll_nmea_data_make(&command, suppress_ack, count, format_entries), NULL, NULL);
 }
 
-/**
- * Poll NMEA Data: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Poll NMEA data, with these values, including optional parameters. */
 static inline struct mip_result mip_call_3dm_poll_nmea_data_with(
     struct mip_device *device, const struct mip_3dm_poll_nmea_data *command) {
     return mip_device_call(device, &mip_3dm_poll_nmea_data_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_get_imu_base_rate_command;
+MIP_COMMAND_REPLIES(mip_3dm_get_imu_base_rate);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_get_imu_base_rate_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get IMU Data Base Rate.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get IMU data base rate: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_get_imu_base_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_3dm_get_imu_base_rate_response *response, uint32_t now) {
@@ -205,7 +167,7 @@ static inline mip_error mip_send_3dm_get_imu_base_rate(
                            &mip_3dm_get_imu_base_rate_response_codec, response, now);
 }
 
-/** Get IMU Data Base Rate. See mip_device_call. */
+/** Get IMU data base rate. */
 static inline struct mip_result mip_call_3dm_get_imu_base_rate(
     struct mip_device *device, struct mip_3dm_get_imu_base_rate_response *response) {
     return mip_device_request(device, &mip_3dm_get_imu_base_rate_exchange,
@@ -213,16 +175,9 @@ static inline struct mip_result mip_call_3dm_get_imu_base_rate(
                               &mip_3dm_get_imu_base_rate_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_get_gnss_base_rate_command;
+MIP_COMMAND_REPLIES(mip_3dm_get_gnss_base_rate);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get GNSS Data Base Rate.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get GNSS data base rate: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_get_gnss_base_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_3dm_get_gnss_base_rate_response *response, uint32_t now) {
@@ -230,7 +185,7 @@ static inline mip_error mip_send_3dm_get_gnss_base_rate(
                            &mip_3dm_get_gnss_base_rate_response_codec, response, now);
 }
 
-/** Get GNSS Data Base Rate. See mip_device_call. */
+/** Get GNSS data base rate. */
 static inline struct mip_result mip_call_3dm_get_gnss_base_rate(
     struct mip_device *device, struct mip_3dm_get_gnss_base_rate_response *response) {
     return mip_device_request(device, &mip_3dm_get_gnss_base_rate_exchange,
@@ -238,26 +193,22 @@ static inline struct mip_result mip_call_3dm_get_gnss_base_rate(
                               &mip_3dm_get_gnss_base_rate_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_imu_message_format_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_imu_message_format_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. IMU Message Format. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_imu_message_format(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_imu_message_format *command,
-    struct mip_3dm_imu_message_format_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_imu_message_format_command, command,
-                           &mip_3dm_imu_message_format_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_3dm_imu_message_format);
+MIP_SEND(mip_send_3dm_imu_message_format, mip_3dm_imu_message_format,
+         mip_3dm_imu_message_format_response);
+MIP_CALL_FOR(mip_call_3dm_imu_message_format_read, mip_3dm_imu_message_format,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_imu_message_format_response);
+MIP_CALL(mip_call_3dm_imu_message_format_save, mip_3dm_imu_message_format,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_imu_message_format_load, mip_3dm_imu_message_format,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_imu_message_format_default, mip_3dm_imu_message_format,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_imu_message_format_with, mip_3dm_imu_message_format,
+              mip_3dm_imu_message_format_response);
 
 /**
- * IMU Message Format: write. Apply the new setting. See mip_device_call.
+ * IMU message format: write.
  *
  * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
@@ -278,69 +229,22 @@ mip_call_3dm_imu_message_format_write(struct mip_device *device, uint8_t num_des
                                                  : MIP_MAX_FIELD_DATA + 1);
 }
 
-/** IMU Message Format: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_imu_message_format_read(
-    struct mip_device *device, struct mip_3dm_imu_message_format_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_imu_message_format_exchange, data, 1,
-                              &mip_3dm_imu_message_format_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_gnss_message_format);
+MIP_SEND(mip_send_3dm_gnss_message_format, mip_3dm_gnss_message_format,
+         mip_3dm_gnss_message_format_response);
+MIP_CALL_FOR(mip_call_3dm_gnss_message_format_read, mip_3dm_gnss_message_format,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_gnss_message_format_response);
+MIP_CALL(mip_call_3dm_gnss_message_format_save, mip_3dm_gnss_message_format,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_gnss_message_format_load, mip_3dm_gnss_message_format,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_gnss_message_format_default, mip_3dm_gnss_message_format,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_gnss_message_format_with, mip_3dm_gnss_message_format,
+              mip_3dm_gnss_message_format_response);
 
 /**
- * IMU Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_imu_message_format_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1);
-}
-
-/** IMU Message Format: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_imu_message_format_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1);
-}
-
-/** IMU Message Format: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_imu_message_format_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1);
-}
-
-/**
- * IMU Message Format: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_imu_message_format_with(
-    struct mip_device *device, const struct mip_3dm_imu_message_format *command,
-    struct mip_3dm_imu_message_format_response *response) {
-    return mip_device_call(device, &mip_3dm_imu_message_format_command, command,
-                           &mip_3dm_imu_message_format_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_gnss_message_format_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_gnss_message_format_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS Message Format. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_gnss_message_format(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_gnss_message_format *command,
-    struct mip_3dm_gnss_message_format_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_gnss_message_format_command, command,
-                           &mip_3dm_gnss_message_format_response_codec, response, now);
-}
-
-/**
- * GNSS Message Format: write. Apply the new setting. See mip_device_call.
+ * GNSS message format: write.
  *
  * - num_descriptors: Number of fields. Counts the elements of descriptors. Range: 0 to 82. Required
  *   for write.
@@ -362,70 +266,22 @@ mip_call_3dm_gnss_message_format_write(struct mip_device *device, uint8_t num_de
                                                  : MIP_MAX_FIELD_DATA + 1);
 }
 
-/** GNSS Message Format: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gnss_message_format_read(
-    struct mip_device *device, struct mip_3dm_gnss_message_format_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_gnss_message_format_exchange, data, 1,
-                              &mip_3dm_gnss_message_format_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_filter_message_format);
+MIP_SEND(mip_send_3dm_filter_message_format, mip_3dm_filter_message_format,
+         mip_3dm_filter_message_format_response);
+MIP_CALL_FOR(mip_call_3dm_filter_message_format_read, mip_3dm_filter_message_format,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_filter_message_format_response);
+MIP_CALL(mip_call_3dm_filter_message_format_save, mip_3dm_filter_message_format,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_filter_message_format_load, mip_3dm_filter_message_format,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_filter_message_format_default, mip_3dm_filter_message_format,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_filter_message_format_with, mip_3dm_filter_message_format,
+              mip_3dm_filter_message_format_response);
 
 /**
- * GNSS Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gnss_message_format_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1);
-}
-
-/** GNSS Message Format: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gnss_message_format_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1);
-}
-
-/** GNSS Message Format: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_3dm_gnss_message_format_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1);
-}
-
-/**
- * GNSS Message Format: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gnss_message_format_with(
-    struct mip_device *device, const struct mip_3dm_gnss_message_format *command,
-    struct mip_3dm_gnss_message_format_response *response) {
-    return mip_device_call(device, &mip_3dm_gnss_message_format_command, command,
-                           &mip_3dm_gnss_message_format_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_filter_message_format_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_filter_message_format_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Estimation Filter Message
- * Format. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_filter_message_format(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_filter_message_format *command,
-    struct mip_3dm_filter_message_format_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_filter_message_format_command, command,
-                           &mip_3dm_filter_message_format_response_codec, response, now);
-}
-
-/**
- * Estimation Filter Message Format: write. Apply the new setting. See mip_device_call.
+ * Estimation filter message format: write.
  *
  * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
@@ -447,67 +303,9 @@ mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_
                                                  : MIP_MAX_FIELD_DATA + 1);
 }
 
-/**
- * Estimation Filter Message Format: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_filter_message_format_read(
-    struct mip_device *device, struct mip_3dm_filter_message_format_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_filter_message_format_exchange, data, 1,
-                              &mip_3dm_filter_message_format_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_get_filter_base_rate);
 
-/**
- * Estimation Filter Message Format: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_filter_message_format_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1);
-}
-
-/** Estimation Filter Message Format: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_filter_message_format_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1);
-}
-
-/**
- * Estimation Filter Message Format: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_filter_message_format_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1);
-}
-
-/**
- * Estimation Filter Message Format: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_filter_message_format_with(
-    struct mip_device *device, const struct mip_3dm_filter_message_format *command,
-    struct mip_3dm_filter_message_format_response *response) {
-    return mip_device_call(device, &mip_3dm_filter_message_format_command, command,
-                           &mip_3dm_filter_message_format_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_get_filter_base_rate_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_get_filter_base_rate_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get Estimation Filter
- * Data Base Rate. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
+/** Get estimation filter data base rate: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_get_filter_base_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_3dm_get_filter_base_rate_response *response, uint32_t now) {
@@ -515,7 +313,7 @@ static inline mip_error mip_send_3dm_get_filter_base_rate(
                            &mip_3dm_get_filter_base_rate_response_codec, response, now);
 }
 
-/** Get Estimation Filter Data Base Rate. See mip_device_call. */
+/** Get estimation filter data base rate. */
 static inline struct mip_result mip_call_3dm_get_filter_base_rate(
     struct mip_device *device, struct mip_3dm_get_filter_base_rate_response *response) {
     return mip_device_request(device, &mip_3dm_get_filter_base_rate_exchange,
@@ -523,26 +321,22 @@ static inline struct mip_result mip_call_3dm_get_filter_base_rate(
                               &mip_3dm_get_filter_base_rate_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_nmea_message_format_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_nmea_message_format_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. NMEA Message Format. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_nmea_message_format(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_nmea_message_format *command,
-    struct mip_3dm_nmea_message_format_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_nmea_message_format_command, command,
-                           &mip_3dm_nmea_message_format_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_3dm_nmea_message_format);
+MIP_SEND(mip_send_3dm_nmea_message_format, mip_3dm_nmea_message_format,
+         mip_3dm_nmea_message_format_response);
+MIP_CALL_FOR(mip_call_3dm_nmea_message_format_read, mip_3dm_nmea_message_format,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_nmea_message_format_response);
+MIP_CALL(mip_call_3dm_nmea_message_format_save, mip_3dm_nmea_message_format,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_nmea_message_format_load, mip_3dm_nmea_message_format,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_nmea_message_format_default, mip_3dm_nmea_message_format,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_nmea_message_format_with, mip_3dm_nmea_message_format,
+              mip_3dm_nmea_message_format_response);
 
 /**
- * NMEA Message Format: write. Apply the new setting. See mip_device_call.
+ * NMEA message format: write.
  *
  * - count: Number of sentences. Counts the elements of format_entries. Required for write.
  * - format_entries: Sentences to stream. Required for write.
@@ -563,57 +357,9 @@ MIP_INLINE struct mip_result mip_call_3dm_nmea_message_format_write(
                            count <= 50 ? 2 + 5 * (size_t)count : MIP_MAX_FIELD_DATA + 1);
 }
 
-/** NMEA Message Format: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_nmea_message_format_read(
-    struct mip_device *device, struct mip_3dm_nmea_message_format_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_nmea_message_format_exchange, data, 1,
-                              &mip_3dm_nmea_message_format_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_poll_data);
 
-/**
- * NMEA Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_nmea_message_format_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1);
-}
-
-/** NMEA Message Format: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_nmea_message_format_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1);
-}
-
-/** NMEA Message Format: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_3dm_nmea_message_format_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1);
-}
-
-/**
- * NMEA Message Format: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_nmea_message_format_with(
-    struct mip_device *device, const struct mip_3dm_nmea_message_format *command,
-    struct mip_3dm_nmea_message_format_response *response) {
-    return mip_device_call(device, &mip_3dm_nmea_message_format_command, command,
-                           &mip_3dm_nmea_message_format_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_poll_data_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_poll_data_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Poll Data. */
+/** Poll data: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_poll_data(struct mip_client *client,
                                                struct mip_request *request,
                                                struct mip_builder *packet,
@@ -624,7 +370,7 @@ static inline mip_error mip_send_3dm_poll_data(struct mip_client *client,
 }
 
 /**
- * Poll Data. See mip_device_call.
+ * Poll data.
  *
  * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
  * - suppress_ack: Send no acknowledge.
@@ -643,80 +389,37 @@ static inline struct mip_result mip_call_3dm_poll_data(struct mip_device *device
                            NULL, NULL);
 }
 
-/**
- * Poll Data: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Poll data, with these values, including optional parameters. */
 static inline struct mip_result
 mip_call_3dm_poll_data_with(struct mip_device *device, const struct mip_3dm_poll_data *command) {
     return mip_device_call(device, &mip_3dm_poll_data_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_get_base_rate_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_get_base_rate_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get Data Base Rate. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_get_base_rate(struct mip_client *client,
-                                                   struct mip_request *request,
-                                                   struct mip_builder *packet,
-                                                   const struct mip_3dm_get_base_rate *command,
-                                                   struct mip_3dm_get_base_rate_response *response,
-                                                   uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_get_base_rate_command, command,
-                           &mip_3dm_get_base_rate_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_3dm_get_base_rate);
+MIP_SEND(mip_send_3dm_get_base_rate, mip_3dm_get_base_rate, mip_3dm_get_base_rate_response);
+MIP_CALL_WITH(mip_call_3dm_get_base_rate_with, mip_3dm_get_base_rate,
+              mip_3dm_get_base_rate_response);
 
 /**
- * Get Data Base Rate. See mip_device_call.
+ * Get data base rate.
  *
  * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
  */
 static inline struct mip_result
 mip_call_3dm_get_base_rate(struct mip_device *device, uint8_t descriptor_set,
                            struct mip_3dm_get_base_rate_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)descriptor_set);
+    const uint8_t data[] = {(uint8_t)descriptor_set};
     return mip_device_request(device, &mip_3dm_get_base_rate_exchange, data, 1,
                               &mip_3dm_get_base_rate_response_codec, response);
 }
 
-/**
- * Get Data Base Rate: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_get_base_rate_with(
-    struct mip_device *device, const struct mip_3dm_get_base_rate *command,
-    struct mip_3dm_get_base_rate_response *response) {
-    return mip_device_call(device, &mip_3dm_get_base_rate_command, command,
-                           &mip_3dm_get_base_rate_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_message_format_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_message_format_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_message_format);
+MIP_SEND(mip_send_3dm_message_format, mip_3dm_message_format, mip_3dm_message_format_response);
+MIP_CALL_WITH(mip_call_3dm_message_format_with, mip_3dm_message_format,
+              mip_3dm_message_format_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Message Format. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_message_format(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_message_format *command, struct mip_3dm_message_format_response *response,
-    uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_message_format_command, command,
-                           &mip_3dm_message_format_response_codec, response, now);
-}
-
-/**
- * Message Format: write. Apply the new setting. See mip_device_call.
+ * Message format: write.
  *
  * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
  * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
@@ -740,77 +443,54 @@ MIP_INLINE struct mip_result mip_call_3dm_message_format_write(
 }
 
 /**
- * Message Format: read. Return the current setting in a response. See mip_device_call.
+ * Message format: read.
  *
  * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
  */
 static inline struct mip_result
 mip_call_3dm_message_format_read(struct mip_device *device, uint8_t descriptor_set,
                                  struct mip_3dm_message_format_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)descriptor_set};
     return mip_device_request(device, &mip_3dm_message_format_exchange, data, 2,
                               &mip_3dm_message_format_response_codec, response);
 }
 
 /**
- * Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Message format: save.
  *
  * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_message_format_save(struct mip_device *device,
                                                                  uint8_t descriptor_set) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)descriptor_set};
     return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2);
 }
 
 /**
- * Message Format: load. Load the saved setting. See mip_device_call.
+ * Message format: load.
  *
  * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_message_format_load(struct mip_device *device,
                                                                  uint8_t descriptor_set) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)descriptor_set};
     return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2);
 }
 
 /**
- * Message Format: default. Load the factory default setting. See mip_device_call.
+ * Message format: default.
  *
  * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_message_format_default(struct mip_device *device,
                                                                     uint8_t descriptor_set) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)descriptor_set};
     return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2);
 }
 
-/**
- * Message Format: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_message_format_with(
-    struct mip_device *device, const struct mip_3dm_message_format *command,
-    struct mip_3dm_message_format_response *response) {
-    return mip_device_call(device, &mip_3dm_message_format_command, command,
-                           &mip_3dm_message_format_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_factory_streaming);
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_factory_streaming_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_factory_streaming_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Factory Streaming. */
+/** Factory streaming: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_factory_streaming(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_factory_streaming *command, uint32_t now) {
@@ -819,52 +499,37 @@ static inline mip_error mip_send_3dm_factory_streaming(
 }
 
 /**
- * Factory Streaming. See mip_device_call.
+ * Factory streaming.
  *
  * - action: Treatment of the existing formats. A value of enum mip_3dm_factory_streaming_action.
  */
 static inline struct mip_result mip_call_3dm_factory_streaming(
     struct mip_device *device, enum mip_3dm_factory_streaming_action action) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)action);
-    mip_put_8(data + 1, (uint8_t)0);
+    const uint8_t data[] = {(uint8_t)action, (uint8_t)0};
     return mip_device_send(device, &mip_3dm_factory_streaming_exchange, data, 2);
 }
 
-/**
- * Factory Streaming: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Factory streaming, with these values, including optional parameters. */
 static inline struct mip_result mip_call_3dm_factory_streaming_with(
     struct mip_device *device, const struct mip_3dm_factory_streaming *command) {
     return mip_device_call(device, &mip_3dm_factory_streaming_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_data_stream_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_data_stream_control_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Data Stream Control. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_data_stream_control(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_data_stream_control *command,
-    struct mip_3dm_data_stream_control_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_data_stream_control_command, command,
-                           &mip_3dm_data_stream_control_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_3dm_data_stream_control);
+MIP_SEND(mip_send_3dm_data_stream_control, mip_3dm_data_stream_control,
+         mip_3dm_data_stream_control_response);
+MIP_CALL_WITH(mip_call_3dm_data_stream_control_with, mip_3dm_data_stream_control,
+              mip_3dm_data_stream_control_response);
 
 /**
- * Data Stream Control: write. Apply the new setting. See mip_device_call.
+ * Data stream control: write.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
+ *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
+ *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  * - enable: True if the stream is sent. Default: true. Required for write. The stream starts with
@@ -873,105 +538,88 @@ static inline mip_error mip_send_3dm_data_stream_control(
 static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mip_device *device,
                                                                        uint8_t descriptor_set,
                                                                        mip_bool enable) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
-    mip_put_8(data + 2, (uint8_t)mip_truth(enable));
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)descriptor_set,
+                            (uint8_t)mip_truth(enable)};
     return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 3);
 }
 
 /**
- * Data Stream Control: read. Return the current setting in a response. See mip_device_call.
+ * Data stream control: read.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
+ *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
+ *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result
 mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descriptor_set,
                                       struct mip_3dm_data_stream_control_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)descriptor_set};
     return mip_device_request(device, &mip_3dm_data_stream_control_exchange, data, 2,
                               &mip_3dm_data_stream_control_response_codec, response);
 }
 
 /**
- * Data Stream Control: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Data stream control: save.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
+ *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
+ *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)descriptor_set};
     return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2);
 }
 
 /**
- * Data Stream Control: load. Load the saved setting. See mip_device_call.
+ * Data stream control: load.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
+ *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
+ *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)descriptor_set};
     return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2);
 }
 
 /**
- * Data Stream Control: default. Load the factory default setting. See mip_device_call.
+ * Data stream control: default.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3,
- *   3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- *   3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
+ *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
+ *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_default(struct mip_device *device,
                                                                          uint8_t descriptor_set) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)descriptor_set};
     return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2);
 }
 
-/**
- * Data Stream Control: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_data_stream_control_with(
-    struct mip_device *device, const struct mip_3dm_data_stream_control *command,
-    struct mip_3dm_data_stream_control_response *response) {
-    return mip_device_call(device, &mip_3dm_data_stream_control_command, command,
-                           &mip_3dm_data_stream_control_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_raw_rtcm_2_3_message);
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_raw_rtcm_2_3_message_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Raw RTCM 2.3 message. */
+/** Raw RTCM 2.3 message: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_raw_rtcm_2_3_message(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_raw_rtcm_2_3_message *command, uint32_t now) {
@@ -980,7 +628,7 @@ static inline mip_error mip_send_3dm_raw_rtcm_2_3_message(
 }
 
 /**
- * Raw RTCM 2.3 message. See mip_device_call.
+ * Raw RTCM 2.3 message.
  *
  * - data_: Bytes of the RTCM stream.
  */
@@ -993,35 +641,28 @@ static inline struct mip_result mip_call_3dm_raw_rtcm_2_3_message(struct mip_dev
                            NULL);
 }
 
-/**
- * Raw RTCM 2.3 message: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Raw RTCM 2.3 message, with these values, including optional parameters. */
 static inline struct mip_result mip_call_3dm_raw_rtcm_2_3_message_with(
     struct mip_device *device, const struct mip_3dm_raw_rtcm_2_3_message *command) {
     return mip_device_call(device, &mip_3dm_raw_rtcm_2_3_message_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_constellation_settings_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_constellation_settings_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Constellation Settings.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_constellation_settings(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_constellation_settings *command,
-    struct mip_3dm_constellation_settings_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_constellation_settings_command,
-                           command, &mip_3dm_constellation_settings_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_3dm_constellation_settings);
+MIP_SEND(mip_send_3dm_constellation_settings, mip_3dm_constellation_settings,
+         mip_3dm_constellation_settings_response);
+MIP_CALL_FOR(mip_call_3dm_constellation_settings_read, mip_3dm_constellation_settings,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_constellation_settings_response);
+MIP_CALL(mip_call_3dm_constellation_settings_save, mip_3dm_constellation_settings,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_constellation_settings_load, mip_3dm_constellation_settings,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_constellation_settings_default, mip_3dm_constellation_settings,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_constellation_settings_with, mip_3dm_constellation_settings,
+              mip_3dm_constellation_settings_response);
 
 /**
- * Constellation Settings: write. Apply the new setting. See mip_device_call.
+ * Constellation settings: write.
  *
  * - max_channels: Maximum number of tracking channels in use; at most the number that the response
  *   reports as available. Unit: 1. Required for write.
@@ -1049,73 +690,22 @@ MIP_INLINE struct mip_result mip_call_3dm_constellation_settings_write(
                                               : MIP_MAX_FIELD_DATA + 1);
 }
 
-/** Constellation Settings: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_constellation_settings_read(
-    struct mip_device *device, struct mip_3dm_constellation_settings_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_constellation_settings_exchange, data, 1,
-                              &mip_3dm_constellation_settings_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_gnss_sbas_settings);
+MIP_SEND(mip_send_3dm_gnss_sbas_settings, mip_3dm_gnss_sbas_settings,
+         mip_3dm_gnss_sbas_settings_response);
+MIP_CALL_FOR(mip_call_3dm_gnss_sbas_settings_read, mip_3dm_gnss_sbas_settings,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_gnss_sbas_settings_response);
+MIP_CALL(mip_call_3dm_gnss_sbas_settings_save, mip_3dm_gnss_sbas_settings,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_gnss_sbas_settings_load, mip_3dm_gnss_sbas_settings,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_gnss_sbas_settings_default, mip_3dm_gnss_sbas_settings,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_gnss_sbas_settings_with, mip_3dm_gnss_sbas_settings,
+              mip_3dm_gnss_sbas_settings_response);
 
 /**
- * Constellation Settings: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_constellation_settings_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1);
-}
-
-/** Constellation Settings: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_3dm_constellation_settings_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1);
-}
-
-/** Constellation Settings: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_3dm_constellation_settings_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1);
-}
-
-/**
- * Constellation Settings: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_constellation_settings_with(
-    struct mip_device *device, const struct mip_3dm_constellation_settings *command,
-    struct mip_3dm_constellation_settings_response *response) {
-    return mip_device_call(device, &mip_3dm_constellation_settings_command, command,
-                           &mip_3dm_constellation_settings_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_gnss_sbas_settings_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS SBAS Settings. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_gnss_sbas_settings(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_gnss_sbas_settings *command,
-    struct mip_3dm_gnss_sbas_settings_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_gnss_sbas_settings_command, command,
-                           &mip_3dm_gnss_sbas_settings_response_codec, response, now);
-}
-
-/**
- * GNSS SBAS Settings: write. Apply the new setting. See mip_device_call.
+ * GNSS SBAS settings: write.
  *
  * - enable_sbas: 1 enables SBAS, 0 disables it. Range: 0 to 1. Required for write. On the
  *   3DM-GX5-35: default 1.
@@ -1142,69 +732,22 @@ MIP_INLINE struct mip_result mip_call_3dm_gnss_sbas_settings_write(
                                                     : MIP_MAX_FIELD_DATA + 1);
 }
 
-/** GNSS SBAS Settings: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gnss_sbas_settings_read(
-    struct mip_device *device, struct mip_3dm_gnss_sbas_settings_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1,
-                              &mip_3dm_gnss_sbas_settings_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_gnss_assisted_fix);
+MIP_SEND(mip_send_3dm_gnss_assisted_fix, mip_3dm_gnss_assisted_fix,
+         mip_3dm_gnss_assisted_fix_response);
+MIP_CALL_FOR(mip_call_3dm_gnss_assisted_fix_read, mip_3dm_gnss_assisted_fix,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_gnss_assisted_fix_response);
+MIP_CALL(mip_call_3dm_gnss_assisted_fix_save, mip_3dm_gnss_assisted_fix,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_gnss_assisted_fix_load, mip_3dm_gnss_assisted_fix,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_gnss_assisted_fix_default, mip_3dm_gnss_assisted_fix,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_gnss_assisted_fix_with, mip_3dm_gnss_assisted_fix,
+              mip_3dm_gnss_assisted_fix_response);
 
 /**
- * GNSS SBAS Settings: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gnss_sbas_settings_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1);
-}
-
-/** GNSS SBAS Settings: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gnss_sbas_settings_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1);
-}
-
-/** GNSS SBAS Settings: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gnss_sbas_settings_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1);
-}
-
-/**
- * GNSS SBAS Settings: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gnss_sbas_settings_with(
-    struct mip_device *device, const struct mip_3dm_gnss_sbas_settings *command,
-    struct mip_3dm_gnss_sbas_settings_response *response) {
-    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command, command,
-                           &mip_3dm_gnss_sbas_settings_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_gnss_assisted_fix_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS Assisted Fix. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_gnss_assisted_fix(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_gnss_assisted_fix *command,
-    struct mip_3dm_gnss_assisted_fix_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_gnss_assisted_fix_command, command,
-                           &mip_3dm_gnss_assisted_fix_response_codec, response, now);
-}
-
-/**
- * GNSS Assisted Fix: write. Apply the new setting. See mip_device_call.
+ * GNSS assisted fix: write.
  *
  * - option: Storage of data for a faster first fix. A value of enum mip_3dm_assisted_fix_option.
  *   Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
@@ -1212,76 +755,20 @@ static inline mip_error mip_send_3dm_gnss_assisted_fix(
  */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_write(
     struct mip_device *device, enum mip_3dm_assisted_fix_option option) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)option);
-    mip_put_8(data + 2, (uint8_t)255);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)option, (uint8_t)255};
     return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 3);
 }
 
-/** GNSS Assisted Fix: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gnss_assisted_fix_read(
-    struct mip_device *device, struct mip_3dm_gnss_assisted_fix_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1,
-                              &mip_3dm_gnss_assisted_fix_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_gnss_time_assistance);
+MIP_SEND(mip_send_3dm_gnss_time_assistance, mip_3dm_gnss_time_assistance,
+         mip_3dm_gnss_time_assistance_response);
+MIP_CALL_FOR(mip_call_3dm_gnss_time_assistance_read, mip_3dm_gnss_time_assistance,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_gnss_time_assistance_response);
+MIP_CALL_WITH(mip_call_3dm_gnss_time_assistance_with, mip_3dm_gnss_time_assistance,
+              mip_3dm_gnss_time_assistance_response);
 
 /**
- * GNSS Assisted Fix: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gnss_assisted_fix_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1);
-}
-
-/** GNSS Assisted Fix: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gnss_assisted_fix_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1);
-}
-
-/** GNSS Assisted Fix: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gnss_assisted_fix_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1);
-}
-
-/**
- * GNSS Assisted Fix: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gnss_assisted_fix_with(
-    struct mip_device *device, const struct mip_3dm_gnss_assisted_fix *command,
-    struct mip_3dm_gnss_assisted_fix_response *response) {
-    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command, command,
-                           &mip_3dm_gnss_assisted_fix_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_gnss_time_assistance_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_gnss_time_assistance_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS Time Assistance. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_gnss_time_assistance(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_gnss_time_assistance *command,
-    struct mip_3dm_gnss_time_assistance_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_gnss_time_assistance_command, command,
-                           &mip_3dm_gnss_time_assistance_response_codec, response, now);
-}
-
-/**
- * GNSS Time Assistance: write. Apply the new setting. See mip_device_call.
+ * GNSS time assistance: write.
  *
  * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
  * - week_number: GPS week number since 1980. Unit: week. Required for write.
@@ -1300,170 +787,62 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_write(struct m
     return mip_device_send(device, &mip_3dm_gnss_time_assistance_exchange, data, 15);
 }
 
-/** GNSS Time Assistance: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gnss_time_assistance_read(
-    struct mip_device *device, struct mip_3dm_gnss_time_assistance_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_gnss_time_assistance_exchange, data, 1,
-                              &mip_3dm_gnss_time_assistance_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_pps_source_control);
+MIP_SEND(mip_send_3dm_pps_source_control, mip_3dm_pps_source_control,
+         mip_3dm_pps_source_control_response);
+MIP_CALL_FOR(mip_call_3dm_pps_source_control_read, mip_3dm_pps_source_control,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_pps_source_control_response);
+MIP_CALL(mip_call_3dm_pps_source_control_save, mip_3dm_pps_source_control,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_pps_source_control_load, mip_3dm_pps_source_control,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_pps_source_control_default, mip_3dm_pps_source_control,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_pps_source_control_with, mip_3dm_pps_source_control,
+              mip_3dm_pps_source_control_response);
 
 /**
- * GNSS Time Assistance: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gnss_time_assistance_with(
-    struct mip_device *device, const struct mip_3dm_gnss_time_assistance *command,
-    struct mip_3dm_gnss_time_assistance_response *response) {
-    return mip_device_call(device, &mip_3dm_gnss_time_assistance_command, command,
-                           &mip_3dm_gnss_time_assistance_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_pps_source_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_pps_source_control_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. PPS Source Control. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_pps_source_control(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_pps_source_control *command,
-    struct mip_3dm_pps_source_control_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_pps_source_control_command, command,
-                           &mip_3dm_pps_source_control_response_codec, response, now);
-}
-
-/**
- * PPS Source Control: write. Apply the new setting. See mip_device_call.
+ * PPS source control: write.
  *
  * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
- *   3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
- *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
- *   On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
- *   MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
+ *   3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GV7-AHRS, -AR and -INS: only
+ *   MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED. On the
+ *   3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1, MIP_3DM_PPS_SOURCE_RECEIVER_2,
+ *   MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
  */
 static inline struct mip_result
 mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pps_source source) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)source);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)source};
     return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 2);
 }
 
-/** PPS Source Control: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_pps_source_control_read(
-    struct mip_device *device, struct mip_3dm_pps_source_control_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_pps_source_control_exchange, data, 1,
-                              &mip_3dm_pps_source_control_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_get_event_support);
+MIP_SEND(mip_send_3dm_get_event_support, mip_3dm_get_event_support,
+         mip_3dm_get_event_support_response);
+MIP_CALL_WITH(mip_call_3dm_get_event_support_with, mip_3dm_get_event_support,
+              mip_3dm_get_event_support_response);
 
 /**
- * PPS Source Control: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_pps_source_control_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1);
-}
-
-/** PPS Source Control: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_pps_source_control_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1);
-}
-
-/** PPS Source Control: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_pps_source_control_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1);
-}
-
-/**
- * PPS Source Control: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_pps_source_control_with(
-    struct mip_device *device, const struct mip_3dm_pps_source_control *command,
-    struct mip_3dm_pps_source_control_response *response) {
-    return mip_device_call(device, &mip_3dm_pps_source_control_command, command,
-                           &mip_3dm_pps_source_control_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_get_event_support_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_get_event_support_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get Supported Events. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_get_event_support(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_get_event_support *command,
-    struct mip_3dm_get_event_support_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_get_event_support_command, command,
-                           &mip_3dm_get_event_support_response_codec, response, now);
-}
-
-/**
- * Get Supported Events. See mip_device_call.
+ * Get supported events.
  *
  * - query: Triggers or actions. A value of enum mip_3dm_event_support_query.
  */
 static inline struct mip_result
 mip_call_3dm_get_event_support(struct mip_device *device, enum mip_3dm_event_support_query query,
                                struct mip_3dm_get_event_support_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)query);
+    const uint8_t data[] = {(uint8_t)query};
     return mip_device_request(device, &mip_3dm_get_event_support_exchange, data, 1,
                               &mip_3dm_get_event_support_response_codec, response);
 }
 
-/**
- * Get Supported Events: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_get_event_support_with(
-    struct mip_device *device, const struct mip_3dm_get_event_support *command,
-    struct mip_3dm_get_event_support_response *response) {
-    return mip_device_call(device, &mip_3dm_get_event_support_command, command,
-                           &mip_3dm_get_event_support_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_event_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_event_control_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_event_control);
+MIP_SEND(mip_send_3dm_event_control, mip_3dm_event_control, mip_3dm_event_control_response);
+MIP_CALL_WITH(mip_call_3dm_event_control_with, mip_3dm_event_control,
+              mip_3dm_event_control_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Event Control. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_event_control(struct mip_client *client,
-                                                   struct mip_request *request,
-                                                   struct mip_builder *packet,
-                                                   const struct mip_3dm_event_control *command,
-                                                   struct mip_3dm_event_control_response *response,
-                                                   uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_event_control_command, command,
-                           &mip_3dm_event_control_response_codec, response, now);
-}
-
-/**
- * Event Control: write. Apply the new setting. See mip_device_call.
+ * Event control: write.
  *
  * - instance: Trigger instance; 0 means all configured triggers, except for read.
  * - mode: New mode. A value of enum mip_event_trigger_mode. Default:
@@ -1472,100 +851,65 @@ static inline mip_error mip_send_3dm_event_control(struct mip_client *client,
 static inline struct mip_result mip_call_3dm_event_control_write(struct mip_device *device,
                                                                  uint8_t instance,
                                                                  enum mip_event_trigger_mode mode) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)instance);
-    mip_put_8(data + 2, (uint8_t)mode);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)instance, (uint8_t)mode};
     return mip_device_send(device, &mip_3dm_event_control_exchange, data, 3);
 }
 
 /**
- * Event Control: read. Return the current setting in a response. See mip_device_call.
+ * Event control: read.
  *
  * - instance: Trigger instance; 0 means all configured triggers, except for read.
  */
 static inline struct mip_result mip_call_3dm_event_control_read(
     struct mip_device *device, uint8_t instance, struct mip_3dm_event_control_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)instance};
     return mip_device_request(device, &mip_3dm_event_control_exchange, data, 2,
                               &mip_3dm_event_control_response_codec, response);
 }
 
 /**
- * Event Control: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Event control: save.
  *
  * - instance: Trigger instance; 0 means all configured triggers, except for read.
  */
 static inline struct mip_result mip_call_3dm_event_control_save(struct mip_device *device,
                                                                 uint8_t instance) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)instance};
     return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2);
 }
 
 /**
- * Event Control: load. Load the saved setting. See mip_device_call.
+ * Event control: load.
  *
  * - instance: Trigger instance; 0 means all configured triggers, except for read.
  */
 static inline struct mip_result mip_call_3dm_event_control_load(struct mip_device *device,
                                                                 uint8_t instance) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)instance};
     return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2);
 }
 
 /**
- * Event Control: default. Load the factory default setting. See mip_device_call.
+ * Event control: default.
  *
  * - instance: Trigger instance; 0 means all configured triggers, except for read.
  */
 static inline struct mip_result mip_call_3dm_event_control_default(struct mip_device *device,
                                                                    uint8_t instance) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)instance};
     return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2);
 }
 
-/**
- * Event Control: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_event_control_with(
-    struct mip_device *device, const struct mip_3dm_event_control *command,
-    struct mip_3dm_event_control_response *response) {
-    return mip_device_call(device, &mip_3dm_event_control_command, command,
-                           &mip_3dm_event_control_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_get_event_trigger_status_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_get_event_trigger_status_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_get_event_trigger_status);
+MIP_SEND(mip_send_3dm_get_event_trigger_status, mip_3dm_get_event_trigger_status,
+         mip_3dm_get_event_trigger_status_response);
+MIP_CALL_WITH(mip_call_3dm_get_event_trigger_status_with, mip_3dm_get_event_trigger_status,
+              mip_3dm_get_event_trigger_status_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get Event Trigger Status.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_get_event_trigger_status(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_get_event_trigger_status *command,
-    struct mip_3dm_get_event_trigger_status_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_get_event_trigger_status_command,
-                           command, &mip_3dm_get_event_trigger_status_response_codec, response,
-                           now);
-}
-
-/**
- * Get Event Trigger Status. See mip_device_call.
+ * Get event trigger status.
  *
- * - requested_count: Number of requested triggers; 0 requests all slots. Counts the elements of
+ * - requested_count: Number of requested triggers; 0 requests all instances. Counts the elements of
  *   requested_instances.
  * - requested_instances: Numbers of the triggers to report; none for all.
  */
@@ -1584,39 +928,16 @@ MIP_INLINE struct mip_result mip_call_3dm_get_event_trigger_status(
                               &mip_3dm_get_event_trigger_status_response_codec, response);
 }
 
-/**
- * Get Event Trigger Status: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_get_event_trigger_status_with(
-    struct mip_device *device, const struct mip_3dm_get_event_trigger_status *command,
-    struct mip_3dm_get_event_trigger_status_response *response) {
-    return mip_device_call(device, &mip_3dm_get_event_trigger_status_command, command,
-                           &mip_3dm_get_event_trigger_status_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_get_event_action_status_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_get_event_action_status_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_get_event_action_status);
+MIP_SEND(mip_send_3dm_get_event_action_status, mip_3dm_get_event_action_status,
+         mip_3dm_get_event_action_status_response);
+MIP_CALL_WITH(mip_call_3dm_get_event_action_status_with, mip_3dm_get_event_action_status,
+              mip_3dm_get_event_action_status_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get Event Action Status.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_get_event_action_status(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_get_event_action_status *command,
-    struct mip_3dm_get_event_action_status_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_get_event_action_status_command,
-                           command, &mip_3dm_get_event_action_status_response_codec, response, now);
-}
-
-/**
- * Get Event Action Status. See mip_device_call.
+ * Get event action status.
  *
- * - requested_count: Number of requested actions; 0 requests all slots. Counts the elements of
+ * - requested_count: Number of requested actions; 0 requests all instances. Counts the elements of
  *   requested_instances.
  * - requested_instances: Numbers of the actions to report; none for all.
  */
@@ -1635,38 +956,14 @@ MIP_INLINE struct mip_result mip_call_3dm_get_event_action_status(
                               &mip_3dm_get_event_action_status_response_codec, response);
 }
 
-/**
- * Get Event Action Status: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_get_event_action_status_with(
-    struct mip_device *device, const struct mip_3dm_get_event_action_status *command,
-    struct mip_3dm_get_event_action_status_response *response) {
-    return mip_device_call(device, &mip_3dm_get_event_action_status_command, command,
-                           &mip_3dm_get_event_action_status_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_event_trigger_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_event_trigger_config_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_event_trigger_config);
+MIP_SEND(mip_send_3dm_event_trigger_config, mip_3dm_event_trigger_config,
+         mip_3dm_event_trigger_config_response);
+MIP_CALL_WITH(mip_call_3dm_event_trigger_config_with, mip_3dm_event_trigger_config,
+              mip_3dm_event_trigger_config_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Event Trigger
- * Configuration. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_3dm_event_trigger_config(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_event_trigger_config *command,
-    struct mip_3dm_event_trigger_config_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_event_trigger_config_command, command,
-                           &mip_3dm_event_trigger_config_response_codec, response, now);
-}
-
-/**
- * Event Trigger Configuration: write. Apply the new setting. See mip_device_call.
+ * Event trigger configuration: write.
  *
  * - instance: Trigger instance; 0 means all (save, load, default).
  * - type: Kind of trigger. A value of enum mip_event_trigger_type. Default:
@@ -1684,92 +981,59 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_write(
 }
 
 /**
- * Event Trigger Configuration: read. Return the current setting in a response. See mip_device_call.
+ * Event trigger configuration: read.
  *
  * - instance: Trigger instance; 0 means all (save, load, default).
  */
 static inline struct mip_result
 mip_call_3dm_event_trigger_config_read(struct mip_device *device, uint8_t instance,
                                        struct mip_3dm_event_trigger_config_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)instance};
     return mip_device_request(device, &mip_3dm_event_trigger_config_exchange, data, 2,
                               &mip_3dm_event_trigger_config_response_codec, response);
 }
 
 /**
- * Event Trigger Configuration: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
+ * Event trigger configuration: save.
  *
  * - instance: Trigger instance; 0 means all (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_event_trigger_config_save(struct mip_device *device,
                                                                        uint8_t instance) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)instance};
     return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2);
 }
 
 /**
- * Event Trigger Configuration: load. Load the saved setting. See mip_device_call.
+ * Event trigger configuration: load.
  *
  * - instance: Trigger instance; 0 means all (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_event_trigger_config_load(struct mip_device *device,
                                                                        uint8_t instance) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)instance};
     return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2);
 }
 
 /**
- * Event Trigger Configuration: default. Load the factory default setting. See mip_device_call.
+ * Event trigger configuration: default.
  *
  * - instance: Trigger instance; 0 means all (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_event_trigger_config_default(struct mip_device *device,
                                                                           uint8_t instance) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)instance};
     return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2);
 }
 
-/**
- * Event Trigger Configuration: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_event_trigger_config_with(
-    struct mip_device *device, const struct mip_3dm_event_trigger_config *command,
-    struct mip_3dm_event_trigger_config_response *response) {
-    return mip_device_call(device, &mip_3dm_event_trigger_config_command, command,
-                           &mip_3dm_event_trigger_config_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_event_action_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_event_action_config_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_event_action_config);
+MIP_SEND(mip_send_3dm_event_action_config, mip_3dm_event_action_config,
+         mip_3dm_event_action_config_response);
+MIP_CALL_WITH(mip_call_3dm_event_action_config_with, mip_3dm_event_action_config,
+              mip_3dm_event_action_config_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Event Action
- * Configuration. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_3dm_event_action_config(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_event_action_config *command,
-    struct mip_3dm_event_action_config_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_event_action_config_command, command,
-                           &mip_3dm_event_action_config_response_codec, response, now);
-}
-
-/**
- * Event Action Configuration: write. Apply the new setting. See mip_device_call.
+ * Event action configuration: write.
  *
  * - instance: Action instance; 0 means all (save, load, default).
  * - trigger: Trigger instance that the action follows. Required for write.
@@ -1789,80 +1053,58 @@ static inline struct mip_result mip_call_3dm_event_action_config_write(
 }
 
 /**
- * Event Action Configuration: read. Return the current setting in a response. See mip_device_call.
+ * Event action configuration: read.
  *
  * - instance: Action instance; 0 means all (save, load, default).
  */
 static inline struct mip_result
 mip_call_3dm_event_action_config_read(struct mip_device *device, uint8_t instance,
                                       struct mip_3dm_event_action_config_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)instance};
     return mip_device_request(device, &mip_3dm_event_action_config_exchange, data, 2,
                               &mip_3dm_event_action_config_response_codec, response);
 }
 
 /**
- * Event Action Configuration: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
+ * Event action configuration: save.
  *
  * - instance: Action instance; 0 means all (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_event_action_config_save(struct mip_device *device,
                                                                       uint8_t instance) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)instance};
     return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2);
 }
 
 /**
- * Event Action Configuration: load. Load the saved setting. See mip_device_call.
+ * Event action configuration: load.
  *
  * - instance: Action instance; 0 means all (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_event_action_config_load(struct mip_device *device,
                                                                       uint8_t instance) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)instance};
     return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2);
 }
 
 /**
- * Event Action Configuration: default. Load the factory default setting. See mip_device_call.
+ * Event action configuration: default.
  *
  * - instance: Action instance; 0 means all (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_event_action_config_default(struct mip_device *device,
                                                                          uint8_t instance) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)instance);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)instance};
     return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2);
 }
 
-/**
- * Event Action Configuration: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_event_action_config_with(
-    struct mip_device *device, const struct mip_3dm_event_action_config *command,
-    struct mip_3dm_event_action_config_response *response) {
-    return mip_device_call(device, &mip_3dm_event_action_config_command, command,
-                           &mip_3dm_event_action_config_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_device_settings);
+MIP_CALL(mip_call_3dm_device_settings_save, mip_3dm_device_settings, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_device_settings_load, mip_3dm_device_settings, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_device_settings_default, mip_3dm_device_settings,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_device_settings_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_device_settings_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Start Up Settings.
- */
+/** Device start up settings: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_device_settings(struct mip_client *client,
                                                      struct mip_request *request,
                                                      struct mip_builder *packet,
@@ -1872,65 +1114,37 @@ static inline mip_error mip_send_3dm_device_settings(struct mip_client *client,
                            NULL, now);
 }
 
-/**
- * Device Start Up Settings: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_device_settings_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1);
-}
-
-/** Device Start Up Settings: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_device_settings_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1);
-}
-
-/** Device Start Up Settings: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_device_settings_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1);
-}
-
-/**
- * Device Start Up Settings: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Device start up settings, with these values, including optional parameters. */
 static inline struct mip_result mip_call_3dm_device_settings_with(
     struct mip_device *device, const struct mip_3dm_device_settings *command) {
     return mip_device_call(device, &mip_3dm_device_settings_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_euler_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor-to-Vehicle Frame
- * Transformation Euler. If the command requests the response, it is stored in `response`, which may
- * be NULL.
- */
-static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_euler(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *command,
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_3dm_sensor_to_vehicle_transform_euler_command, command,
-        &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_3dm_sensor_to_vehicle_transform_euler);
+MIP_SEND(mip_send_3dm_sensor_to_vehicle_transform_euler, mip_3dm_sensor_to_vehicle_transform_euler,
+         mip_3dm_sensor_to_vehicle_transform_euler_response);
+MIP_CALL_FOR(mip_call_3dm_sensor_to_vehicle_transform_euler_read,
+             mip_3dm_sensor_to_vehicle_transform_euler, MIP_FUNCTION_SELECTOR_READ,
+             mip_3dm_sensor_to_vehicle_transform_euler_response);
+MIP_CALL(mip_call_3dm_sensor_to_vehicle_transform_euler_save,
+         mip_3dm_sensor_to_vehicle_transform_euler, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_sensor_to_vehicle_transform_euler_load,
+         mip_3dm_sensor_to_vehicle_transform_euler, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_sensor_to_vehicle_transform_euler_default,
+         mip_3dm_sensor_to_vehicle_transform_euler, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_sensor_to_vehicle_transform_euler_with,
+              mip_3dm_sensor_to_vehicle_transform_euler,
+              mip_3dm_sensor_to_vehicle_transform_euler_response);
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: write. Apply the new setting. See mip_device_call.
+ * Sensor-to-vehicle frame transformation Euler: write.
  *
- * - roll: Rotation about the x axis. Unit: rad. Required for write.
- * - pitch: Rotation about the y axis. Unit: rad. Required for write.
- * - yaw: Rotation about the z axis. Unit: rad. Required for write.
+ * - roll: Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive:
+ *   right side down. Required for write.
+ * - pitch: Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive:
+ *   nose up. Required for write.
+ * - yaw: Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive:
+ *   clockwise seen from above. Required for write.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_write(
     struct mip_device *device, float roll, float pitch, float yaw) {
@@ -1942,85 +1156,25 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_w
     return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 13);
 }
 
-/**
- * Sensor-to-Vehicle Frame Transformation Euler: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_read(
-    struct mip_device *device,
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
-                              &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_sensor_to_vehicle_transform_quaternion);
+MIP_SEND(mip_send_3dm_sensor_to_vehicle_transform_quaternion,
+         mip_3dm_sensor_to_vehicle_transform_quaternion,
+         mip_3dm_sensor_to_vehicle_transform_quaternion_response);
+MIP_CALL_FOR(mip_call_3dm_sensor_to_vehicle_transform_quaternion_read,
+             mip_3dm_sensor_to_vehicle_transform_quaternion, MIP_FUNCTION_SELECTOR_READ,
+             mip_3dm_sensor_to_vehicle_transform_quaternion_response);
+MIP_CALL(mip_call_3dm_sensor_to_vehicle_transform_quaternion_save,
+         mip_3dm_sensor_to_vehicle_transform_quaternion, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_sensor_to_vehicle_transform_quaternion_load,
+         mip_3dm_sensor_to_vehicle_transform_quaternion, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_sensor_to_vehicle_transform_quaternion_default,
+         mip_3dm_sensor_to_vehicle_transform_quaternion, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_sensor_to_vehicle_transform_quaternion_with,
+              mip_3dm_sensor_to_vehicle_transform_quaternion,
+              mip_3dm_sensor_to_vehicle_transform_quaternion_response);
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: save. Save the current setting to non-volatile
- * memory. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_transform_euler_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Euler: load. Load the saved setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_transform_euler_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Euler: default. Load the factory default setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_transform_euler_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Euler: calls the command with these values, including
- * optional parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_with(
-    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_transform_euler *command,
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *response) {
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_transform_euler_command, command,
-                           &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_quaternion_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor-to-Vehicle Frame
- * Transformation Quaternion. If the command requests the response, it is stored in `response`,
- * which may be NULL.
- */
-static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_quaternion(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *command,
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_3dm_sensor_to_vehicle_transform_quaternion_command, command,
-        &mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, response, now);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Quaternion: write. Apply the new setting. See
- * mip_device_call.
+ * Sensor-to-vehicle frame transformation quaternion: write.
  *
  * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
  *   Elements: w, x, y, z. Unit: 1. Required for write.
@@ -2036,91 +1190,24 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quatern
                            17);
 }
 
-/**
- * Sensor-to-Vehicle Frame Transformation Quaternion: read. Return the current setting in a
- * response. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quaternion_read(
-    struct mip_device *device,
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(
-        device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data, 1,
-        &mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_sensor_to_vehicle_transform_dcm);
+MIP_SEND(mip_send_3dm_sensor_to_vehicle_transform_dcm, mip_3dm_sensor_to_vehicle_transform_dcm,
+         mip_3dm_sensor_to_vehicle_transform_dcm_response);
+MIP_CALL_FOR(mip_call_3dm_sensor_to_vehicle_transform_dcm_read,
+             mip_3dm_sensor_to_vehicle_transform_dcm, MIP_FUNCTION_SELECTOR_READ,
+             mip_3dm_sensor_to_vehicle_transform_dcm_response);
+MIP_CALL(mip_call_3dm_sensor_to_vehicle_transform_dcm_save, mip_3dm_sensor_to_vehicle_transform_dcm,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_sensor_to_vehicle_transform_dcm_load, mip_3dm_sensor_to_vehicle_transform_dcm,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_sensor_to_vehicle_transform_dcm_default,
+         mip_3dm_sensor_to_vehicle_transform_dcm, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_sensor_to_vehicle_transform_dcm_with,
+              mip_3dm_sensor_to_vehicle_transform_dcm,
+              mip_3dm_sensor_to_vehicle_transform_dcm_response);
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: save. Save the current setting to non-volatile
- * memory. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_transform_quaternion_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
-                           1);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Quaternion: load. Load the saved setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_transform_quaternion_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
-                           1);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Quaternion: default. Load the factory default setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_transform_quaternion_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
-                           1);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Quaternion: calls the command with these values, including
- * optional parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quaternion_with(
-    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_transform_quaternion *command,
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *response) {
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_command, command,
-                           &mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
-                           response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_dcm_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor-to-Vehicle Frame
- * Transformation Direction Cosine Matrix. If the command requests the response, it is stored in
- * `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_dcm(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *command,
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet,
-                           &mip_3dm_sensor_to_vehicle_transform_dcm_command, command,
-                           &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response, now);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: write. Apply the new setting. See
- * mip_device_call.
+ * Sensor-to-vehicle frame transformation direction cosine matrix: write.
  *
  * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
  *   Unit: 1. Required for write.
@@ -2135,156 +1222,47 @@ mip_call_3dm_sensor_to_vehicle_transform_dcm_write(struct mip_device *device, co
     return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 37);
 }
 
-/**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: read. Return the current setting
- * in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_dcm_read(
-    struct mip_device *device, struct mip_3dm_sensor_to_vehicle_transform_dcm_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1,
-                              &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_gps_dynamics_mode);
+MIP_SEND(mip_send_3dm_gps_dynamics_mode, mip_3dm_gps_dynamics_mode,
+         mip_3dm_gps_dynamics_mode_response);
+MIP_CALL_FOR(mip_call_3dm_gps_dynamics_mode_read, mip_3dm_gps_dynamics_mode,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_gps_dynamics_mode_response);
+MIP_CALL(mip_call_3dm_gps_dynamics_mode_save, mip_3dm_gps_dynamics_mode,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_gps_dynamics_mode_load, mip_3dm_gps_dynamics_mode,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_gps_dynamics_mode_default, mip_3dm_gps_dynamics_mode,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_gps_dynamics_mode_with, mip_3dm_gps_dynamics_mode,
+              mip_3dm_gps_dynamics_mode_response);
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: save. Save the current setting to
- * non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_transform_dcm_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: load. Load the saved setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_transform_dcm_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: default. Load the factory default
- * setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_transform_dcm_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1);
-}
-
-/**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: calls the command with these
- * values, including optional parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_dcm_with(
-    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_transform_dcm *command,
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *response) {
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_transform_dcm_command, command,
-                           &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_gps_dynamics_mode_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GPS dynamics mode. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_gps_dynamics_mode(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_gps_dynamics_mode *command,
-    struct mip_3dm_gps_dynamics_mode_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_gps_dynamics_mode_command, command,
-                           &mip_3dm_gps_dynamics_mode_response_codec, response, now);
-}
-
-/**
- * GPS dynamics mode: write. Apply the new setting. See mip_device_call.
+ * GPS dynamics mode: write.
  *
  * - mode: Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write.
  */
 static inline struct mip_result mip_call_3dm_gps_dynamics_mode_write(
     struct mip_device *device, enum mip_3dm_receiver_dynamics mode) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)mode);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)mode};
     return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 2);
 }
 
-/** GPS dynamics mode: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gps_dynamics_mode_read(
-    struct mip_device *device, struct mip_3dm_gps_dynamics_mode_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1,
-                              &mip_3dm_gps_dynamics_mode_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_imu_signal_conditioning);
+MIP_SEND(mip_send_3dm_imu_signal_conditioning, mip_3dm_imu_signal_conditioning,
+         mip_3dm_imu_signal_conditioning_response);
+MIP_CALL_FOR(mip_call_3dm_imu_signal_conditioning_read, mip_3dm_imu_signal_conditioning,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_imu_signal_conditioning_response);
+MIP_CALL(mip_call_3dm_imu_signal_conditioning_save, mip_3dm_imu_signal_conditioning,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_imu_signal_conditioning_load, mip_3dm_imu_signal_conditioning,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_imu_signal_conditioning_default, mip_3dm_imu_signal_conditioning,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_imu_signal_conditioning_with, mip_3dm_imu_signal_conditioning,
+              mip_3dm_imu_signal_conditioning_response);
 
 /**
- * GPS dynamics mode: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gps_dynamics_mode_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1);
-}
-
-/** GPS dynamics mode: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gps_dynamics_mode_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1);
-}
-
-/** GPS dynamics mode: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gps_dynamics_mode_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1);
-}
-
-/**
- * GPS dynamics mode: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gps_dynamics_mode_with(
-    struct mip_device *device, const struct mip_3dm_gps_dynamics_mode *command,
-    struct mip_3dm_gps_dynamics_mode_response *response) {
-    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command, command,
-                           &mip_3dm_gps_dynamics_mode_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_imu_signal_conditioning_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. IMU signal conditioning.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_imu_signal_conditioning(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_imu_signal_conditioning *command,
-    struct mip_3dm_imu_signal_conditioning_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_imu_signal_conditioning_command,
-                           command, &mip_3dm_imu_signal_conditioning_response_codec, response, now);
-}
-
-/**
- * IMU signal conditioning: write. Apply the new setting. See mip_device_call.
+ * IMU signal conditioning: write.
  *
  * - orientation_decimation: Divisor of 1000 Hz that sets the rate at which the orientation is
  *   computed. Unit: 1. Range: 1 to 1000. Required for write.
@@ -2318,75 +1296,13 @@ static inline struct mip_result mip_call_3dm_imu_signal_conditioning_write(
     return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 14);
 }
 
-/** IMU signal conditioning: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_imu_signal_conditioning_read(
-    struct mip_device *device, struct mip_3dm_imu_signal_conditioning_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1,
-                              &mip_3dm_imu_signal_conditioning_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_imu_timestamp);
+MIP_SEND(mip_send_3dm_imu_timestamp, mip_3dm_imu_timestamp, mip_3dm_imu_timestamp_response);
+MIP_CALL_WITH(mip_call_3dm_imu_timestamp_with, mip_3dm_imu_timestamp,
+              mip_3dm_imu_timestamp_response);
 
 /**
- * IMU signal conditioning: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_imu_signal_conditioning_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1);
-}
-
-/** IMU signal conditioning: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_3dm_imu_signal_conditioning_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1);
-}
-
-/** IMU signal conditioning: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_3dm_imu_signal_conditioning_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1);
-}
-
-/**
- * IMU signal conditioning: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_imu_signal_conditioning_with(
-    struct mip_device *device, const struct mip_3dm_imu_signal_conditioning *command,
-    struct mip_3dm_imu_signal_conditioning_response *response) {
-    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command, command,
-                           &mip_3dm_imu_signal_conditioning_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_imu_timestamp_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_imu_timestamp_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. IMU timestamp. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_imu_timestamp(struct mip_client *client,
-                                                   struct mip_request *request,
-                                                   struct mip_builder *packet,
-                                                   const struct mip_3dm_imu_timestamp *command,
-                                                   struct mip_3dm_imu_timestamp_response *response,
-                                                   uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_imu_timestamp_command, command,
-                           &mip_3dm_imu_timestamp_response_codec, response, now);
-}
-
-/**
- * IMU timestamp: write. Apply the new setting. See mip_device_call.
+ * IMU timestamp: write.
  *
  * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
  * - time: Value of the counter, in the unit that `selector` selects. Required for write.
@@ -2401,54 +1317,29 @@ static inline struct mip_result mip_call_3dm_imu_timestamp_write(
 }
 
 /**
- * IMU timestamp: read. Return the current setting in a response. See mip_device_call.
+ * IMU timestamp: read.
  *
  * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
  */
 static inline struct mip_result mip_call_3dm_imu_timestamp_read(
     struct mip_device *device, enum mip_3dm_imu_timestamp_selector selector,
     struct mip_3dm_imu_timestamp_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)selector);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)selector};
     return mip_device_request(device, &mip_3dm_imu_timestamp_exchange, data, 2,
                               &mip_3dm_imu_timestamp_response_codec, response);
 }
 
-/**
- * IMU timestamp: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_imu_timestamp_with(
-    struct mip_device *device, const struct mip_3dm_imu_timestamp *command,
-    struct mip_3dm_imu_timestamp_response *response) {
-    return mip_device_call(device, &mip_3dm_imu_timestamp_command, command,
-                           &mip_3dm_imu_timestamp_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_accel_bias_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_accel_bias_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_accel_bias);
+MIP_SEND(mip_send_3dm_accel_bias, mip_3dm_accel_bias, mip_3dm_accel_bias_response);
+MIP_CALL_FOR(mip_call_3dm_accel_bias_read, mip_3dm_accel_bias, MIP_FUNCTION_SELECTOR_READ,
+             mip_3dm_accel_bias_response);
+MIP_CALL(mip_call_3dm_accel_bias_save, mip_3dm_accel_bias, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_accel_bias_load, mip_3dm_accel_bias, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_accel_bias_default, mip_3dm_accel_bias, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_accel_bias_with, mip_3dm_accel_bias, mip_3dm_accel_bias_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Accelerometer Bias
- * Configuration. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_3dm_accel_bias(struct mip_client *client,
-                                                struct mip_request *request,
-                                                struct mip_builder *packet,
-                                                const struct mip_3dm_accel_bias *command,
-                                                struct mip_3dm_accel_bias_response *response,
-                                                uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_accel_bias_command, command,
-                           &mip_3dm_accel_bias_response_codec, response, now);
-}
-
-/**
- * Accelerometer Bias Configuration: write. Apply the new setting. See mip_device_call.
+ * Accelerometer bias configuration: write.
  *
  * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
  *   g. Frame: sensor. Required for write and apply.
@@ -2464,46 +1355,7 @@ static inline struct mip_result mip_call_3dm_accel_bias_write(struct mip_device 
 }
 
 /**
- * Accelerometer Bias Configuration: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_accel_bias_read(
-    struct mip_device *device, struct mip_3dm_accel_bias_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_accel_bias_exchange, data, 1,
-                              &mip_3dm_accel_bias_response_codec, response);
-}
-
-/**
- * Accelerometer Bias Configuration: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_accel_bias_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1);
-}
-
-/** Accelerometer Bias Configuration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_accel_bias_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1);
-}
-
-/**
- * Accelerometer Bias Configuration: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_accel_bias_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1);
-}
-
-/**
- * Accelerometer Bias Configuration: apply. Apply the new setting without sending an ACK (5-series
- * devices). See mip_device_call.
+ * Accelerometer bias configuration: apply.
  *
  * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
  *   g. Frame: sensor. Required for write and apply.
@@ -2515,40 +1367,17 @@ static inline struct mip_result mip_call_3dm_accel_bias_apply(struct mip_device 
                            mip_3dm_accel_bias_apply(&command, bias), NULL, NULL);
 }
 
-/**
- * Accelerometer Bias Configuration: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_accel_bias_with(struct mip_device *device, const struct mip_3dm_accel_bias *command,
-                             struct mip_3dm_accel_bias_response *response) {
-    return mip_device_call(device, &mip_3dm_accel_bias_command, command,
-                           &mip_3dm_accel_bias_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_gyro_bias_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_gyro_bias_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_gyro_bias);
+MIP_SEND(mip_send_3dm_gyro_bias, mip_3dm_gyro_bias, mip_3dm_gyro_bias_response);
+MIP_CALL_FOR(mip_call_3dm_gyro_bias_read, mip_3dm_gyro_bias, MIP_FUNCTION_SELECTOR_READ,
+             mip_3dm_gyro_bias_response);
+MIP_CALL(mip_call_3dm_gyro_bias_save, mip_3dm_gyro_bias, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_gyro_bias_load, mip_3dm_gyro_bias, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_gyro_bias_default, mip_3dm_gyro_bias, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_gyro_bias_with, mip_3dm_gyro_bias, mip_3dm_gyro_bias_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Gyroscope Bias
- * Configuration. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_3dm_gyro_bias(struct mip_client *client,
-                                               struct mip_request *request,
-                                               struct mip_builder *packet,
-                                               const struct mip_3dm_gyro_bias *command,
-                                               struct mip_3dm_gyro_bias_response *response,
-                                               uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_gyro_bias_command, command,
-                           &mip_3dm_gyro_bias_response_codec, response, now);
-}
-
-/**
- * Gyroscope Bias Configuration: write. Apply the new setting. See mip_device_call.
+ * Gyroscope bias configuration: write.
  *
  * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
  *   rad/s. Frame: sensor. Required for write and apply.
@@ -2564,44 +1393,7 @@ static inline struct mip_result mip_call_3dm_gyro_bias_write(struct mip_device *
 }
 
 /**
- * Gyroscope Bias Configuration: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gyro_bias_read(
-    struct mip_device *device, struct mip_3dm_gyro_bias_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_gyro_bias_exchange, data, 1,
-                              &mip_3dm_gyro_bias_response_codec, response);
-}
-
-/**
- * Gyroscope Bias Configuration: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gyro_bias_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1);
-}
-
-/** Gyroscope Bias Configuration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gyro_bias_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1);
-}
-
-/** Gyroscope Bias Configuration: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gyro_bias_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1);
-}
-
-/**
- * Gyroscope Bias Configuration: apply. Apply the new setting without sending an ACK (5-series
- * devices). See mip_device_call.
+ * Gyroscope bias configuration: apply.
  *
  * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
  *   rad/s. Frame: sensor. Required for write and apply.
@@ -2613,37 +1405,13 @@ static inline struct mip_result mip_call_3dm_gyro_bias_apply(struct mip_device *
                            mip_3dm_gyro_bias_apply(&command, bias), NULL, NULL);
 }
 
-/**
- * Gyroscope Bias Configuration: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_gyro_bias_with(struct mip_device *device, const struct mip_3dm_gyro_bias *command,
-                            struct mip_3dm_gyro_bias_response *response) {
-    return mip_device_call(device, &mip_3dm_gyro_bias_command, command,
-                           &mip_3dm_gyro_bias_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_capture_gyro_bias_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_capture_gyro_bias_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_capture_gyro_bias);
+MIP_SEND(mip_send_3dm_capture_gyro_bias, mip_3dm_capture_gyro_bias, mip_3dm_gyro_bias_response);
+MIP_CALL_WITH(mip_call_3dm_capture_gyro_bias_with, mip_3dm_capture_gyro_bias,
+              mip_3dm_gyro_bias_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Capture Gyroscope Bias.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_capture_gyro_bias(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_capture_gyro_bias *command, struct mip_3dm_gyro_bias_response *response,
-    uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_capture_gyro_bias_command, command,
-                           &mip_3dm_gyro_bias_response_codec, response, now);
-}
-
-/**
- * Capture Gyroscope Bias. See mip_device_call.
+ * Capture gyroscope bias.
  *
  * - averaging_time_ms: Time to average over. Unit: ms. Range: 1000 to 30000.
  */
@@ -2656,37 +1424,22 @@ mip_call_3dm_capture_gyro_bias(struct mip_device *device, uint16_t averaging_tim
                               &mip_3dm_gyro_bias_response_codec, response);
 }
 
-/**
- * Capture Gyroscope Bias: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_capture_gyro_bias_with(
-    struct mip_device *device, const struct mip_3dm_capture_gyro_bias *command,
-    struct mip_3dm_gyro_bias_response *response) {
-    return mip_device_call(device, &mip_3dm_capture_gyro_bias_command, command,
-                           &mip_3dm_gyro_bias_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_mag_hard_iron_offset_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_mag_hard_iron_offset);
+MIP_SEND(mip_send_3dm_mag_hard_iron_offset, mip_3dm_mag_hard_iron_offset,
+         mip_3dm_mag_hard_iron_offset_response);
+MIP_CALL_FOR(mip_call_3dm_mag_hard_iron_offset_read, mip_3dm_mag_hard_iron_offset,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_mag_hard_iron_offset_response);
+MIP_CALL(mip_call_3dm_mag_hard_iron_offset_save, mip_3dm_mag_hard_iron_offset,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_mag_hard_iron_offset_load, mip_3dm_mag_hard_iron_offset,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_mag_hard_iron_offset_default, mip_3dm_mag_hard_iron_offset,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_mag_hard_iron_offset_with, mip_3dm_mag_hard_iron_offset,
+              mip_3dm_mag_hard_iron_offset_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer Hard Iron
- * Offset. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_mag_hard_iron_offset(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_mag_hard_iron_offset *command,
-    struct mip_3dm_mag_hard_iron_offset_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_mag_hard_iron_offset_command, command,
-                           &mip_3dm_mag_hard_iron_offset_response_codec, response, now);
-}
-
-/**
- * Magnetometer Hard Iron Offset: write. Apply the new setting. See mip_device_call.
+ * Magnetometer hard iron offset: write.
  *
  * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
  *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
@@ -2702,47 +1455,7 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_write(struct m
 }
 
 /**
- * Magnetometer Hard Iron Offset: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_read(
-    struct mip_device *device, struct mip_3dm_mag_hard_iron_offset_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1,
-                              &mip_3dm_mag_hard_iron_offset_response_codec, response);
-}
-
-/**
- * Magnetometer Hard Iron Offset: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1);
-}
-
-/** Magnetometer Hard Iron Offset: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1);
-}
-
-/**
- * Magnetometer Hard Iron Offset: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_mag_hard_iron_offset_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1);
-}
-
-/**
- * Magnetometer Hard Iron Offset: apply. Apply the new setting without sending an ACK (5-series
- * devices). See mip_device_call.
+ * Magnetometer hard iron offset: apply.
  *
  * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
  *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
@@ -2754,37 +1467,22 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_apply(struct m
                            mip_3dm_mag_hard_iron_offset_apply(&command, offset), NULL, NULL);
 }
 
-/**
- * Magnetometer Hard Iron Offset: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_with(
-    struct mip_device *device, const struct mip_3dm_mag_hard_iron_offset *command,
-    struct mip_3dm_mag_hard_iron_offset_response *response) {
-    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command, command,
-                           &mip_3dm_mag_hard_iron_offset_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_mag_soft_iron_matrix_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_mag_soft_iron_matrix);
+MIP_SEND(mip_send_3dm_mag_soft_iron_matrix, mip_3dm_mag_soft_iron_matrix,
+         mip_3dm_mag_soft_iron_matrix_response);
+MIP_CALL_FOR(mip_call_3dm_mag_soft_iron_matrix_read, mip_3dm_mag_soft_iron_matrix,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_mag_soft_iron_matrix_response);
+MIP_CALL(mip_call_3dm_mag_soft_iron_matrix_save, mip_3dm_mag_soft_iron_matrix,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_mag_soft_iron_matrix_load, mip_3dm_mag_soft_iron_matrix,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_mag_soft_iron_matrix_default, mip_3dm_mag_soft_iron_matrix,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_mag_soft_iron_matrix_with, mip_3dm_mag_soft_iron_matrix,
+              mip_3dm_mag_soft_iron_matrix_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer Soft Iron
- * Matrix. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_mag_soft_iron_matrix(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_mag_soft_iron_matrix *command,
-    struct mip_3dm_mag_soft_iron_matrix_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_mag_soft_iron_matrix_command, command,
-                           &mip_3dm_mag_soft_iron_matrix_response_codec, response, now);
-}
-
-/**
- * Magnetometer Soft Iron Matrix: write. Apply the new setting. See mip_device_call.
+ * Magnetometer soft iron matrix: write.
  *
  * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
  *   m33. Unit: 1. Frame: sensor. Required for write and apply.
@@ -2800,47 +1498,7 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_write(struct m
 }
 
 /**
- * Magnetometer Soft Iron Matrix: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_read(
-    struct mip_device *device, struct mip_3dm_mag_soft_iron_matrix_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1,
-                              &mip_3dm_mag_soft_iron_matrix_response_codec, response);
-}
-
-/**
- * Magnetometer Soft Iron Matrix: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1);
-}
-
-/** Magnetometer Soft Iron Matrix: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1);
-}
-
-/**
- * Magnetometer Soft Iron Matrix: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_mag_soft_iron_matrix_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1);
-}
-
-/**
- * Magnetometer Soft Iron Matrix: apply. Apply the new setting without sending an ACK (5-series
- * devices). See mip_device_call.
+ * Magnetometer soft iron matrix: apply.
  *
  * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
  *   m33. Unit: 1. Frame: sensor. Required for write and apply.
@@ -2852,120 +1510,47 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_apply(struct m
                            mip_3dm_mag_soft_iron_matrix_apply(&command, matrix), NULL, NULL);
 }
 
-/**
- * Magnetometer Soft Iron Matrix: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_with(
-    struct mip_device *device, const struct mip_3dm_mag_soft_iron_matrix *command,
-    struct mip_3dm_mag_soft_iron_matrix_response *response) {
-    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command, command,
-                           &mip_3dm_mag_soft_iron_matrix_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_coning_sculling_enable_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_coning_sculling_enable_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_coning_sculling_enable);
+MIP_SEND(mip_send_3dm_coning_sculling_enable, mip_3dm_coning_sculling_enable,
+         mip_3dm_coning_sculling_enable_response);
+MIP_CALL_FOR(mip_call_3dm_coning_sculling_enable_read, mip_3dm_coning_sculling_enable,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_coning_sculling_enable_response);
+MIP_CALL(mip_call_3dm_coning_sculling_enable_save, mip_3dm_coning_sculling_enable,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_coning_sculling_enable_load, mip_3dm_coning_sculling_enable,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_coning_sculling_enable_default, mip_3dm_coning_sculling_enable,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_coning_sculling_enable_with, mip_3dm_coning_sculling_enable,
+              mip_3dm_coning_sculling_enable_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Coning and Sculling
- * Enable. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_coning_sculling_enable(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_coning_sculling_enable *command,
-    struct mip_3dm_coning_sculling_enable_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_coning_sculling_enable_command,
-                           command, &mip_3dm_coning_sculling_enable_response_codec, response, now);
-}
-
-/**
- * Coning and Sculling Enable: write. Apply the new setting. See mip_device_call.
+ * Coning and sculling enable: write.
  *
  * - enable: True if the compensation is on. Default: true. Required for write.
  */
 static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct mip_device *device,
                                                                           mip_bool enable) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)mip_truth(enable));
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)mip_truth(enable)};
     return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 2);
 }
 
-/**
- * Coning and Sculling Enable: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_coning_sculling_enable_read(
-    struct mip_device *device, struct mip_3dm_coning_sculling_enable_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_coning_sculling_enable_exchange, data, 1,
-                              &mip_3dm_coning_sculling_enable_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_uart_baud_rate);
+MIP_SEND(mip_send_3dm_uart_baud_rate, mip_3dm_uart_baud_rate, mip_3dm_uart_baud_rate_response);
+MIP_CALL_FOR(mip_call_3dm_uart_baud_rate_read, mip_3dm_uart_baud_rate, MIP_FUNCTION_SELECTOR_READ,
+             mip_3dm_uart_baud_rate_response);
+MIP_CALL(mip_call_3dm_uart_baud_rate_save, mip_3dm_uart_baud_rate, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_uart_baud_rate_load, mip_3dm_uart_baud_rate, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_uart_baud_rate_default, mip_3dm_uart_baud_rate,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_uart_baud_rate_with, mip_3dm_uart_baud_rate,
+              mip_3dm_uart_baud_rate_response);
 
 /**
- * Coning and Sculling Enable: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_coning_sculling_enable_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1);
-}
-
-/** Coning and Sculling Enable: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_3dm_coning_sculling_enable_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1);
-}
-
-/** Coning and Sculling Enable: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_3dm_coning_sculling_enable_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1);
-}
-
-/**
- * Coning and Sculling Enable: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_coning_sculling_enable_with(
-    struct mip_device *device, const struct mip_3dm_coning_sculling_enable *command,
-    struct mip_3dm_coning_sculling_enable_response *response) {
-    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command, command,
-                           &mip_3dm_coning_sculling_enable_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_uart_baud_rate_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_uart_baud_rate_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. UART Baud Rate. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_uart_baud_rate(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_uart_baud_rate *command, struct mip_3dm_uart_baud_rate_response *response,
-    uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_uart_baud_rate_command, command,
-                           &mip_3dm_uart_baud_rate_response_codec, response, now);
-}
-
-/**
- * UART Baud Rate: write. Apply the new setting. See mip_device_call.
+ * UART baud rate: write.
  *
  * - baud: New baud rate; the port must support it. Unit: Bd. Required for write. On the 3DM-GX5-15
- *   and 3DM-GX5-45: default 115200.
+ *   and -45: default 115200.
  */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_device *device,
                                                                   uint32_t baud) {
@@ -2975,69 +1560,12 @@ static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_dev
     return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 5);
 }
 
-/** UART Baud Rate: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_uart_baud_rate_read(
-    struct mip_device *device, struct mip_3dm_uart_baud_rate_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_uart_baud_rate_exchange, data, 1,
-                              &mip_3dm_uart_baud_rate_response_codec, response);
-}
-
-/** UART Baud Rate: save. Save the current setting to non-volatile memory. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_uart_baud_rate_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1);
-}
-
-/** UART Baud Rate: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_uart_baud_rate_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1);
-}
-
-/** UART Baud Rate: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_uart_baud_rate_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1);
-}
+MIP_COMMAND_REPLIES(mip_3dm_gpio_config);
+MIP_SEND(mip_send_3dm_gpio_config, mip_3dm_gpio_config, mip_3dm_gpio_config_response);
+MIP_CALL_WITH(mip_call_3dm_gpio_config_with, mip_3dm_gpio_config, mip_3dm_gpio_config_response);
 
 /**
- * UART Baud Rate: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_uart_baud_rate_with(
-    struct mip_device *device, const struct mip_3dm_uart_baud_rate *command,
-    struct mip_3dm_uart_baud_rate_response *response) {
-    return mip_device_call(device, &mip_3dm_uart_baud_rate_command, command,
-                           &mip_3dm_uart_baud_rate_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_gpio_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_gpio_config_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GPIO Configuration. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_gpio_config(struct mip_client *client,
-                                                 struct mip_request *request,
-                                                 struct mip_builder *packet,
-                                                 const struct mip_3dm_gpio_config *command,
-                                                 struct mip_3dm_gpio_config_response *response,
-                                                 uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_gpio_config_command, command,
-                           &mip_3dm_gpio_config_response_codec, response, now);
-}
-
-/**
- * GPIO Configuration: write. Apply the new setting. See mip_device_call.
+ * GPIO configuration: write.
  *
  * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
  * - feature: Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED.
@@ -3056,159 +1584,98 @@ static inline struct mip_result mip_call_3dm_gpio_config_write(struct mip_device
                                                                enum mip_gpio_feature feature,
                                                                uint8_t behavior,
                                                                mip_gpio_pin_mode pin_mode) {
-    uint8_t data[5];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)pin);
-    mip_put_8(data + 2, (uint8_t)feature);
-    mip_put_8(data + 3, (uint8_t)behavior);
-    mip_put_8(data + 4, (uint8_t)pin_mode);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)pin, (uint8_t)feature,
+                            (uint8_t)behavior, (uint8_t)pin_mode};
     return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 5);
 }
 
 /**
- * GPIO Configuration: read. Return the current setting in a response. See mip_device_call.
+ * GPIO configuration: read.
  *
  * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_gpio_config_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_config_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)pin);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)pin};
     return mip_device_request(device, &mip_3dm_gpio_config_exchange, data, 2,
                               &mip_3dm_gpio_config_response_codec, response);
 }
 
 /**
- * GPIO Configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * GPIO configuration: save.
  *
  * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_gpio_config_save(struct mip_device *device,
                                                               uint8_t pin) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)pin);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)pin};
     return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2);
 }
 
 /**
- * GPIO Configuration: load. Load the saved setting. See mip_device_call.
+ * GPIO configuration: load.
  *
  * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_gpio_config_load(struct mip_device *device,
                                                               uint8_t pin) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)pin);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)pin};
     return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2);
 }
 
 /**
- * GPIO Configuration: default. Load the factory default setting. See mip_device_call.
+ * GPIO configuration: default.
  *
  * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_gpio_config_default(struct mip_device *device,
                                                                  uint8_t pin) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)pin);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)pin};
     return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2);
 }
 
-/**
- * GPIO Configuration: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_gpio_config_with(struct mip_device *device, const struct mip_3dm_gpio_config *command,
-                              struct mip_3dm_gpio_config_response *response) {
-    return mip_device_call(device, &mip_3dm_gpio_config_command, command,
-                           &mip_3dm_gpio_config_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_gpio_state_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_gpio_state_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_gpio_state);
+MIP_SEND(mip_send_3dm_gpio_state, mip_3dm_gpio_state, mip_3dm_gpio_state_response);
+MIP_CALL_WITH(mip_call_3dm_gpio_state_with, mip_3dm_gpio_state, mip_3dm_gpio_state_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GPIO State. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_gpio_state(struct mip_client *client,
-                                                struct mip_request *request,
-                                                struct mip_builder *packet,
-                                                const struct mip_3dm_gpio_state *command,
-                                                struct mip_3dm_gpio_state_response *response,
-                                                uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_gpio_state_command, command,
-                           &mip_3dm_gpio_state_response_codec, response, now);
-}
-
-/**
- * GPIO State: write. Apply the new setting. See mip_device_call.
+ * GPIO state: write.
  *
  * - pin: GPIO pin, counted from 1. Range: at least 1.
  * - state: True means high. Required for write.
  */
 static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device *device,
                                                               uint8_t pin, mip_bool state) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)pin);
-    mip_put_8(data + 2, (uint8_t)mip_truth(state));
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)pin,
+                            (uint8_t)mip_truth(state)};
     return mip_device_send(device, &mip_3dm_gpio_state_exchange, data, 3);
 }
 
 /**
- * GPIO State: read. Return the current setting in a response. See mip_device_call.
+ * GPIO state: read.
  *
  * - pin: GPIO pin, counted from 1. Range: at least 1.
  */
 static inline struct mip_result mip_call_3dm_gpio_state_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_state_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)pin);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)pin};
     return mip_device_request(device, &mip_3dm_gpio_state_exchange, data, 2,
                               &mip_3dm_gpio_state_response_codec, response);
 }
 
-/**
- * GPIO State: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_gpio_state_with(struct mip_device *device, const struct mip_3dm_gpio_state *command,
-                             struct mip_3dm_gpio_state_response *response) {
-    return mip_device_call(device, &mip_3dm_gpio_state_command, command,
-                           &mip_3dm_gpio_state_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_odometer_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_odometer_config_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_odometer_config);
+MIP_SEND(mip_send_3dm_odometer_config, mip_3dm_odometer_config, mip_3dm_odometer_config_response);
+MIP_CALL_FOR(mip_call_3dm_odometer_config_read, mip_3dm_odometer_config, MIP_FUNCTION_SELECTOR_READ,
+             mip_3dm_odometer_config_response);
+MIP_CALL(mip_call_3dm_odometer_config_save, mip_3dm_odometer_config, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_odometer_config_load, mip_3dm_odometer_config, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_odometer_config_default, mip_3dm_odometer_config,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_odometer_config_with, mip_3dm_odometer_config,
+              mip_3dm_odometer_config_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Odometer Configuration.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_odometer_config(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_odometer_config *command,
-    struct mip_3dm_odometer_config_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_odometer_config_command, command,
-                           &mip_3dm_odometer_config_response_codec, response, now);
-}
-
-/**
- * Odometer Configuration: write. Apply the new setting. See mip_device_call.
+ * Odometer configuration: write.
  *
  * - mode: Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write.
  * - scaling: Pulses per distance travelled; negative if the encoder rotates backwards. Unit:
@@ -3229,70 +1696,14 @@ static inline struct mip_result mip_call_3dm_odometer_config_write(struct mip_de
     return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 10);
 }
 
-/** Odometer Configuration: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_odometer_config_read(
-    struct mip_device *device, struct mip_3dm_odometer_config_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_odometer_config_exchange, data, 1,
-                              &mip_3dm_odometer_config_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_imu_low_pass_filter);
+MIP_SEND(mip_send_3dm_imu_low_pass_filter, mip_3dm_imu_low_pass_filter,
+         mip_3dm_imu_low_pass_filter_response);
+MIP_CALL_WITH(mip_call_3dm_imu_low_pass_filter_with, mip_3dm_imu_low_pass_filter,
+              mip_3dm_imu_low_pass_filter_response);
 
 /**
- * Odometer Configuration: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_odometer_config_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1);
-}
-
-/** Odometer Configuration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_odometer_config_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1);
-}
-
-/** Odometer Configuration: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_odometer_config_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1);
-}
-
-/**
- * Odometer Configuration: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_odometer_config_with(
-    struct mip_device *device, const struct mip_3dm_odometer_config *command,
-    struct mip_3dm_odometer_config_response *response) {
-    return mip_device_call(device, &mip_3dm_odometer_config_command, command,
-                           &mip_3dm_odometer_config_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_imu_low_pass_filter_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Advanced Low-Pass Filter
- * Settings. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_imu_low_pass_filter(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_imu_low_pass_filter *command,
-    struct mip_3dm_imu_low_pass_filter_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_imu_low_pass_filter_command, command,
-                           &mip_3dm_imu_low_pass_filter_response_codec, response, now);
-}
-
-/**
- * Advanced Low-Pass Filter Settings: write. Apply the new setting. See mip_device_call.
+ * Advanced low-pass filter settings: write.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
@@ -3320,8 +1731,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
 }
 
 /**
- * Advanced Low-Pass Filter Settings: read. Return the current setting in a response. See
- * mip_device_call.
+ * Advanced low-pass filter settings: read.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
@@ -3331,16 +1741,13 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
 static inline struct mip_result
 mip_call_3dm_imu_low_pass_filter_read(struct mip_device *device, uint8_t target_descriptor,
                                       struct mip_3dm_imu_low_pass_filter_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)target_descriptor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)target_descriptor};
     return mip_device_request(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2,
                               &mip_3dm_imu_low_pass_filter_response_codec, response);
 }
 
 /**
- * Advanced Low-Pass Filter Settings: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
+ * Advanced low-pass filter settings: save.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
@@ -3349,14 +1756,12 @@ mip_call_3dm_imu_low_pass_filter_read(struct mip_device *device, uint8_t target_
  */
 static inline struct mip_result mip_call_3dm_imu_low_pass_filter_save(struct mip_device *device,
                                                                       uint8_t target_descriptor) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)target_descriptor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)target_descriptor};
     return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2);
 }
 
 /**
- * Advanced Low-Pass Filter Settings: load. Load the saved setting. See mip_device_call.
+ * Advanced low-pass filter settings: load.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
@@ -3365,15 +1770,12 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_save(struct mip
  */
 static inline struct mip_result mip_call_3dm_imu_low_pass_filter_load(struct mip_device *device,
                                                                       uint8_t target_descriptor) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)target_descriptor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)target_descriptor};
     return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2);
 }
 
 /**
- * Advanced Low-Pass Filter Settings: default. Load the factory default setting. See
- * mip_device_call.
+ * Advanced low-pass filter settings: default.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
@@ -3382,50 +1784,32 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_load(struct mip
  */
 static inline struct mip_result
 mip_call_3dm_imu_low_pass_filter_default(struct mip_device *device, uint8_t target_descriptor) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)target_descriptor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)target_descriptor};
     return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2);
 }
 
-/**
- * Advanced Low-Pass Filter Settings: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_imu_low_pass_filter_with(
-    struct mip_device *device, const struct mip_3dm_imu_low_pass_filter *command,
-    struct mip_3dm_imu_low_pass_filter_response *response) {
-    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command, command,
-                           &mip_3dm_imu_low_pass_filter_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_complementary_filter_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_complementary_filter_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_complementary_filter);
+MIP_SEND(mip_send_3dm_complementary_filter, mip_3dm_complementary_filter,
+         mip_3dm_complementary_filter_response);
+MIP_CALL_FOR(mip_call_3dm_complementary_filter_read, mip_3dm_complementary_filter,
+             MIP_FUNCTION_SELECTOR_READ, mip_3dm_complementary_filter_response);
+MIP_CALL(mip_call_3dm_complementary_filter_save, mip_3dm_complementary_filter,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_complementary_filter_load, mip_3dm_complementary_filter,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_complementary_filter_default, mip_3dm_complementary_filter,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_3dm_complementary_filter_with, mip_3dm_complementary_filter,
+              mip_3dm_complementary_filter_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Complementary Filter
- * Configuration. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_3dm_complementary_filter(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_complementary_filter *command,
-    struct mip_3dm_complementary_filter_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_complementary_filter_command, command,
-                           &mip_3dm_complementary_filter_response_codec, response, now);
-}
-
-/**
- * Complementary Filter Configuration: write. Apply the new setting. See mip_device_call.
+ * Complementary filter configuration: write.
  *
  * - pitch_roll_enable: True enables the pitch and roll correction, which 5-series manuals call up
  *   compensation. Required for write. On the 3DM-GX5-15: default true.
  * - heading_enable: True enables the heading correction, which 5-series manuals call north
- *   compensation. Required for write. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15:
- *   MSCL has no support for it. On the 3DM-GX5-15: default true.
+ *   compensation. Required for write. On the 3DM-CV5-10, -15, 3DM-CX5-10 and -15: MSCL has no
+ *   support for it. On the 3DM-GX5-15: default true.
  * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1 to
  *   1000. Default: 10. Required for write.
  * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
@@ -3443,221 +1827,113 @@ static inline struct mip_result mip_call_3dm_complementary_filter_write(
     return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 11);
 }
 
-/**
- * Complementary Filter Configuration: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_complementary_filter_read(
-    struct mip_device *device, struct mip_3dm_complementary_filter_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_3dm_complementary_filter_exchange, data, 1,
-                              &mip_3dm_complementary_filter_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_sensor_range);
+MIP_SEND(mip_send_3dm_sensor_range, mip_3dm_sensor_range, mip_3dm_sensor_range_response);
+MIP_CALL_WITH(mip_call_3dm_sensor_range_with, mip_3dm_sensor_range, mip_3dm_sensor_range_response);
 
 /**
- * Complementary Filter Configuration: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_complementary_filter_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1);
-}
-
-/** Complementary Filter Configuration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_complementary_filter_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1);
-}
-
-/**
- * Complementary Filter Configuration: default. Load the factory default setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_3dm_complementary_filter_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1);
-}
-
-/**
- * Complementary Filter Configuration: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_complementary_filter_with(
-    struct mip_device *device, const struct mip_3dm_complementary_filter *command,
-    struct mip_3dm_complementary_filter_response *response) {
-    return mip_device_call(device, &mip_3dm_complementary_filter_command, command,
-                           &mip_3dm_complementary_filter_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_sensor_range_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_sensor_range_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor Range. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_sensor_range(struct mip_client *client,
-                                                  struct mip_request *request,
-                                                  struct mip_builder *packet,
-                                                  const struct mip_3dm_sensor_range *command,
-                                                  struct mip_3dm_sensor_range_response *response,
-                                                  uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_sensor_range_command, command,
-                           &mip_3dm_sensor_range_response_codec, response, now);
-}
-
-/**
- * Sensor Range: write. Apply the new setting. See mip_device_call.
+ * Sensor range: write.
  *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. On the
+ *   3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only MIP_3DM_SENSOR_RANGE_TYPE_ALL,
+ *   MIP_3DM_SENSOR_RANGE_TYPE_ACCEL, MIP_3DM_SENSOR_RANGE_TYPE_GYRO and
+ *   MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE.
  * - setting: Number of the range. Required for write.
  */
 static inline struct mip_result mip_call_3dm_sensor_range_write(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)sensor);
-    mip_put_8(data + 2, (uint8_t)setting);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)sensor,
+                            (uint8_t)setting};
     return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 3);
 }
 
 /**
- * Sensor Range: read. Return the current setting in a response. See mip_device_call.
+ * Sensor range: read.
  *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. On the
+ *   3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only MIP_3DM_SENSOR_RANGE_TYPE_ALL,
+ *   MIP_3DM_SENSOR_RANGE_TYPE_ACCEL, MIP_3DM_SENSOR_RANGE_TYPE_GYRO and
+ *   MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE.
  */
 static inline struct mip_result
 mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
                                struct mip_3dm_sensor_range_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)sensor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)sensor};
     return mip_device_request(device, &mip_3dm_sensor_range_exchange, data, 2,
                               &mip_3dm_sensor_range_response_codec, response);
 }
 
 /**
- * Sensor Range: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Sensor range: save.
  *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. On the
+ *   3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only MIP_3DM_SENSOR_RANGE_TYPE_ALL,
+ *   MIP_3DM_SENSOR_RANGE_TYPE_ACCEL, MIP_3DM_SENSOR_RANGE_TYPE_GYRO and
+ *   MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE.
  */
 static inline struct mip_result
 mip_call_3dm_sensor_range_save(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)sensor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)sensor};
     return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2);
 }
 
 /**
- * Sensor Range: load. Load the saved setting. See mip_device_call.
+ * Sensor range: load.
  *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. On the
+ *   3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only MIP_3DM_SENSOR_RANGE_TYPE_ALL,
+ *   MIP_3DM_SENSOR_RANGE_TYPE_ACCEL, MIP_3DM_SENSOR_RANGE_TYPE_GYRO and
+ *   MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE.
  */
 static inline struct mip_result
 mip_call_3dm_sensor_range_load(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)sensor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)sensor};
     return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2);
 }
 
 /**
- * Sensor Range: default. Load the factory default setting. See mip_device_call.
+ * Sensor range: default.
  *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. On the
+ *   3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only MIP_3DM_SENSOR_RANGE_TYPE_ALL,
+ *   MIP_3DM_SENSOR_RANGE_TYPE_ACCEL, MIP_3DM_SENSOR_RANGE_TYPE_GYRO and
+ *   MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE.
  */
 static inline struct mip_result mip_call_3dm_sensor_range_default(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)sensor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)sensor};
     return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2);
 }
 
-/**
- * Sensor Range: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_sensor_range_with(
-    struct mip_device *device, const struct mip_3dm_sensor_range *command,
-    struct mip_3dm_sensor_range_response *response) {
-    return mip_device_call(device, &mip_3dm_sensor_range_command, command,
-                           &mip_3dm_sensor_range_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_get_calibrated_sensor_ranges);
+MIP_SEND(mip_send_3dm_get_calibrated_sensor_ranges, mip_3dm_get_calibrated_sensor_ranges,
+         mip_3dm_get_calibrated_sensor_ranges_response);
+MIP_CALL_WITH(mip_call_3dm_get_calibrated_sensor_ranges_with, mip_3dm_get_calibrated_sensor_ranges,
+              mip_3dm_get_calibrated_sensor_ranges_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get Calibrated Sensor
- * Ranges. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_get_calibrated_sensor_ranges(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_get_calibrated_sensor_ranges *command,
-    struct mip_3dm_get_calibrated_sensor_ranges_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_get_calibrated_sensor_ranges_command,
-                           command, &mip_3dm_get_calibrated_sensor_ranges_response_codec, response,
-                           now);
-}
-
-/**
- * Get Calibrated Sensor Ranges. See mip_device_call.
+ * Get calibrated sensor ranges.
  *
- * - sensor: Sensor to query; `all` is not allowed. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor to query; `all` is not allowed. A value of enum mip_3dm_sensor_range_type. On
+ *   the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only MIP_3DM_SENSOR_RANGE_TYPE_ALL,
+ *   MIP_3DM_SENSOR_RANGE_TYPE_ACCEL, MIP_3DM_SENSOR_RANGE_TYPE_GYRO and
+ *   MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE.
  */
 static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
     struct mip_3dm_get_calibrated_sensor_ranges_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)sensor);
+    const uint8_t data[] = {(uint8_t)sensor};
     return mip_device_request(device, &mip_3dm_get_calibrated_sensor_ranges_exchange, data, 1,
                               &mip_3dm_get_calibrated_sensor_ranges_response_codec, response);
 }
 
-/**
- * Get Calibrated Sensor Ranges: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges_with(
-    struct mip_device *device, const struct mip_3dm_get_calibrated_sensor_ranges *command,
-    struct mip_3dm_get_calibrated_sensor_ranges_response *response) {
-    return mip_device_call(device, &mip_3dm_get_calibrated_sensor_ranges_command, command,
-                           &mip_3dm_get_calibrated_sensor_ranges_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_low_pass_filter_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_low_pass_filter_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_low_pass_filter);
+MIP_SEND(mip_send_3dm_low_pass_filter, mip_3dm_low_pass_filter, mip_3dm_low_pass_filter_response);
+MIP_CALL_WITH(mip_call_3dm_low_pass_filter_with, mip_3dm_low_pass_filter,
+              mip_3dm_low_pass_filter_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Low-Pass Anti-Aliasing
- * Filter. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_low_pass_filter(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_low_pass_filter *command,
-    struct mip_3dm_low_pass_filter_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_low_pass_filter_command, command,
-                           &mip_3dm_low_pass_filter_response_codec, response, now);
-}
-
-/**
- * Low-Pass Anti-Aliasing Filter: write. Apply the new setting. See mip_device_call.
+ * Low-pass anti-aliasing filter: write.
  *
  * - descriptor_set: Descriptor set of the field.
  * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
@@ -3683,8 +1959,7 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_de
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter: read. Return the current setting in a response. See
- * mip_device_call.
+ * Low-pass anti-aliasing filter: read.
  *
  * - descriptor_set: Descriptor set of the field.
  * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
@@ -3692,17 +1967,14 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_de
 static inline struct mip_result mip_call_3dm_low_pass_filter_read(
     struct mip_device *device, uint8_t descriptor_set, uint8_t field_descriptor,
     struct mip_3dm_low_pass_filter_response *response) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
-    mip_put_8(data + 2, (uint8_t)field_descriptor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)descriptor_set,
+                            (uint8_t)field_descriptor};
     return mip_device_request(device, &mip_3dm_low_pass_filter_exchange, data, 3,
                               &mip_3dm_low_pass_filter_response_codec, response);
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
+ * Low-pass anti-aliasing filter: save.
  *
  * - descriptor_set: Descriptor set of the field.
  * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
@@ -3710,15 +1982,13 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_read(
 static inline struct mip_result mip_call_3dm_low_pass_filter_save(struct mip_device *device,
                                                                   uint8_t descriptor_set,
                                                                   uint8_t field_descriptor) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
-    mip_put_8(data + 2, (uint8_t)field_descriptor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)descriptor_set,
+                            (uint8_t)field_descriptor};
     return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3);
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter: load. Load the saved setting. See mip_device_call.
+ * Low-pass anti-aliasing filter: load.
  *
  * - descriptor_set: Descriptor set of the field.
  * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
@@ -3726,15 +1996,13 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_save(struct mip_dev
 static inline struct mip_result mip_call_3dm_low_pass_filter_load(struct mip_device *device,
                                                                   uint8_t descriptor_set,
                                                                   uint8_t field_descriptor) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
-    mip_put_8(data + 2, (uint8_t)field_descriptor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)descriptor_set,
+                            (uint8_t)field_descriptor};
     return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3);
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter: default. Load the factory default setting. See mip_device_call.
+ * Low-pass anti-aliasing filter: default.
  *
  * - descriptor_set: Descriptor set of the field.
  * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
@@ -3742,44 +2010,19 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_load(struct mip_dev
 static inline struct mip_result mip_call_3dm_low_pass_filter_default(struct mip_device *device,
                                                                      uint8_t descriptor_set,
                                                                      uint8_t field_descriptor) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)descriptor_set);
-    mip_put_8(data + 2, (uint8_t)field_descriptor);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)descriptor_set,
+                            (uint8_t)field_descriptor};
     return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3);
 }
 
-/**
- * Low-Pass Anti-Aliasing Filter: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_low_pass_filter_with(
-    struct mip_device *device, const struct mip_3dm_low_pass_filter *command,
-    struct mip_3dm_low_pass_filter_response *response) {
-    return mip_device_call(device, &mip_3dm_low_pass_filter_command, command,
-                           &mip_3dm_low_pass_filter_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_data_stream_format_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_data_stream_format_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_data_stream_format);
+MIP_SEND(mip_send_3dm_data_stream_format, mip_3dm_data_stream_format,
+         mip_3dm_data_stream_format_response);
+MIP_CALL_WITH(mip_call_3dm_data_stream_format_with, mip_3dm_data_stream_format,
+              mip_3dm_data_stream_format_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Data stream format. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_data_stream_format(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_data_stream_format *command,
-    struct mip_3dm_data_stream_format_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_data_stream_format_command, command,
-                           &mip_3dm_data_stream_format_response_codec, response, now);
-}
-
-/**
- * Data stream format: write. Apply the new setting. See mip_device_call.
+ * Data stream format: write.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
@@ -3787,15 +2030,12 @@ static inline mip_error mip_send_3dm_data_stream_format(
 static inline struct mip_result mip_call_3dm_data_stream_format_write(
     struct mip_device *device, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)stream);
-    mip_put_8(data + 2, (uint8_t)format);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)stream, (uint8_t)format};
     return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3);
 }
 
 /**
- * Data stream format: read. Return the current setting in a response. See mip_device_call.
+ * Data stream format: read.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
@@ -3803,16 +2043,13 @@ static inline struct mip_result mip_call_3dm_data_stream_format_write(
 static inline struct mip_result mip_call_3dm_data_stream_format_read(
     struct mip_device *device, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format, struct mip_3dm_data_stream_format_response *response) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)stream);
-    mip_put_8(data + 2, (uint8_t)format);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)stream, (uint8_t)format};
     return mip_device_request(device, &mip_3dm_data_stream_format_exchange, data, 3,
                               &mip_3dm_data_stream_format_response_codec, response);
 }
 
 /**
- * Data stream format: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Data stream format: save.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
@@ -3820,15 +2057,12 @@ static inline struct mip_result mip_call_3dm_data_stream_format_read(
 static inline struct mip_result
 mip_call_3dm_data_stream_format_save(struct mip_device *device, enum mip_3dm_internal_sensor stream,
                                      enum mip_3dm_stream_format format) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)stream);
-    mip_put_8(data + 2, (uint8_t)format);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)stream, (uint8_t)format};
     return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3);
 }
 
 /**
- * Data stream format: load. Load the saved setting. See mip_device_call.
+ * Data stream format: load.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
@@ -3836,15 +2070,12 @@ mip_call_3dm_data_stream_format_save(struct mip_device *device, enum mip_3dm_int
 static inline struct mip_result
 mip_call_3dm_data_stream_format_load(struct mip_device *device, enum mip_3dm_internal_sensor stream,
                                      enum mip_3dm_stream_format format) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)stream);
-    mip_put_8(data + 2, (uint8_t)format);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)stream, (uint8_t)format};
     return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3);
 }
 
 /**
- * Data stream format: default. Load the factory default setting. See mip_device_call.
+ * Data stream format: default.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
@@ -3852,133 +2083,91 @@ mip_call_3dm_data_stream_format_load(struct mip_device *device, enum mip_3dm_int
 static inline struct mip_result mip_call_3dm_data_stream_format_default(
     struct mip_device *device, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)stream);
-    mip_put_8(data + 2, (uint8_t)format);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)stream,
+                            (uint8_t)format};
     return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3);
 }
 
-/**
- * Data stream format: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_data_stream_format_with(
-    struct mip_device *device, const struct mip_3dm_data_stream_format *command,
-    struct mip_3dm_data_stream_format_response *response) {
-    return mip_device_call(device, &mip_3dm_data_stream_format_command, command,
-                           &mip_3dm_data_stream_format_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_device_power_state_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_device_power_state_exchange;
+MIP_COMMAND_REPLIES(mip_3dm_device_power_state);
+MIP_SEND(mip_send_3dm_device_power_state, mip_3dm_device_power_state,
+         mip_3dm_device_power_state_response);
+MIP_CALL_WITH(mip_call_3dm_device_power_state_with, mip_3dm_device_power_state,
+              mip_3dm_device_power_state_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device power state. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_3dm_device_power_state(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_device_power_state *command,
-    struct mip_3dm_device_power_state_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_device_power_state_command, command,
-                           &mip_3dm_device_power_state_response_codec, response, now);
-}
-
-/**
- * Device power state: write. Apply the new setting. See mip_device_call.
+ * Device power state: write.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
+ *   MIP_3DM_INTERNAL_SENSOR_IMU.
  * - state: Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state. Required
  *   for write.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_write(
     struct mip_device *device, enum mip_3dm_internal_sensor device_,
     enum mip_3dm_sensor_power_state state) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)device_);
-    mip_put_8(data + 2, (uint8_t)state);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)device_, (uint8_t)state};
     return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 3);
 }
 
 /**
- * Device power state: read. Return the current setting in a response. See mip_device_call.
+ * Device power state: read.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
+ *   MIP_3DM_INTERNAL_SENSOR_IMU.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_read(
     struct mip_device *device, enum mip_3dm_internal_sensor device_,
     struct mip_3dm_device_power_state_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)device_);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)device_};
     return mip_device_request(device, &mip_3dm_device_power_state_exchange, data, 2,
                               &mip_3dm_device_power_state_response_codec, response);
 }
 
 /**
- * Device power state: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Device power state: save.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
+ *   MIP_3DM_INTERNAL_SENSOR_IMU.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_save(
     struct mip_device *device, enum mip_3dm_internal_sensor device_) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)device_);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)device_};
     return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2);
 }
 
 /**
- * Device power state: load. Load the saved setting. See mip_device_call.
+ * Device power state: load.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
+ *   MIP_3DM_INTERNAL_SENSOR_IMU.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_load(
     struct mip_device *device, enum mip_3dm_internal_sensor device_) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)device_);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)device_};
     return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2);
 }
 
 /**
- * Device power state: default. Load the factory default setting. See mip_device_call.
+ * Device power state: default.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
+ *   MIP_3DM_INTERNAL_SENSOR_IMU.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_default(
     struct mip_device *device, enum mip_3dm_internal_sensor device_) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)device_);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)device_};
     return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2);
 }
 
-/**
- * Device power state: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_device_power_state_with(
-    struct mip_device *device, const struct mip_3dm_device_power_state *command,
-    struct mip_3dm_device_power_state_response *response) {
-    return mip_device_call(device, &mip_3dm_device_power_state_command, command,
-                           &mip_3dm_device_power_state_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_3dm_gps_advanced_settings);
+MIP_CALL(mip_call_3dm_gps_advanced_settings_save, mip_3dm_gps_advanced_settings,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_3dm_gps_advanced_settings_load, mip_3dm_gps_advanced_settings,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_3dm_gps_advanced_settings_default, mip_3dm_gps_advanced_settings,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_gps_advanced_settings_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_gps_advanced_settings_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GPS advanced settings.
- */
+/** GPS advanced settings: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_gps_advanced_settings(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_gps_advanced_settings *command, uint32_t now) {
@@ -3986,47 +2175,15 @@ static inline mip_error mip_send_3dm_gps_advanced_settings(
                            NULL, NULL, now);
 }
 
-/**
- * GPS advanced settings: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_3dm_gps_advanced_settings_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1);
-}
-
-/** GPS advanced settings: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_3dm_gps_advanced_settings_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1);
-}
-
-/** GPS advanced settings: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_3dm_gps_advanced_settings_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1);
-}
-
-/**
- * GPS advanced settings: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** GPS advanced settings, with these values, including optional parameters. */
 static inline struct mip_result mip_call_3dm_gps_advanced_settings_with(
     struct mip_device *device, const struct mip_3dm_gps_advanced_settings *command) {
     return mip_device_call(device, &mip_3dm_gps_advanced_settings_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_3dm_device_status_command;
+MIP_COMMAND_REPLIES(mip_3dm_device_status);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_3dm_device_status_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. */
+/** Device status: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_3dm_device_status(struct mip_client *client,
                                                    struct mip_request *request,
                                                    struct mip_builder *packet,
@@ -4036,10 +2193,7 @@ static inline mip_error mip_send_3dm_device_status(struct mip_client *client,
                            NULL, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_basic_rq1_imu_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4048,10 +2202,7 @@ static inline mip_error mip_send_for_3dm_device_status_basic_rq1_imu_response(
                            &mip_3dm_device_status_basic_rq1_imu_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_basic_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4060,10 +2211,7 @@ static inline mip_error mip_send_for_3dm_device_status_basic_response(
                            &mip_3dm_device_status_basic_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_basic_without_state_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4073,10 +2221,7 @@ static inline mip_error mip_send_for_3dm_device_status_basic_without_state_respo
                            now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4085,10 +2230,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_response(
                            &mip_3dm_device_status_diagnostic_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gnss_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4097,10 +2239,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gnss_response(
                            &mip_3dm_device_status_diagnostic_gnss_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gq4_45_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4109,10 +2248,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gq4_45_respons
                            &mip_3dm_device_status_diagnostic_gq4_45_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_45_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4121,10 +2257,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_45_respons
                            &mip_3dm_device_status_diagnostic_rq1_45_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4133,10 +2266,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_response(
                            &mip_3dm_device_status_diagnostic_gx4_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_imu_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4145,10 +2275,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_imu_response(
                            &mip_3dm_device_status_diagnostic_imu_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_imu_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4157,10 +2284,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_imu_respon
                            &mip_3dm_device_status_diagnostic_gx4_imu_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_imu_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4169,10 +2293,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_imu_respon
                            &mip_3dm_device_status_diagnostic_rq1_imu_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_basic_gx3_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4181,10 +2302,7 @@ static inline mip_error mip_send_for_3dm_device_status_basic_gx3_response(
                            &mip_3dm_device_status_basic_gx3_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
- * this response.
- */
+/** Device status: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx3_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4194,7 +2312,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx3_response(
 }
 
 /**
- * Device Status. See mip_device_call.
+ * Device status.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4210,7 +2328,7 @@ mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4226,7 +2344,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_rq1_imu_res
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4242,7 +2360,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4258,7 +2376,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_without_sta
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4274,7 +2392,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_gx3_respons
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4290,7 +2408,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_respon
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4306,7 +2424,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_r
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4322,7 +2440,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4338,7 +2456,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4354,7 +2472,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_re
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4370,7 +2488,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_re
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4386,7 +2504,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_im
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4402,7 +2520,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_im
 }
 
 /**
- * Device Status. The reply is decoded as this response. See mip_device_call.
+ * Device status. The reply is decoded as this response.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4417,10 +2535,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx3_re
                            &mip_3dm_device_status_diagnostic_gx3_response_codec, response);
 }
 
-/**
- * Device Status: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Device status, with these values, including optional parameters. */
 static inline struct mip_result mip_call_3dm_device_status_with(
     struct mip_device *device, const struct mip_3dm_device_status *command) {
     return mip_device_call(device, &mip_3dm_device_status_command, command, NULL, NULL);

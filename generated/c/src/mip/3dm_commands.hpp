@@ -18,55 +18,123 @@ MIP_COMMAND_OF(mip_3dm_poll_nmea_data, void)
 MIP_COMMAND_OF(mip_3dm_get_imu_base_rate, ::mip::mip_3dm::get_imu_base_rate_response)
 MIP_COMMAND_OF(mip_3dm_get_gnss_base_rate, ::mip::mip_3dm::get_gnss_base_rate_response)
 MIP_COMMAND_OF(mip_3dm_imu_message_format, ::mip::mip_3dm::imu_message_format_response)
+MIP_CHANGE_OF(mip_3dm_imu_message_format, ::mip::mip_3dm::imu_message_format_response,
+              mip_3dm_imu_message_format_write_from)
 MIP_COMMAND_OF(mip_3dm_gnss_message_format, ::mip::mip_3dm::gnss_message_format_response)
+MIP_CHANGE_OF(mip_3dm_gnss_message_format, ::mip::mip_3dm::gnss_message_format_response,
+              mip_3dm_gnss_message_format_write_from)
 MIP_COMMAND_OF(mip_3dm_filter_message_format, ::mip::mip_3dm::filter_message_format_response)
+MIP_CHANGE_OF(mip_3dm_filter_message_format, ::mip::mip_3dm::filter_message_format_response,
+              mip_3dm_filter_message_format_write_from)
 MIP_COMMAND_OF(mip_3dm_get_filter_base_rate, ::mip::mip_3dm::get_filter_base_rate_response)
 MIP_COMMAND_OF(mip_3dm_nmea_message_format, ::mip::mip_3dm::nmea_message_format_response)
+MIP_CHANGE_OF(mip_3dm_nmea_message_format, ::mip::mip_3dm::nmea_message_format_response,
+              mip_3dm_nmea_message_format_write_from)
 MIP_COMMAND_OF(mip_3dm_poll_data, void)
 MIP_COMMAND_OF(mip_3dm_get_base_rate, ::mip::mip_3dm::get_base_rate_response)
 MIP_COMMAND_OF(mip_3dm_message_format, ::mip::mip_3dm::message_format_response)
+MIP_CHANGE_OF(mip_3dm_message_format, ::mip::mip_3dm::message_format_response,
+              mip_3dm_message_format_write_from)
 MIP_COMMAND_OF(mip_3dm_factory_streaming, void)
 MIP_COMMAND_OF(mip_3dm_data_stream_control, ::mip::mip_3dm::data_stream_control_response)
 MIP_COMMAND_OF(mip_3dm_raw_rtcm_2_3_message, void)
 MIP_COMMAND_OF(mip_3dm_constellation_settings, ::mip::mip_3dm::constellation_settings_response)
 MIP_COMMAND_OF(mip_3dm_gnss_sbas_settings, ::mip::mip_3dm::gnss_sbas_settings_response)
+MIP_CHANGE_OF(mip_3dm_gnss_sbas_settings, ::mip::mip_3dm::gnss_sbas_settings_response,
+              mip_3dm_gnss_sbas_settings_write_from)
 MIP_COMMAND_OF(mip_3dm_gnss_assisted_fix, ::mip::mip_3dm::gnss_assisted_fix_response)
+MIP_CHANGE_OF(mip_3dm_gnss_assisted_fix, ::mip::mip_3dm::gnss_assisted_fix_response,
+              mip_3dm_gnss_assisted_fix_write_from)
 MIP_COMMAND_OF(mip_3dm_gnss_time_assistance, ::mip::mip_3dm::gnss_time_assistance_response)
+MIP_CHANGE_OF(mip_3dm_gnss_time_assistance, ::mip::mip_3dm::gnss_time_assistance_response,
+              mip_3dm_gnss_time_assistance_write_from)
 MIP_COMMAND_OF(mip_3dm_pps_source_control, ::mip::mip_3dm::pps_source_control_response)
+MIP_CHANGE_OF(mip_3dm_pps_source_control, ::mip::mip_3dm::pps_source_control_response,
+              mip_3dm_pps_source_control_write_from)
 MIP_COMMAND_OF(mip_3dm_get_event_support, ::mip::mip_3dm::get_event_support_response)
 MIP_COMMAND_OF(mip_3dm_event_control, ::mip::mip_3dm::event_control_response)
+MIP_CHANGE_OF(mip_3dm_event_control, ::mip::mip_3dm::event_control_response,
+              mip_3dm_event_control_write_from)
 MIP_COMMAND_OF(mip_3dm_get_event_trigger_status, ::mip::mip_3dm::get_event_trigger_status_response)
 MIP_COMMAND_OF(mip_3dm_get_event_action_status, ::mip::mip_3dm::get_event_action_status_response)
 MIP_COMMAND_OF(mip_3dm_event_trigger_config, ::mip::mip_3dm::event_trigger_config_response)
+MIP_CHANGE_OF(mip_3dm_event_trigger_config, ::mip::mip_3dm::event_trigger_config_response,
+              mip_3dm_event_trigger_config_write_from)
 MIP_COMMAND_OF(mip_3dm_event_action_config, ::mip::mip_3dm::event_action_config_response)
+MIP_CHANGE_OF(mip_3dm_event_action_config, ::mip::mip_3dm::event_action_config_response,
+              mip_3dm_event_action_config_write_from)
 MIP_COMMAND_OF(mip_3dm_device_settings, void)
 MIP_COMMAND_OF(mip_3dm_sensor_to_vehicle_transform_euler,
                ::mip::mip_3dm::sensor_to_vehicle_transform_euler_response)
+MIP_CHANGE_OF(mip_3dm_sensor_to_vehicle_transform_euler,
+              ::mip::mip_3dm::sensor_to_vehicle_transform_euler_response,
+              mip_3dm_sensor_to_vehicle_transform_euler_write_from)
 MIP_COMMAND_OF(mip_3dm_sensor_to_vehicle_transform_quaternion,
                ::mip::mip_3dm::sensor_to_vehicle_transform_quaternion_response)
+MIP_CHANGE_OF(mip_3dm_sensor_to_vehicle_transform_quaternion,
+              ::mip::mip_3dm::sensor_to_vehicle_transform_quaternion_response,
+              mip_3dm_sensor_to_vehicle_transform_quaternion_write_from)
 MIP_COMMAND_OF(mip_3dm_sensor_to_vehicle_transform_dcm,
                ::mip::mip_3dm::sensor_to_vehicle_transform_dcm_response)
+MIP_CHANGE_OF(mip_3dm_sensor_to_vehicle_transform_dcm,
+              ::mip::mip_3dm::sensor_to_vehicle_transform_dcm_response,
+              mip_3dm_sensor_to_vehicle_transform_dcm_write_from)
 MIP_COMMAND_OF(mip_3dm_gps_dynamics_mode, ::mip::mip_3dm::gps_dynamics_mode_response)
+MIP_CHANGE_OF(mip_3dm_gps_dynamics_mode, ::mip::mip_3dm::gps_dynamics_mode_response,
+              mip_3dm_gps_dynamics_mode_write_from)
 MIP_COMMAND_OF(mip_3dm_imu_signal_conditioning, ::mip::mip_3dm::imu_signal_conditioning_response)
+MIP_CHANGE_OF(mip_3dm_imu_signal_conditioning, ::mip::mip_3dm::imu_signal_conditioning_response,
+              mip_3dm_imu_signal_conditioning_write_from)
 MIP_COMMAND_OF(mip_3dm_imu_timestamp, ::mip::mip_3dm::imu_timestamp_response)
+MIP_CHANGE_OF(mip_3dm_imu_timestamp, ::mip::mip_3dm::imu_timestamp_response,
+              mip_3dm_imu_timestamp_write_from)
 MIP_COMMAND_OF(mip_3dm_accel_bias, ::mip::mip_3dm::accel_bias_response)
+MIP_CHANGE_OF(mip_3dm_accel_bias, ::mip::mip_3dm::accel_bias_response,
+              mip_3dm_accel_bias_write_from)
 MIP_COMMAND_OF(mip_3dm_gyro_bias, ::mip::mip_3dm::gyro_bias_response)
+MIP_CHANGE_OF(mip_3dm_gyro_bias, ::mip::mip_3dm::gyro_bias_response, mip_3dm_gyro_bias_write_from)
 MIP_COMMAND_OF(mip_3dm_capture_gyro_bias, ::mip::mip_3dm::gyro_bias_response)
 MIP_COMMAND_OF(mip_3dm_mag_hard_iron_offset, ::mip::mip_3dm::mag_hard_iron_offset_response)
+MIP_CHANGE_OF(mip_3dm_mag_hard_iron_offset, ::mip::mip_3dm::mag_hard_iron_offset_response,
+              mip_3dm_mag_hard_iron_offset_write_from)
 MIP_COMMAND_OF(mip_3dm_mag_soft_iron_matrix, ::mip::mip_3dm::mag_soft_iron_matrix_response)
+MIP_CHANGE_OF(mip_3dm_mag_soft_iron_matrix, ::mip::mip_3dm::mag_soft_iron_matrix_response,
+              mip_3dm_mag_soft_iron_matrix_write_from)
 MIP_COMMAND_OF(mip_3dm_coning_sculling_enable, ::mip::mip_3dm::coning_sculling_enable_response)
+MIP_CHANGE_OF(mip_3dm_coning_sculling_enable, ::mip::mip_3dm::coning_sculling_enable_response,
+              mip_3dm_coning_sculling_enable_write_from)
 MIP_COMMAND_OF(mip_3dm_uart_baud_rate, ::mip::mip_3dm::uart_baud_rate_response)
+MIP_CHANGE_OF(mip_3dm_uart_baud_rate, ::mip::mip_3dm::uart_baud_rate_response,
+              mip_3dm_uart_baud_rate_write_from)
 MIP_COMMAND_OF(mip_3dm_gpio_config, ::mip::mip_3dm::gpio_config_response)
+MIP_CHANGE_OF(mip_3dm_gpio_config, ::mip::mip_3dm::gpio_config_response,
+              mip_3dm_gpio_config_write_from)
 MIP_COMMAND_OF(mip_3dm_gpio_state, ::mip::mip_3dm::gpio_state_response)
+MIP_CHANGE_OF(mip_3dm_gpio_state, ::mip::mip_3dm::gpio_state_response,
+              mip_3dm_gpio_state_write_from)
 MIP_COMMAND_OF(mip_3dm_odometer_config, ::mip::mip_3dm::odometer_config_response)
+MIP_CHANGE_OF(mip_3dm_odometer_config, ::mip::mip_3dm::odometer_config_response,
+              mip_3dm_odometer_config_write_from)
 MIP_COMMAND_OF(mip_3dm_imu_low_pass_filter, ::mip::mip_3dm::imu_low_pass_filter_response)
+MIP_CHANGE_OF(mip_3dm_imu_low_pass_filter, ::mip::mip_3dm::imu_low_pass_filter_response,
+              mip_3dm_imu_low_pass_filter_write_from)
 MIP_COMMAND_OF(mip_3dm_complementary_filter, ::mip::mip_3dm::complementary_filter_response)
+MIP_CHANGE_OF(mip_3dm_complementary_filter, ::mip::mip_3dm::complementary_filter_response,
+              mip_3dm_complementary_filter_write_from)
 MIP_COMMAND_OF(mip_3dm_sensor_range, ::mip::mip_3dm::sensor_range_response)
+MIP_CHANGE_OF(mip_3dm_sensor_range, ::mip::mip_3dm::sensor_range_response,
+              mip_3dm_sensor_range_write_from)
 MIP_COMMAND_OF(mip_3dm_get_calibrated_sensor_ranges,
                ::mip::mip_3dm::get_calibrated_sensor_ranges_response)
 MIP_COMMAND_OF(mip_3dm_low_pass_filter, ::mip::mip_3dm::low_pass_filter_response)
+MIP_CHANGE_OF(mip_3dm_low_pass_filter, ::mip::mip_3dm::low_pass_filter_response,
+              mip_3dm_low_pass_filter_write_from)
 MIP_COMMAND_OF(mip_3dm_data_stream_format, ::mip::mip_3dm::data_stream_format_response)
+MIP_CHANGE_OF(mip_3dm_data_stream_format, ::mip::mip_3dm::data_stream_format_response,
+              mip_3dm_data_stream_format_write_from)
 MIP_COMMAND_OF(mip_3dm_device_power_state, ::mip::mip_3dm::device_power_state_response)
+MIP_CHANGE_OF(mip_3dm_device_power_state, ::mip::mip_3dm::device_power_state_response,
+              mip_3dm_device_power_state_write_from)
 MIP_COMMAND_OF(mip_3dm_gps_advanced_settings, void)
 MIP_COMMAND_OF(mip_3dm_device_status, void)
 
@@ -75,7 +143,7 @@ namespace mip_3dm {
 /** @addtogroup mip_3dm
  * @{ */
 
-/** Poll IMU Data. See mip_call_3dm_poll_imu_data. */
+/** Poll IMU data. See mip_call_3dm_poll_imu_data. */
 struct poll_imu_data {
     bool suppress_ack;
     span<const ::mip_3dm_poll_entry> descriptors;
@@ -92,7 +160,7 @@ struct poll_imu_data {
     }
 };
 
-/** Poll GNSS Data. See mip_call_3dm_poll_gnss_data. */
+/** Poll GNSS data. See mip_call_3dm_poll_gnss_data. */
 struct poll_gnss_data {
     bool suppress_ack;
     span<const ::mip_3dm_poll_entry> descriptors;
@@ -109,7 +177,7 @@ struct poll_gnss_data {
     }
 };
 
-/** Poll Estimation Filter Data. See mip_call_3dm_poll_filter_data. */
+/** Poll estimation filter data. See mip_call_3dm_poll_filter_data. */
 struct poll_filter_data {
     bool suppress_ack;
     span<const ::mip_3dm_poll_entry> descriptors;
@@ -126,7 +194,7 @@ struct poll_filter_data {
     }
 };
 
-/** Poll NMEA Data. See mip_call_3dm_poll_nmea_data. */
+/** Poll NMEA data. See mip_call_3dm_poll_nmea_data. */
 struct poll_nmea_data {
     bool suppress_ack;
     span<const ::mip_nmea_message> format_entries;
@@ -143,15 +211,15 @@ struct poll_nmea_data {
     }
 };
 
-/** Get IMU Data Base Rate. See mip_call_3dm_get_imu_base_rate. */
+/** Get IMU data base rate. See mip_call_3dm_get_imu_base_rate. */
 struct get_imu_base_rate
     : fixed_command<::mip_3dm_get_imu_base_rate, ::mip::mip_3dm::get_imu_base_rate_response> {};
 
-/** Get GNSS Data Base Rate. See mip_call_3dm_get_gnss_base_rate. */
+/** Get GNSS data base rate. See mip_call_3dm_get_gnss_base_rate. */
 struct get_gnss_base_rate
     : fixed_command<::mip_3dm_get_gnss_base_rate, ::mip::mip_3dm::get_gnss_base_rate_response> {};
 
-/** IMU Message Format: write. See mip_call_3dm_imu_message_format_write. */
+/** IMU message format: write. See mip_call_3dm_imu_message_format_write. */
 struct write_imu_message_format {
     span<const ::mip_descriptor_rate> descriptors;
 
@@ -167,24 +235,24 @@ struct write_imu_message_format {
     }
 };
 
-/** IMU Message Format: read. See mip_call_3dm_imu_message_format_read. */
+/** IMU message format: read. See mip_call_3dm_imu_message_format_read. */
 struct read_imu_message_format
     : fixed_command<::mip_3dm_imu_message_format, ::mip::mip_3dm::imu_message_format_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** IMU Message Format: save. See mip_call_3dm_imu_message_format_save. */
+/** IMU message format: save. See mip_call_3dm_imu_message_format_save. */
 struct save_imu_message_format
     : fixed_command<::mip_3dm_imu_message_format, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** IMU Message Format: load. See mip_call_3dm_imu_message_format_load. */
+/** IMU message format: load. See mip_call_3dm_imu_message_format_load. */
 struct load_imu_message_format
     : fixed_command<::mip_3dm_imu_message_format, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** IMU Message Format: default. See mip_call_3dm_imu_message_format_default. */
+/** IMU message format: default. See mip_call_3dm_imu_message_format_default. */
 struct default_imu_message_format
     : fixed_command<::mip_3dm_imu_message_format, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** GNSS Message Format: write. See mip_call_3dm_gnss_message_format_write. */
+/** GNSS message format: write. See mip_call_3dm_gnss_message_format_write. */
 struct write_gnss_message_format {
     span<const ::mip_descriptor_rate> descriptors;
 
@@ -200,24 +268,24 @@ struct write_gnss_message_format {
     }
 };
 
-/** GNSS Message Format: read. See mip_call_3dm_gnss_message_format_read. */
+/** GNSS message format: read. See mip_call_3dm_gnss_message_format_read. */
 struct read_gnss_message_format
     : fixed_command<::mip_3dm_gnss_message_format, ::mip::mip_3dm::gnss_message_format_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** GNSS Message Format: save. See mip_call_3dm_gnss_message_format_save. */
+/** GNSS message format: save. See mip_call_3dm_gnss_message_format_save. */
 struct save_gnss_message_format
     : fixed_command<::mip_3dm_gnss_message_format, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** GNSS Message Format: load. See mip_call_3dm_gnss_message_format_load. */
+/** GNSS message format: load. See mip_call_3dm_gnss_message_format_load. */
 struct load_gnss_message_format
     : fixed_command<::mip_3dm_gnss_message_format, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** GNSS Message Format: default. See mip_call_3dm_gnss_message_format_default. */
+/** GNSS message format: default. See mip_call_3dm_gnss_message_format_default. */
 struct default_gnss_message_format
     : fixed_command<::mip_3dm_gnss_message_format, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Estimation Filter Message Format: write. See mip_call_3dm_filter_message_format_write. */
+/** Estimation filter message format: write. See mip_call_3dm_filter_message_format_write. */
 struct write_filter_message_format {
     span<const ::mip_descriptor_rate> descriptors;
 
@@ -233,29 +301,29 @@ struct write_filter_message_format {
     }
 };
 
-/** Estimation Filter Message Format: read. See mip_call_3dm_filter_message_format_read. */
+/** Estimation filter message format: read. See mip_call_3dm_filter_message_format_read. */
 struct read_filter_message_format
     : fixed_command<::mip_3dm_filter_message_format, ::mip::mip_3dm::filter_message_format_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Estimation Filter Message Format: save. See mip_call_3dm_filter_message_format_save. */
+/** Estimation filter message format: save. See mip_call_3dm_filter_message_format_save. */
 struct save_filter_message_format
     : fixed_command<::mip_3dm_filter_message_format, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Estimation Filter Message Format: load. See mip_call_3dm_filter_message_format_load. */
+/** Estimation filter message format: load. See mip_call_3dm_filter_message_format_load. */
 struct load_filter_message_format
     : fixed_command<::mip_3dm_filter_message_format, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Estimation Filter Message Format: default. See mip_call_3dm_filter_message_format_default. */
+/** Estimation filter message format: default. See mip_call_3dm_filter_message_format_default. */
 struct default_filter_message_format
     : fixed_command<::mip_3dm_filter_message_format, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Get Estimation Filter Data Base Rate. See mip_call_3dm_get_filter_base_rate. */
+/** Get estimation filter data base rate. See mip_call_3dm_get_filter_base_rate. */
 struct get_filter_base_rate
     : fixed_command<::mip_3dm_get_filter_base_rate, ::mip::mip_3dm::get_filter_base_rate_response> {
 };
 
-/** NMEA Message Format: write. See mip_call_3dm_nmea_message_format_write. */
+/** NMEA message format: write. See mip_call_3dm_nmea_message_format_write. */
 struct write_nmea_message_format {
     span<const ::mip_nmea_message> format_entries;
 
@@ -271,24 +339,24 @@ struct write_nmea_message_format {
     }
 };
 
-/** NMEA Message Format: read. See mip_call_3dm_nmea_message_format_read. */
+/** NMEA message format: read. See mip_call_3dm_nmea_message_format_read. */
 struct read_nmea_message_format
     : fixed_command<::mip_3dm_nmea_message_format, ::mip::mip_3dm::nmea_message_format_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** NMEA Message Format: save. See mip_call_3dm_nmea_message_format_save. */
+/** NMEA message format: save. See mip_call_3dm_nmea_message_format_save. */
 struct save_nmea_message_format
     : fixed_command<::mip_3dm_nmea_message_format, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** NMEA Message Format: load. See mip_call_3dm_nmea_message_format_load. */
+/** NMEA message format: load. See mip_call_3dm_nmea_message_format_load. */
 struct load_nmea_message_format
     : fixed_command<::mip_3dm_nmea_message_format, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** NMEA Message Format: default. See mip_call_3dm_nmea_message_format_default. */
+/** NMEA message format: default. See mip_call_3dm_nmea_message_format_default. */
 struct default_nmea_message_format
     : fixed_command<::mip_3dm_nmea_message_format, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Poll Data. See mip_call_3dm_poll_data. */
+/** Poll data. See mip_call_3dm_poll_data. */
 struct poll_data {
     uint8_t descriptor_set;
     bool suppress_ack;
@@ -306,7 +374,7 @@ struct poll_data {
     }
 };
 
-/** Get Data Base Rate. See mip_call_3dm_get_base_rate. */
+/** Get data base rate. See mip_call_3dm_get_base_rate. */
 struct get_base_rate {
     uint8_t descriptor_set;
 
@@ -320,7 +388,7 @@ struct get_base_rate {
     }
 };
 
-/** Message Format: write. See mip_call_3dm_message_format_write. */
+/** Message format: write. See mip_call_3dm_message_format_write. */
 struct write_message_format {
     uint8_t descriptor_set;
     span<const ::mip_descriptor_rate> descriptors;
@@ -337,7 +405,7 @@ struct write_message_format {
     }
 };
 
-/** Message Format: read. See mip_call_3dm_message_format_read. */
+/** Message format: read. See mip_call_3dm_message_format_read. */
 struct read_message_format {
     uint8_t descriptor_set;
 
@@ -351,7 +419,7 @@ struct read_message_format {
     }
 };
 
-/** Message Format: save. See mip_call_3dm_message_format_save. */
+/** Message format: save. See mip_call_3dm_message_format_save. */
 struct save_message_format {
     uint8_t descriptor_set;
 
@@ -365,7 +433,7 @@ struct save_message_format {
     }
 };
 
-/** Message Format: load. See mip_call_3dm_message_format_load. */
+/** Message format: load. See mip_call_3dm_message_format_load. */
 struct load_message_format {
     uint8_t descriptor_set;
 
@@ -379,7 +447,7 @@ struct load_message_format {
     }
 };
 
-/** Message Format: default. See mip_call_3dm_message_format_default. */
+/** Message format: default. See mip_call_3dm_message_format_default. */
 struct default_message_format {
     uint8_t descriptor_set;
 
@@ -393,7 +461,7 @@ struct default_message_format {
     }
 };
 
-/** Factory Streaming. See mip_call_3dm_factory_streaming. */
+/** Factory streaming. See mip_call_3dm_factory_streaming. */
 struct factory_streaming {
     ::mip::mip_3dm::factory_streaming_action action;
 
@@ -409,7 +477,7 @@ struct factory_streaming {
     }
 };
 
-/** Data Stream Control: write. See mip_call_3dm_data_stream_control_write. */
+/** Data stream control: write. See mip_call_3dm_data_stream_control_write. */
 struct write_data_stream_control {
     uint8_t descriptor_set;
     bool enable;
@@ -424,7 +492,7 @@ struct write_data_stream_control {
     }
 };
 
-/** Data Stream Control: read. See mip_call_3dm_data_stream_control_read. */
+/** Data stream control: read. See mip_call_3dm_data_stream_control_read. */
 struct read_data_stream_control {
     uint8_t descriptor_set;
 
@@ -438,7 +506,7 @@ struct read_data_stream_control {
     }
 };
 
-/** Data Stream Control: save. See mip_call_3dm_data_stream_control_save. */
+/** Data stream control: save. See mip_call_3dm_data_stream_control_save. */
 struct save_data_stream_control {
     uint8_t descriptor_set;
 
@@ -452,7 +520,7 @@ struct save_data_stream_control {
     }
 };
 
-/** Data Stream Control: load. See mip_call_3dm_data_stream_control_load. */
+/** Data stream control: load. See mip_call_3dm_data_stream_control_load. */
 struct load_data_stream_control {
     uint8_t descriptor_set;
 
@@ -466,7 +534,7 @@ struct load_data_stream_control {
     }
 };
 
-/** Data Stream Control: default. See mip_call_3dm_data_stream_control_default. */
+/** Data stream control: default. See mip_call_3dm_data_stream_control_default. */
 struct default_data_stream_control {
     uint8_t descriptor_set;
 
@@ -494,7 +562,7 @@ struct raw_rtcm_2_3_message {
     }
 };
 
-/** Constellation Settings: write. See mip_call_3dm_constellation_settings_write. */
+/** Constellation settings: write. See mip_call_3dm_constellation_settings_write. */
 struct write_constellation_settings {
     uint16_t max_channels;
     span<const ::mip_3dm_constellation_settings_entry> settings;
@@ -511,24 +579,24 @@ struct write_constellation_settings {
     }
 };
 
-/** Constellation Settings: read. See mip_call_3dm_constellation_settings_read. */
+/** Constellation settings: read. See mip_call_3dm_constellation_settings_read. */
 struct read_constellation_settings
     : fixed_command<::mip_3dm_constellation_settings,
                     ::mip::mip_3dm::constellation_settings_response, MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Constellation Settings: save. See mip_call_3dm_constellation_settings_save. */
+/** Constellation settings: save. See mip_call_3dm_constellation_settings_save. */
 struct save_constellation_settings
     : fixed_command<::mip_3dm_constellation_settings, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Constellation Settings: load. See mip_call_3dm_constellation_settings_load. */
+/** Constellation settings: load. See mip_call_3dm_constellation_settings_load. */
 struct load_constellation_settings
     : fixed_command<::mip_3dm_constellation_settings, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Constellation Settings: default. See mip_call_3dm_constellation_settings_default. */
+/** Constellation settings: default. See mip_call_3dm_constellation_settings_default. */
 struct default_constellation_settings
     : fixed_command<::mip_3dm_constellation_settings, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** GNSS SBAS Settings: write. See mip_call_3dm_gnss_sbas_settings_write. */
+/** GNSS SBAS settings: write. See mip_call_3dm_gnss_sbas_settings_write. */
 struct write_gnss_sbas_settings {
     uint8_t enable_sbas;
     ::mip::mip_3dm::sbas_options sbas_options;
@@ -548,24 +616,24 @@ struct write_gnss_sbas_settings {
     }
 };
 
-/** GNSS SBAS Settings: read. See mip_call_3dm_gnss_sbas_settings_read. */
+/** GNSS SBAS settings: read. See mip_call_3dm_gnss_sbas_settings_read. */
 struct read_gnss_sbas_settings
     : fixed_command<::mip_3dm_gnss_sbas_settings, ::mip::mip_3dm::gnss_sbas_settings_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** GNSS SBAS Settings: save. See mip_call_3dm_gnss_sbas_settings_save. */
+/** GNSS SBAS settings: save. See mip_call_3dm_gnss_sbas_settings_save. */
 struct save_gnss_sbas_settings
     : fixed_command<::mip_3dm_gnss_sbas_settings, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** GNSS SBAS Settings: load. See mip_call_3dm_gnss_sbas_settings_load. */
+/** GNSS SBAS settings: load. See mip_call_3dm_gnss_sbas_settings_load. */
 struct load_gnss_sbas_settings
     : fixed_command<::mip_3dm_gnss_sbas_settings, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** GNSS SBAS Settings: default. See mip_call_3dm_gnss_sbas_settings_default. */
+/** GNSS SBAS settings: default. See mip_call_3dm_gnss_sbas_settings_default. */
 struct default_gnss_sbas_settings
     : fixed_command<::mip_3dm_gnss_sbas_settings, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** GNSS Assisted Fix: write. See mip_call_3dm_gnss_assisted_fix_write. */
+/** GNSS assisted fix: write. See mip_call_3dm_gnss_assisted_fix_write. */
 struct write_gnss_assisted_fix {
     ::mip::mip_3dm::assisted_fix_option option;
 
@@ -581,7 +649,7 @@ struct write_gnss_assisted_fix {
     }
 };
 
-/** GNSS Assisted Fix: read. See mip_call_3dm_gnss_assisted_fix_read. */
+/** GNSS assisted fix: read. See mip_call_3dm_gnss_assisted_fix_read. */
 struct read_gnss_assisted_fix {
 
     using command = ::mip_3dm_gnss_assisted_fix;
@@ -594,7 +662,7 @@ struct read_gnss_assisted_fix {
     }
 };
 
-/** GNSS Assisted Fix: save. See mip_call_3dm_gnss_assisted_fix_save. */
+/** GNSS assisted fix: save. See mip_call_3dm_gnss_assisted_fix_save. */
 struct save_gnss_assisted_fix {
 
     using command = ::mip_3dm_gnss_assisted_fix;
@@ -607,7 +675,7 @@ struct save_gnss_assisted_fix {
     }
 };
 
-/** GNSS Assisted Fix: load. See mip_call_3dm_gnss_assisted_fix_load. */
+/** GNSS assisted fix: load. See mip_call_3dm_gnss_assisted_fix_load. */
 struct load_gnss_assisted_fix {
 
     using command = ::mip_3dm_gnss_assisted_fix;
@@ -620,7 +688,7 @@ struct load_gnss_assisted_fix {
     }
 };
 
-/** GNSS Assisted Fix: default. See mip_call_3dm_gnss_assisted_fix_default. */
+/** GNSS assisted fix: default. See mip_call_3dm_gnss_assisted_fix_default. */
 struct default_gnss_assisted_fix {
 
     using command = ::mip_3dm_gnss_assisted_fix;
@@ -633,7 +701,7 @@ struct default_gnss_assisted_fix {
     }
 };
 
-/** GNSS Time Assistance: write. See mip_call_3dm_gnss_time_assistance_write. */
+/** GNSS time assistance: write. See mip_call_3dm_gnss_time_assistance_write. */
 struct write_gnss_time_assistance {
     double tow;
     uint16_t week_number;
@@ -649,12 +717,12 @@ struct write_gnss_time_assistance {
     }
 };
 
-/** GNSS Time Assistance: read. See mip_call_3dm_gnss_time_assistance_read. */
+/** GNSS time assistance: read. See mip_call_3dm_gnss_time_assistance_read. */
 struct read_gnss_time_assistance
     : fixed_command<::mip_3dm_gnss_time_assistance, ::mip::mip_3dm::gnss_time_assistance_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** PPS Source Control: write. See mip_call_3dm_pps_source_control_write. */
+/** PPS source control: write. See mip_call_3dm_pps_source_control_write. */
 struct write_pps_source_control {
     ::mip::mip_3dm::pps_source source;
 
@@ -670,24 +738,24 @@ struct write_pps_source_control {
     }
 };
 
-/** PPS Source Control: read. See mip_call_3dm_pps_source_control_read. */
+/** PPS source control: read. See mip_call_3dm_pps_source_control_read. */
 struct read_pps_source_control
     : fixed_command<::mip_3dm_pps_source_control, ::mip::mip_3dm::pps_source_control_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** PPS Source Control: save. See mip_call_3dm_pps_source_control_save. */
+/** PPS source control: save. See mip_call_3dm_pps_source_control_save. */
 struct save_pps_source_control
     : fixed_command<::mip_3dm_pps_source_control, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** PPS Source Control: load. See mip_call_3dm_pps_source_control_load. */
+/** PPS source control: load. See mip_call_3dm_pps_source_control_load. */
 struct load_pps_source_control
     : fixed_command<::mip_3dm_pps_source_control, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** PPS Source Control: default. See mip_call_3dm_pps_source_control_default. */
+/** PPS source control: default. See mip_call_3dm_pps_source_control_default. */
 struct default_pps_source_control
     : fixed_command<::mip_3dm_pps_source_control, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Get Supported Events. See mip_call_3dm_get_event_support. */
+/** Get supported events. See mip_call_3dm_get_event_support. */
 struct get_event_support {
     ::mip::mip_3dm::event_support_query query;
 
@@ -703,7 +771,7 @@ struct get_event_support {
     }
 };
 
-/** Event Control: write. See mip_call_3dm_event_control_write. */
+/** Event control: write. See mip_call_3dm_event_control_write. */
 struct write_event_control {
     uint8_t instance;
     ::mip::event_trigger_mode mode;
@@ -720,7 +788,7 @@ struct write_event_control {
     }
 };
 
-/** Event Control: read. See mip_call_3dm_event_control_read. */
+/** Event control: read. See mip_call_3dm_event_control_read. */
 struct read_event_control {
     uint8_t instance;
 
@@ -734,7 +802,7 @@ struct read_event_control {
     }
 };
 
-/** Event Control: save. See mip_call_3dm_event_control_save. */
+/** Event control: save. See mip_call_3dm_event_control_save. */
 struct save_event_control {
     uint8_t instance;
 
@@ -748,7 +816,7 @@ struct save_event_control {
     }
 };
 
-/** Event Control: load. See mip_call_3dm_event_control_load. */
+/** Event control: load. See mip_call_3dm_event_control_load. */
 struct load_event_control {
     uint8_t instance;
 
@@ -762,7 +830,7 @@ struct load_event_control {
     }
 };
 
-/** Event Control: default. See mip_call_3dm_event_control_default. */
+/** Event control: default. See mip_call_3dm_event_control_default. */
 struct default_event_control {
     uint8_t instance;
 
@@ -776,7 +844,7 @@ struct default_event_control {
     }
 };
 
-/** Get Event Trigger Status. See mip_call_3dm_get_event_trigger_status. */
+/** Get event trigger status. See mip_call_3dm_get_event_trigger_status. */
 struct get_event_trigger_status {
     span<const uint8_t> requested_instances;
 
@@ -792,7 +860,7 @@ struct get_event_trigger_status {
     }
 };
 
-/** Get Event Action Status. See mip_call_3dm_get_event_action_status. */
+/** Get event action status. See mip_call_3dm_get_event_action_status. */
 struct get_event_action_status {
     span<const uint8_t> requested_instances;
 
@@ -808,7 +876,7 @@ struct get_event_action_status {
     }
 };
 
-/** Event Trigger Configuration: write. See mip_call_3dm_event_trigger_config_write. */
+/** Event trigger configuration: write. See mip_call_3dm_event_trigger_config_write. */
 struct write_event_trigger_config {
     uint8_t instance;
     ::mip::event_trigger_type type;
@@ -826,7 +894,7 @@ struct write_event_trigger_config {
     }
 };
 
-/** Event Trigger Configuration: read. See mip_call_3dm_event_trigger_config_read. */
+/** Event trigger configuration: read. See mip_call_3dm_event_trigger_config_read. */
 struct read_event_trigger_config {
     uint8_t instance;
 
@@ -840,7 +908,7 @@ struct read_event_trigger_config {
     }
 };
 
-/** Event Trigger Configuration: save. See mip_call_3dm_event_trigger_config_save. */
+/** Event trigger configuration: save. See mip_call_3dm_event_trigger_config_save. */
 struct save_event_trigger_config {
     uint8_t instance;
 
@@ -854,7 +922,7 @@ struct save_event_trigger_config {
     }
 };
 
-/** Event Trigger Configuration: load. See mip_call_3dm_event_trigger_config_load. */
+/** Event trigger configuration: load. See mip_call_3dm_event_trigger_config_load. */
 struct load_event_trigger_config {
     uint8_t instance;
 
@@ -868,7 +936,7 @@ struct load_event_trigger_config {
     }
 };
 
-/** Event Trigger Configuration: default. See mip_call_3dm_event_trigger_config_default. */
+/** Event trigger configuration: default. See mip_call_3dm_event_trigger_config_default. */
 struct default_event_trigger_config {
     uint8_t instance;
 
@@ -882,7 +950,7 @@ struct default_event_trigger_config {
     }
 };
 
-/** Event Action Configuration: write. See mip_call_3dm_event_action_config_write. */
+/** Event action configuration: write. See mip_call_3dm_event_action_config_write. */
 struct write_event_action_config {
     uint8_t instance;
     uint8_t trigger;
@@ -901,7 +969,7 @@ struct write_event_action_config {
     }
 };
 
-/** Event Action Configuration: read. See mip_call_3dm_event_action_config_read. */
+/** Event action configuration: read. See mip_call_3dm_event_action_config_read. */
 struct read_event_action_config {
     uint8_t instance;
 
@@ -915,7 +983,7 @@ struct read_event_action_config {
     }
 };
 
-/** Event Action Configuration: save. See mip_call_3dm_event_action_config_save. */
+/** Event action configuration: save. See mip_call_3dm_event_action_config_save. */
 struct save_event_action_config {
     uint8_t instance;
 
@@ -929,7 +997,7 @@ struct save_event_action_config {
     }
 };
 
-/** Event Action Configuration: load. See mip_call_3dm_event_action_config_load. */
+/** Event action configuration: load. See mip_call_3dm_event_action_config_load. */
 struct load_event_action_config {
     uint8_t instance;
 
@@ -943,7 +1011,7 @@ struct load_event_action_config {
     }
 };
 
-/** Event Action Configuration: default. See mip_call_3dm_event_action_config_default. */
+/** Event action configuration: default. See mip_call_3dm_event_action_config_default. */
 struct default_event_action_config {
     uint8_t instance;
 
@@ -957,20 +1025,20 @@ struct default_event_action_config {
     }
 };
 
-/** Device Start Up Settings: save. See mip_call_3dm_device_settings_save. */
+/** Device start up settings: save. See mip_call_3dm_device_settings_save. */
 struct save_device_settings
     : fixed_command<::mip_3dm_device_settings, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Device Start Up Settings: load. See mip_call_3dm_device_settings_load. */
+/** Device start up settings: load. See mip_call_3dm_device_settings_load. */
 struct load_device_settings
     : fixed_command<::mip_3dm_device_settings, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Device Start Up Settings: default. See mip_call_3dm_device_settings_default. */
+/** Device start up settings: default. See mip_call_3dm_device_settings_default. */
 struct default_device_settings
     : fixed_command<::mip_3dm_device_settings, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: write. See
+ * Sensor-to-vehicle frame transformation Euler: write. See
  * mip_call_3dm_sensor_to_vehicle_transform_euler_write.
  */
 struct write_sensor_to_vehicle_transform_euler {
@@ -989,7 +1057,7 @@ struct write_sensor_to_vehicle_transform_euler {
 };
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: read. See
+ * Sensor-to-vehicle frame transformation Euler: read. See
  * mip_call_3dm_sensor_to_vehicle_transform_euler_read.
  */
 struct read_sensor_to_vehicle_transform_euler
@@ -998,7 +1066,7 @@ struct read_sensor_to_vehicle_transform_euler
                     MIP_FUNCTION_SELECTOR_READ> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: save. See
+ * Sensor-to-vehicle frame transformation Euler: save. See
  * mip_call_3dm_sensor_to_vehicle_transform_euler_save.
  */
 struct save_sensor_to_vehicle_transform_euler
@@ -1006,7 +1074,7 @@ struct save_sensor_to_vehicle_transform_euler
 };
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: load. See
+ * Sensor-to-vehicle frame transformation Euler: load. See
  * mip_call_3dm_sensor_to_vehicle_transform_euler_load.
  */
 struct load_sensor_to_vehicle_transform_euler
@@ -1014,7 +1082,7 @@ struct load_sensor_to_vehicle_transform_euler
 };
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: default. See
+ * Sensor-to-vehicle frame transformation Euler: default. See
  * mip_call_3dm_sensor_to_vehicle_transform_euler_default.
  */
 struct default_sensor_to_vehicle_transform_euler
@@ -1022,7 +1090,7 @@ struct default_sensor_to_vehicle_transform_euler
                     MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: write. See
+ * Sensor-to-vehicle frame transformation quaternion: write. See
  * mip_call_3dm_sensor_to_vehicle_transform_quaternion_write.
  */
 struct write_sensor_to_vehicle_transform_quaternion {
@@ -1039,7 +1107,7 @@ struct write_sensor_to_vehicle_transform_quaternion {
 };
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: read. See
+ * Sensor-to-vehicle frame transformation quaternion: read. See
  * mip_call_3dm_sensor_to_vehicle_transform_quaternion_read.
  */
 struct read_sensor_to_vehicle_transform_quaternion
@@ -1048,7 +1116,7 @@ struct read_sensor_to_vehicle_transform_quaternion
                     MIP_FUNCTION_SELECTOR_READ> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: save. See
+ * Sensor-to-vehicle frame transformation quaternion: save. See
  * mip_call_3dm_sensor_to_vehicle_transform_quaternion_save.
  */
 struct save_sensor_to_vehicle_transform_quaternion
@@ -1056,7 +1124,7 @@ struct save_sensor_to_vehicle_transform_quaternion
                     MIP_FUNCTION_SELECTOR_SAVE> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: load. See
+ * Sensor-to-vehicle frame transformation quaternion: load. See
  * mip_call_3dm_sensor_to_vehicle_transform_quaternion_load.
  */
 struct load_sensor_to_vehicle_transform_quaternion
@@ -1064,7 +1132,7 @@ struct load_sensor_to_vehicle_transform_quaternion
                     MIP_FUNCTION_SELECTOR_LOAD> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: default. See
+ * Sensor-to-vehicle frame transformation quaternion: default. See
  * mip_call_3dm_sensor_to_vehicle_transform_quaternion_default.
  */
 struct default_sensor_to_vehicle_transform_quaternion
@@ -1072,7 +1140,7 @@ struct default_sensor_to_vehicle_transform_quaternion
                     MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: write. See
+ * Sensor-to-vehicle frame transformation direction cosine matrix: write. See
  * mip_call_3dm_sensor_to_vehicle_transform_dcm_write.
  */
 struct write_sensor_to_vehicle_transform_dcm {
@@ -1089,7 +1157,7 @@ struct write_sensor_to_vehicle_transform_dcm {
 };
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: read. See
+ * Sensor-to-vehicle frame transformation direction cosine matrix: read. See
  * mip_call_3dm_sensor_to_vehicle_transform_dcm_read.
  */
 struct read_sensor_to_vehicle_transform_dcm
@@ -1098,21 +1166,21 @@ struct read_sensor_to_vehicle_transform_dcm
                     MIP_FUNCTION_SELECTOR_READ> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: save. See
+ * Sensor-to-vehicle frame transformation direction cosine matrix: save. See
  * mip_call_3dm_sensor_to_vehicle_transform_dcm_save.
  */
 struct save_sensor_to_vehicle_transform_dcm
     : fixed_command<::mip_3dm_sensor_to_vehicle_transform_dcm, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: load. See
+ * Sensor-to-vehicle frame transformation direction cosine matrix: load. See
  * mip_call_3dm_sensor_to_vehicle_transform_dcm_load.
  */
 struct load_sensor_to_vehicle_transform_dcm
     : fixed_command<::mip_3dm_sensor_to_vehicle_transform_dcm, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: default. See
+ * Sensor-to-vehicle frame transformation direction cosine matrix: default. See
  * mip_call_3dm_sensor_to_vehicle_transform_dcm_default.
  */
 struct default_sensor_to_vehicle_transform_dcm
@@ -1229,7 +1297,7 @@ struct read_imu_timestamp {
     }
 };
 
-/** Accelerometer Bias Configuration: write. See mip_call_3dm_accel_bias_write. */
+/** Accelerometer bias configuration: write. See mip_call_3dm_accel_bias_write. */
 struct write_accel_bias {
     float bias[3];
 
@@ -1243,21 +1311,21 @@ struct write_accel_bias {
     }
 };
 
-/** Accelerometer Bias Configuration: read. See mip_call_3dm_accel_bias_read. */
+/** Accelerometer bias configuration: read. See mip_call_3dm_accel_bias_read. */
 struct read_accel_bias : fixed_command<::mip_3dm_accel_bias, ::mip::mip_3dm::accel_bias_response,
                                        MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Accelerometer Bias Configuration: save. See mip_call_3dm_accel_bias_save. */
+/** Accelerometer bias configuration: save. See mip_call_3dm_accel_bias_save. */
 struct save_accel_bias : fixed_command<::mip_3dm_accel_bias, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Accelerometer Bias Configuration: load. See mip_call_3dm_accel_bias_load. */
+/** Accelerometer bias configuration: load. See mip_call_3dm_accel_bias_load. */
 struct load_accel_bias : fixed_command<::mip_3dm_accel_bias, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Accelerometer Bias Configuration: default. See mip_call_3dm_accel_bias_default. */
+/** Accelerometer bias configuration: default. See mip_call_3dm_accel_bias_default. */
 struct default_accel_bias
     : fixed_command<::mip_3dm_accel_bias, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Accelerometer Bias Configuration: apply. See mip_call_3dm_accel_bias_apply. */
+/** Accelerometer bias configuration: apply. See mip_call_3dm_accel_bias_apply. */
 struct apply_accel_bias {
     float bias[3];
 
@@ -1271,7 +1339,7 @@ struct apply_accel_bias {
     }
 };
 
-/** Gyroscope Bias Configuration: write. See mip_call_3dm_gyro_bias_write. */
+/** Gyroscope bias configuration: write. See mip_call_3dm_gyro_bias_write. */
 struct write_gyro_bias {
     float bias[3];
 
@@ -1285,21 +1353,21 @@ struct write_gyro_bias {
     }
 };
 
-/** Gyroscope Bias Configuration: read. See mip_call_3dm_gyro_bias_read. */
+/** Gyroscope bias configuration: read. See mip_call_3dm_gyro_bias_read. */
 struct read_gyro_bias : fixed_command<::mip_3dm_gyro_bias, ::mip::mip_3dm::gyro_bias_response,
                                       MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Gyroscope Bias Configuration: save. See mip_call_3dm_gyro_bias_save. */
+/** Gyroscope bias configuration: save. See mip_call_3dm_gyro_bias_save. */
 struct save_gyro_bias : fixed_command<::mip_3dm_gyro_bias, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Gyroscope Bias Configuration: load. See mip_call_3dm_gyro_bias_load. */
+/** Gyroscope bias configuration: load. See mip_call_3dm_gyro_bias_load. */
 struct load_gyro_bias : fixed_command<::mip_3dm_gyro_bias, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Gyroscope Bias Configuration: default. See mip_call_3dm_gyro_bias_default. */
+/** Gyroscope bias configuration: default. See mip_call_3dm_gyro_bias_default. */
 struct default_gyro_bias : fixed_command<::mip_3dm_gyro_bias, void, MIP_FUNCTION_SELECTOR_DEFAULT> {
 };
 
-/** Gyroscope Bias Configuration: apply. See mip_call_3dm_gyro_bias_apply. */
+/** Gyroscope bias configuration: apply. See mip_call_3dm_gyro_bias_apply. */
 struct apply_gyro_bias {
     float bias[3];
 
@@ -1313,7 +1381,7 @@ struct apply_gyro_bias {
     }
 };
 
-/** Capture Gyroscope Bias. See mip_call_3dm_capture_gyro_bias. */
+/** Capture gyroscope bias. See mip_call_3dm_capture_gyro_bias. */
 struct capture_gyro_bias {
     uint16_t averaging_time_ms;
 
@@ -1327,7 +1395,7 @@ struct capture_gyro_bias {
     }
 };
 
-/** Magnetometer Hard Iron Offset: write. See mip_call_3dm_mag_hard_iron_offset_write. */
+/** Magnetometer hard iron offset: write. See mip_call_3dm_mag_hard_iron_offset_write. */
 struct write_mag_hard_iron_offset {
     float offset[3];
 
@@ -1341,24 +1409,24 @@ struct write_mag_hard_iron_offset {
     }
 };
 
-/** Magnetometer Hard Iron Offset: read. See mip_call_3dm_mag_hard_iron_offset_read. */
+/** Magnetometer hard iron offset: read. See mip_call_3dm_mag_hard_iron_offset_read. */
 struct read_mag_hard_iron_offset
     : fixed_command<::mip_3dm_mag_hard_iron_offset, ::mip::mip_3dm::mag_hard_iron_offset_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Magnetometer Hard Iron Offset: save. See mip_call_3dm_mag_hard_iron_offset_save. */
+/** Magnetometer hard iron offset: save. See mip_call_3dm_mag_hard_iron_offset_save. */
 struct save_mag_hard_iron_offset
     : fixed_command<::mip_3dm_mag_hard_iron_offset, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Magnetometer Hard Iron Offset: load. See mip_call_3dm_mag_hard_iron_offset_load. */
+/** Magnetometer hard iron offset: load. See mip_call_3dm_mag_hard_iron_offset_load. */
 struct load_mag_hard_iron_offset
     : fixed_command<::mip_3dm_mag_hard_iron_offset, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Magnetometer Hard Iron Offset: default. See mip_call_3dm_mag_hard_iron_offset_default. */
+/** Magnetometer hard iron offset: default. See mip_call_3dm_mag_hard_iron_offset_default. */
 struct default_mag_hard_iron_offset
     : fixed_command<::mip_3dm_mag_hard_iron_offset, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Magnetometer Hard Iron Offset: apply. See mip_call_3dm_mag_hard_iron_offset_apply. */
+/** Magnetometer hard iron offset: apply. See mip_call_3dm_mag_hard_iron_offset_apply. */
 struct apply_mag_hard_iron_offset {
     float offset[3];
 
@@ -1372,7 +1440,7 @@ struct apply_mag_hard_iron_offset {
     }
 };
 
-/** Magnetometer Soft Iron Matrix: write. See mip_call_3dm_mag_soft_iron_matrix_write. */
+/** Magnetometer soft iron matrix: write. See mip_call_3dm_mag_soft_iron_matrix_write. */
 struct write_mag_soft_iron_matrix {
     float matrix[9];
 
@@ -1386,24 +1454,24 @@ struct write_mag_soft_iron_matrix {
     }
 };
 
-/** Magnetometer Soft Iron Matrix: read. See mip_call_3dm_mag_soft_iron_matrix_read. */
+/** Magnetometer soft iron matrix: read. See mip_call_3dm_mag_soft_iron_matrix_read. */
 struct read_mag_soft_iron_matrix
     : fixed_command<::mip_3dm_mag_soft_iron_matrix, ::mip::mip_3dm::mag_soft_iron_matrix_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Magnetometer Soft Iron Matrix: save. See mip_call_3dm_mag_soft_iron_matrix_save. */
+/** Magnetometer soft iron matrix: save. See mip_call_3dm_mag_soft_iron_matrix_save. */
 struct save_mag_soft_iron_matrix
     : fixed_command<::mip_3dm_mag_soft_iron_matrix, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Magnetometer Soft Iron Matrix: load. See mip_call_3dm_mag_soft_iron_matrix_load. */
+/** Magnetometer soft iron matrix: load. See mip_call_3dm_mag_soft_iron_matrix_load. */
 struct load_mag_soft_iron_matrix
     : fixed_command<::mip_3dm_mag_soft_iron_matrix, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Magnetometer Soft Iron Matrix: default. See mip_call_3dm_mag_soft_iron_matrix_default. */
+/** Magnetometer soft iron matrix: default. See mip_call_3dm_mag_soft_iron_matrix_default. */
 struct default_mag_soft_iron_matrix
     : fixed_command<::mip_3dm_mag_soft_iron_matrix, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Magnetometer Soft Iron Matrix: apply. See mip_call_3dm_mag_soft_iron_matrix_apply. */
+/** Magnetometer soft iron matrix: apply. See mip_call_3dm_mag_soft_iron_matrix_apply. */
 struct apply_mag_soft_iron_matrix {
     float matrix[9];
 
@@ -1417,7 +1485,7 @@ struct apply_mag_soft_iron_matrix {
     }
 };
 
-/** Coning and Sculling Enable: write. See mip_call_3dm_coning_sculling_enable_write. */
+/** Coning and sculling enable: write. See mip_call_3dm_coning_sculling_enable_write. */
 struct write_coning_sculling_enable {
     bool enable;
 
@@ -1431,24 +1499,24 @@ struct write_coning_sculling_enable {
     }
 };
 
-/** Coning and Sculling Enable: read. See mip_call_3dm_coning_sculling_enable_read. */
+/** Coning and sculling enable: read. See mip_call_3dm_coning_sculling_enable_read. */
 struct read_coning_sculling_enable
     : fixed_command<::mip_3dm_coning_sculling_enable,
                     ::mip::mip_3dm::coning_sculling_enable_response, MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Coning and Sculling Enable: save. See mip_call_3dm_coning_sculling_enable_save. */
+/** Coning and sculling enable: save. See mip_call_3dm_coning_sculling_enable_save. */
 struct save_coning_sculling_enable
     : fixed_command<::mip_3dm_coning_sculling_enable, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Coning and Sculling Enable: load. See mip_call_3dm_coning_sculling_enable_load. */
+/** Coning and sculling enable: load. See mip_call_3dm_coning_sculling_enable_load. */
 struct load_coning_sculling_enable
     : fixed_command<::mip_3dm_coning_sculling_enable, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Coning and Sculling Enable: default. See mip_call_3dm_coning_sculling_enable_default. */
+/** Coning and sculling enable: default. See mip_call_3dm_coning_sculling_enable_default. */
 struct default_coning_sculling_enable
     : fixed_command<::mip_3dm_coning_sculling_enable, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** UART Baud Rate: write. See mip_call_3dm_uart_baud_rate_write. */
+/** UART baud rate: write. See mip_call_3dm_uart_baud_rate_write. */
 struct write_uart_baud_rate {
     uint32_t baud;
 
@@ -1462,24 +1530,24 @@ struct write_uart_baud_rate {
     }
 };
 
-/** UART Baud Rate: read. See mip_call_3dm_uart_baud_rate_read. */
+/** UART baud rate: read. See mip_call_3dm_uart_baud_rate_read. */
 struct read_uart_baud_rate
     : fixed_command<::mip_3dm_uart_baud_rate, ::mip::mip_3dm::uart_baud_rate_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** UART Baud Rate: save. See mip_call_3dm_uart_baud_rate_save. */
+/** UART baud rate: save. See mip_call_3dm_uart_baud_rate_save. */
 struct save_uart_baud_rate
     : fixed_command<::mip_3dm_uart_baud_rate, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** UART Baud Rate: load. See mip_call_3dm_uart_baud_rate_load. */
+/** UART baud rate: load. See mip_call_3dm_uart_baud_rate_load. */
 struct load_uart_baud_rate
     : fixed_command<::mip_3dm_uart_baud_rate, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** UART Baud Rate: default. See mip_call_3dm_uart_baud_rate_default. */
+/** UART baud rate: default. See mip_call_3dm_uart_baud_rate_default. */
 struct default_uart_baud_rate
     : fixed_command<::mip_3dm_uart_baud_rate, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** GPIO Configuration: write. See mip_call_3dm_gpio_config_write. */
+/** GPIO configuration: write. See mip_call_3dm_gpio_config_write. */
 struct write_gpio_config {
     uint8_t pin;
     ::mip::gpio_feature feature;
@@ -1498,7 +1566,7 @@ struct write_gpio_config {
     }
 };
 
-/** GPIO Configuration: read. See mip_call_3dm_gpio_config_read. */
+/** GPIO configuration: read. See mip_call_3dm_gpio_config_read. */
 struct read_gpio_config {
     uint8_t pin;
 
@@ -1512,7 +1580,7 @@ struct read_gpio_config {
     }
 };
 
-/** GPIO Configuration: save. See mip_call_3dm_gpio_config_save. */
+/** GPIO configuration: save. See mip_call_3dm_gpio_config_save. */
 struct save_gpio_config {
     uint8_t pin;
 
@@ -1526,7 +1594,7 @@ struct save_gpio_config {
     }
 };
 
-/** GPIO Configuration: load. See mip_call_3dm_gpio_config_load. */
+/** GPIO configuration: load. See mip_call_3dm_gpio_config_load. */
 struct load_gpio_config {
     uint8_t pin;
 
@@ -1540,7 +1608,7 @@ struct load_gpio_config {
     }
 };
 
-/** GPIO Configuration: default. See mip_call_3dm_gpio_config_default. */
+/** GPIO configuration: default. See mip_call_3dm_gpio_config_default. */
 struct default_gpio_config {
     uint8_t pin;
 
@@ -1554,7 +1622,7 @@ struct default_gpio_config {
     }
 };
 
-/** GPIO State: write. See mip_call_3dm_gpio_state_write. */
+/** GPIO state: write. See mip_call_3dm_gpio_state_write. */
 struct write_gpio_state {
     uint8_t pin;
     bool state;
@@ -1569,7 +1637,7 @@ struct write_gpio_state {
     }
 };
 
-/** GPIO State: read. See mip_call_3dm_gpio_state_read. */
+/** GPIO state: read. See mip_call_3dm_gpio_state_read. */
 struct read_gpio_state {
     uint8_t pin;
 
@@ -1583,7 +1651,7 @@ struct read_gpio_state {
     }
 };
 
-/** Odometer Configuration: write. See mip_call_3dm_odometer_config_write. */
+/** Odometer configuration: write. See mip_call_3dm_odometer_config_write. */
 struct write_odometer_config {
     ::mip::mip_3dm::odometer_mode mode;
     float scaling;
@@ -1601,24 +1669,24 @@ struct write_odometer_config {
     }
 };
 
-/** Odometer Configuration: read. See mip_call_3dm_odometer_config_read. */
+/** Odometer configuration: read. See mip_call_3dm_odometer_config_read. */
 struct read_odometer_config
     : fixed_command<::mip_3dm_odometer_config, ::mip::mip_3dm::odometer_config_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Odometer Configuration: save. See mip_call_3dm_odometer_config_save. */
+/** Odometer configuration: save. See mip_call_3dm_odometer_config_save. */
 struct save_odometer_config
     : fixed_command<::mip_3dm_odometer_config, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Odometer Configuration: load. See mip_call_3dm_odometer_config_load. */
+/** Odometer configuration: load. See mip_call_3dm_odometer_config_load. */
 struct load_odometer_config
     : fixed_command<::mip_3dm_odometer_config, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Odometer Configuration: default. See mip_call_3dm_odometer_config_default. */
+/** Odometer configuration: default. See mip_call_3dm_odometer_config_default. */
 struct default_odometer_config
     : fixed_command<::mip_3dm_odometer_config, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Advanced Low-Pass Filter Settings: write. See mip_call_3dm_imu_low_pass_filter_write. */
+/** Advanced low-pass filter settings: write. See mip_call_3dm_imu_low_pass_filter_write. */
 struct write_imu_low_pass_filter {
     uint8_t target_descriptor;
     bool enable;
@@ -1637,7 +1705,7 @@ struct write_imu_low_pass_filter {
     }
 };
 
-/** Advanced Low-Pass Filter Settings: read. See mip_call_3dm_imu_low_pass_filter_read. */
+/** Advanced low-pass filter settings: read. See mip_call_3dm_imu_low_pass_filter_read. */
 struct read_imu_low_pass_filter {
     uint8_t target_descriptor;
 
@@ -1651,7 +1719,7 @@ struct read_imu_low_pass_filter {
     }
 };
 
-/** Advanced Low-Pass Filter Settings: save. See mip_call_3dm_imu_low_pass_filter_save. */
+/** Advanced low-pass filter settings: save. See mip_call_3dm_imu_low_pass_filter_save. */
 struct save_imu_low_pass_filter {
     uint8_t target_descriptor;
 
@@ -1665,7 +1733,7 @@ struct save_imu_low_pass_filter {
     }
 };
 
-/** Advanced Low-Pass Filter Settings: load. See mip_call_3dm_imu_low_pass_filter_load. */
+/** Advanced low-pass filter settings: load. See mip_call_3dm_imu_low_pass_filter_load. */
 struct load_imu_low_pass_filter {
     uint8_t target_descriptor;
 
@@ -1679,7 +1747,7 @@ struct load_imu_low_pass_filter {
     }
 };
 
-/** Advanced Low-Pass Filter Settings: default. See mip_call_3dm_imu_low_pass_filter_default. */
+/** Advanced low-pass filter settings: default. See mip_call_3dm_imu_low_pass_filter_default. */
 struct default_imu_low_pass_filter {
     uint8_t target_descriptor;
 
@@ -1693,7 +1761,7 @@ struct default_imu_low_pass_filter {
     }
 };
 
-/** Complementary Filter Configuration: write. See mip_call_3dm_complementary_filter_write. */
+/** Complementary filter configuration: write. See mip_call_3dm_complementary_filter_write. */
 struct write_complementary_filter {
     bool pitch_roll_enable;
     bool heading_enable;
@@ -1714,24 +1782,24 @@ struct write_complementary_filter {
     }
 };
 
-/** Complementary Filter Configuration: read. See mip_call_3dm_complementary_filter_read. */
+/** Complementary filter configuration: read. See mip_call_3dm_complementary_filter_read. */
 struct read_complementary_filter
     : fixed_command<::mip_3dm_complementary_filter, ::mip::mip_3dm::complementary_filter_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Complementary Filter Configuration: save. See mip_call_3dm_complementary_filter_save. */
+/** Complementary filter configuration: save. See mip_call_3dm_complementary_filter_save. */
 struct save_complementary_filter
     : fixed_command<::mip_3dm_complementary_filter, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Complementary Filter Configuration: load. See mip_call_3dm_complementary_filter_load. */
+/** Complementary filter configuration: load. See mip_call_3dm_complementary_filter_load. */
 struct load_complementary_filter
     : fixed_command<::mip_3dm_complementary_filter, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Complementary Filter Configuration: default. See mip_call_3dm_complementary_filter_default. */
+/** Complementary filter configuration: default. See mip_call_3dm_complementary_filter_default. */
 struct default_complementary_filter
     : fixed_command<::mip_3dm_complementary_filter, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Sensor Range: write. See mip_call_3dm_sensor_range_write. */
+/** Sensor range: write. See mip_call_3dm_sensor_range_write. */
 struct write_sensor_range {
     ::mip::mip_3dm::sensor_range_type sensor;
     uint8_t setting;
@@ -1748,7 +1816,7 @@ struct write_sensor_range {
     }
 };
 
-/** Sensor Range: read. See mip_call_3dm_sensor_range_read. */
+/** Sensor range: read. See mip_call_3dm_sensor_range_read. */
 struct read_sensor_range {
     ::mip::mip_3dm::sensor_range_type sensor;
 
@@ -1764,7 +1832,7 @@ struct read_sensor_range {
     }
 };
 
-/** Sensor Range: save. See mip_call_3dm_sensor_range_save. */
+/** Sensor range: save. See mip_call_3dm_sensor_range_save. */
 struct save_sensor_range {
     ::mip::mip_3dm::sensor_range_type sensor;
 
@@ -1780,7 +1848,7 @@ struct save_sensor_range {
     }
 };
 
-/** Sensor Range: load. See mip_call_3dm_sensor_range_load. */
+/** Sensor range: load. See mip_call_3dm_sensor_range_load. */
 struct load_sensor_range {
     ::mip::mip_3dm::sensor_range_type sensor;
 
@@ -1796,7 +1864,7 @@ struct load_sensor_range {
     }
 };
 
-/** Sensor Range: default. See mip_call_3dm_sensor_range_default. */
+/** Sensor range: default. See mip_call_3dm_sensor_range_default. */
 struct default_sensor_range {
     ::mip::mip_3dm::sensor_range_type sensor;
 
@@ -1812,7 +1880,7 @@ struct default_sensor_range {
     }
 };
 
-/** Get Calibrated Sensor Ranges. See mip_call_3dm_get_calibrated_sensor_ranges. */
+/** Get calibrated sensor ranges. See mip_call_3dm_get_calibrated_sensor_ranges. */
 struct get_calibrated_sensor_ranges {
     ::mip::mip_3dm::sensor_range_type sensor;
 
@@ -1828,7 +1896,7 @@ struct get_calibrated_sensor_ranges {
     }
 };
 
-/** Low-Pass Anti-Aliasing Filter: write. See mip_call_3dm_low_pass_filter_write. */
+/** Low-pass anti-aliasing filter: write. See mip_call_3dm_low_pass_filter_write. */
 struct write_low_pass_filter {
     uint8_t descriptor_set;
     uint8_t field_descriptor;
@@ -1848,7 +1916,7 @@ struct write_low_pass_filter {
     }
 };
 
-/** Low-Pass Anti-Aliasing Filter: read. See mip_call_3dm_low_pass_filter_read. */
+/** Low-pass anti-aliasing filter: read. See mip_call_3dm_low_pass_filter_read. */
 struct read_low_pass_filter {
     uint8_t descriptor_set;
     uint8_t field_descriptor;
@@ -1863,7 +1931,7 @@ struct read_low_pass_filter {
     }
 };
 
-/** Low-Pass Anti-Aliasing Filter: save. See mip_call_3dm_low_pass_filter_save. */
+/** Low-pass anti-aliasing filter: save. See mip_call_3dm_low_pass_filter_save. */
 struct save_low_pass_filter {
     uint8_t descriptor_set;
     uint8_t field_descriptor;
@@ -1878,7 +1946,7 @@ struct save_low_pass_filter {
     }
 };
 
-/** Low-Pass Anti-Aliasing Filter: load. See mip_call_3dm_low_pass_filter_load. */
+/** Low-pass anti-aliasing filter: load. See mip_call_3dm_low_pass_filter_load. */
 struct load_low_pass_filter {
     uint8_t descriptor_set;
     uint8_t field_descriptor;
@@ -1893,7 +1961,7 @@ struct load_low_pass_filter {
     }
 };
 
-/** Low-Pass Anti-Aliasing Filter: default. See mip_call_3dm_low_pass_filter_default. */
+/** Low-pass anti-aliasing filter: default. See mip_call_3dm_low_pass_filter_default. */
 struct default_low_pass_filter {
     uint8_t descriptor_set;
     uint8_t field_descriptor;
@@ -2098,7 +2166,7 @@ struct load_gps_advanced_settings
 struct default_gps_advanced_settings
     : fixed_command<::mip_3dm_gps_advanced_settings, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Device Status. See mip_call_3dm_device_status. */
+/** Device status. See mip_call_3dm_device_status. */
 struct device_status {
     uint16_t model_number;
     ::mip::mip_3dm::device_status_selector status_selector;
@@ -2116,7 +2184,7 @@ struct device_status {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_basic_rq1_imu_response. */
+/** Device status. See mip_call_for_3dm_device_status_basic_rq1_imu_response. */
 struct for_device_status_basic_rq1_imu_response {
     uint16_t model_number;
 
@@ -2127,7 +2195,7 @@ struct for_device_status_basic_rq1_imu_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_basic_response. */
+/** Device status. See mip_call_for_3dm_device_status_basic_response. */
 struct for_device_status_basic_response {
     uint16_t model_number;
 
@@ -2138,7 +2206,7 @@ struct for_device_status_basic_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_basic_without_state_response. */
+/** Device status. See mip_call_for_3dm_device_status_basic_without_state_response. */
 struct for_device_status_basic_without_state_response {
     uint16_t model_number;
 
@@ -2150,7 +2218,7 @@ struct for_device_status_basic_without_state_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_basic_gx3_response. */
+/** Device status. See mip_call_for_3dm_device_status_basic_gx3_response. */
 struct for_device_status_basic_gx3_response {
     uint16_t model_number;
 
@@ -2161,7 +2229,7 @@ struct for_device_status_basic_gx3_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_diagnostic_response. */
+/** Device status. See mip_call_for_3dm_device_status_diagnostic_response. */
 struct for_device_status_diagnostic_response {
     uint16_t model_number;
 
@@ -2172,7 +2240,7 @@ struct for_device_status_diagnostic_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_diagnostic_gnss_response. */
+/** Device status. See mip_call_for_3dm_device_status_diagnostic_gnss_response. */
 struct for_device_status_diagnostic_gnss_response {
     uint16_t model_number;
 
@@ -2184,7 +2252,7 @@ struct for_device_status_diagnostic_gnss_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_diagnostic_gq4_45_response. */
+/** Device status. See mip_call_for_3dm_device_status_diagnostic_gq4_45_response. */
 struct for_device_status_diagnostic_gq4_45_response {
     uint16_t model_number;
 
@@ -2196,7 +2264,7 @@ struct for_device_status_diagnostic_gq4_45_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_diagnostic_rq1_45_response. */
+/** Device status. See mip_call_for_3dm_device_status_diagnostic_rq1_45_response. */
 struct for_device_status_diagnostic_rq1_45_response {
     uint16_t model_number;
 
@@ -2208,7 +2276,7 @@ struct for_device_status_diagnostic_rq1_45_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_diagnostic_gx4_response. */
+/** Device status. See mip_call_for_3dm_device_status_diagnostic_gx4_response. */
 struct for_device_status_diagnostic_gx4_response {
     uint16_t model_number;
 
@@ -2219,7 +2287,7 @@ struct for_device_status_diagnostic_gx4_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_diagnostic_imu_response. */
+/** Device status. See mip_call_for_3dm_device_status_diagnostic_imu_response. */
 struct for_device_status_diagnostic_imu_response {
     uint16_t model_number;
 
@@ -2230,7 +2298,7 @@ struct for_device_status_diagnostic_imu_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_diagnostic_gx4_imu_response. */
+/** Device status. See mip_call_for_3dm_device_status_diagnostic_gx4_imu_response. */
 struct for_device_status_diagnostic_gx4_imu_response {
     uint16_t model_number;
 
@@ -2242,7 +2310,7 @@ struct for_device_status_diagnostic_gx4_imu_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_diagnostic_rq1_imu_response. */
+/** Device status. See mip_call_for_3dm_device_status_diagnostic_rq1_imu_response. */
 struct for_device_status_diagnostic_rq1_imu_response {
     uint16_t model_number;
 
@@ -2254,7 +2322,7 @@ struct for_device_status_diagnostic_rq1_imu_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_diagnostic_gx3_response. */
+/** Device status. See mip_call_for_3dm_device_status_diagnostic_gx3_response. */
 struct for_device_status_diagnostic_gx3_response {
     uint16_t model_number;
 

@@ -16,21 +16,16 @@
 extern "C" {
 #endif
 
-/** Decodes 3dm.get_imu_base_rate_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_imu_base_rate_response_decode_inline(
     struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x83, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->rate = mip_get_16(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.get_imu_base_rate_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
     const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -42,21 +37,16 @@ MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode_in
     return MIP_OK;
 }
 
-/** Decodes 3dm.get_gnss_base_rate_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_gnss_base_rate_response_decode_inline(
     struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x84, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->rate = mip_get_16(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.get_gnss_base_rate_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
     const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -68,21 +58,16 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_i
     return MIP_OK;
 }
 
-/** Decodes 3dm.get_filter_base_rate_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_filter_base_rate_response_decode_inline(
     struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x8A, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->rate = mip_get_16(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.get_filter_base_rate_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
     const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -94,21 +79,16 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode
     return MIP_OK;
 }
 
-/** Decodes 3dm.get_base_rate. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_base_rate_decode_inline(struct mip_3dm_get_base_rate *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x0E, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->descriptor_set = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.get_base_rate to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode_inline(
     const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -120,14 +100,10 @@ MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.get_base_rate_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_base_rate_response_decode_inline(
     struct mip_3dm_get_base_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x8E, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 3)) {
         return error;
     }
     value->descriptor_set = mip_get_8(field->data);
@@ -135,7 +111,6 @@ static inline mip_error mip_3dm_get_base_rate_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.get_base_rate_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
     const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -148,14 +123,10 @@ MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode_inline
     return MIP_OK;
 }
 
-/** Decodes 3dm.factory_streaming. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_factory_streaming_decode_inline(
     struct mip_3dm_factory_streaming *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x10, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->action = mip_get_8(field->data);
@@ -163,7 +134,6 @@ static inline mip_error mip_3dm_factory_streaming_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.factory_streaming to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode_inline(
     const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -176,14 +146,10 @@ MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.data_stream_control_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_control_response_decode_inline(
     struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x85, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->descriptor_set = mip_get_8(field->data);
@@ -191,7 +157,6 @@ static inline mip_error mip_3dm_data_stream_control_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.data_stream_control_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -204,14 +169,10 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode_
     return MIP_OK;
 }
 
-/** Decodes 3dm.gnss_assisted_fix_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_assisted_fix_response_decode_inline(
     struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xA2, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->option = mip_get_8(field->data);
@@ -219,7 +180,6 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.gnss_assisted_fix_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
     const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -232,14 +192,10 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_in
     return MIP_OK;
 }
 
-/** Decodes 3dm.gnss_time_assistance_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_time_assistance_response_decode_inline(
     struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xA3, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -248,7 +204,6 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.gnss_time_assistance_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
     const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -262,21 +217,16 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode
     return MIP_OK;
 }
 
-/** Decodes 3dm.pps_source_control_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_pps_source_control_response_decode_inline(
     struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xA8, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->source = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.pps_source_control_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
     const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -288,21 +238,16 @@ MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode_i
     return MIP_OK;
 }
 
-/** Decodes 3dm.get_event_support. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_support_decode_inline(
     struct mip_3dm_get_event_support *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x2A, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->query = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.get_event_support to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode_inline(
     const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -314,14 +259,10 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.event_control_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_control_response_decode_inline(
     struct mip_3dm_event_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB5, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->instance = mip_get_8(field->data);
@@ -329,7 +270,6 @@ static inline mip_error mip_3dm_event_control_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.event_control_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode_inline(
     const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -342,21 +282,16 @@ MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode_inline
     return MIP_OK;
 }
 
-/** Decodes 3dm.device_settings. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_settings_decode_inline(struct mip_3dm_device_settings *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x30, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->function = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.device_settings to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode_inline(
     const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -368,15 +303,11 @@ MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.sensor_to_vehicle_transform_euler_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode_inline(
     struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB1, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -385,8 +316,6 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decod
     return MIP_OK;
 }
 
-/** Adds 3dm.sensor_to_vehicle_transform_euler_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_3dm_sensor_to_vehicle_transform_euler_response_encode_inline(
     const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
@@ -402,16 +331,11 @@ mip_3dm_sensor_to_vehicle_transform_euler_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.sensor_to_vehicle_transform_quaternion_response. On an error the structure is
- * zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode_inline(
     struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB2, 16);
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 16)) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -420,8 +344,6 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_
     return MIP_OK;
 }
 
-/** Adds 3dm.sensor_to_vehicle_transform_quaternion_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode_inline(
     const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
@@ -437,14 +359,10 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.sensor_to_vehicle_transform_dcm_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode_inline(
     struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB3, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 36)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -453,8 +371,6 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode_
     return MIP_OK;
 }
 
-/** Adds 3dm.sensor_to_vehicle_transform_dcm_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode_inline(
     const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
     struct mip_builder *builder) {
@@ -469,21 +385,16 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_resp
     return MIP_OK;
 }
 
-/** Decodes 3dm.gps_dynamics_mode_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_dynamics_mode_response_decode_inline(
     struct mip_3dm_gps_dynamics_mode_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x92, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->mode = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.gps_dynamics_mode_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
     const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -495,14 +406,10 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_in
     return MIP_OK;
 }
 
-/** Decodes 3dm.imu_signal_conditioning_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_signal_conditioning_response_decode_inline(
     struct mip_3dm_imu_signal_conditioning_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x86, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 13)) {
         return error;
     }
     value->orientation_decimation = mip_get_16(field->data);
@@ -516,7 +423,6 @@ static inline mip_error mip_3dm_imu_signal_conditioning_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.imu_signal_conditioning_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_encode_inline(
     const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -535,14 +441,10 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_enc
     return MIP_OK;
 }
 
-/** Decodes 3dm.imu_timestamp_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_timestamp_response_decode_inline(
     struct mip_3dm_imu_timestamp_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x93, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->selector = mip_get_8(field->data);
@@ -550,7 +452,6 @@ static inline mip_error mip_3dm_imu_timestamp_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.imu_timestamp_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
     const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -563,14 +464,10 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode_inline
     return MIP_OK;
 }
 
-/** Decodes 3dm.accel_bias_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_accel_bias_response_decode_inline(
     struct mip_3dm_accel_bias_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9A, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -579,7 +476,6 @@ static inline mip_error mip_3dm_accel_bias_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.accel_bias_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode_inline(
     const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -593,14 +489,10 @@ MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.gyro_bias_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gyro_bias_response_decode_inline(
     struct mip_3dm_gyro_bias_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9B, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -609,7 +501,6 @@ static inline mip_error mip_3dm_gyro_bias_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.gyro_bias_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
     const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -623,21 +514,16 @@ MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.capture_gyro_bias. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_capture_gyro_bias_decode_inline(
     struct mip_3dm_capture_gyro_bias *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x39, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->averaging_time_ms = mip_get_16(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.capture_gyro_bias to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
     const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -649,14 +535,10 @@ MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.mag_hard_iron_offset_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode_inline(
     struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9C, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -665,7 +547,6 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.mag_hard_iron_offset_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
     const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -679,14 +560,10 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode
     return MIP_OK;
 }
 
-/** Decodes 3dm.mag_soft_iron_matrix_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode_inline(
     struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9D, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 36)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -695,7 +572,6 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.mag_soft_iron_matrix_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
     const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -709,21 +585,16 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode
     return MIP_OK;
 }
 
-/** Decodes 3dm.coning_sculling_enable_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_coning_sculling_enable_response_decode_inline(
     struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9E, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.coning_sculling_enable_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
     const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -735,21 +606,16 @@ MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_enco
     return MIP_OK;
 }
 
-/** Decodes 3dm.uart_baud_rate_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_uart_baud_rate_response_decode_inline(
     struct mip_3dm_uart_baud_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x87, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->baud = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.uart_baud_rate_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
     const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -761,14 +627,10 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes 3dm.gpio_config_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_config_response_decode_inline(
     struct mip_3dm_gpio_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xC1, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->pin = mip_get_8(field->data);
@@ -778,7 +640,6 @@ static inline mip_error mip_3dm_gpio_config_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.gpio_config_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode_inline(
     const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -793,14 +654,10 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.gpio_state_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_state_response_decode_inline(
     struct mip_3dm_gpio_state_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xC2, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->pin = mip_get_8(field->data);
@@ -808,7 +665,6 @@ static inline mip_error mip_3dm_gpio_state_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.gpio_state_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode_inline(
     const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -821,14 +677,10 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.odometer_config_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_odometer_config_response_decode_inline(
     struct mip_3dm_odometer_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xC3, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 9)) {
         return error;
     }
     value->mode = mip_get_8(field->data);
@@ -837,7 +689,6 @@ static inline mip_error mip_3dm_odometer_config_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.odometer_config_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode_inline(
     const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -851,14 +702,10 @@ MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode_inli
     return MIP_OK;
 }
 
-/** Decodes 3dm.imu_low_pass_filter_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_low_pass_filter_response_decode_inline(
     struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x8B, 6);
-    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 6)) {
         return error;
     }
     value->target_descriptor = mip_get_8(field->data);
@@ -869,7 +716,6 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.imu_low_pass_filter_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
     const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -885,14 +731,10 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_
     return MIP_OK;
 }
 
-/** Decodes 3dm.complementary_filter_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_complementary_filter_response_decode_inline(
     struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x97, 10);
-    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 10)) {
         return error;
     }
     value->pitch_roll_enable = mip_get_8(field->data);
@@ -902,7 +744,6 @@ static inline mip_error mip_3dm_complementary_filter_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.complementary_filter_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
     const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -917,14 +758,10 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode
     return MIP_OK;
 }
 
-/** Decodes 3dm.sensor_range_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_range_response_decode_inline(
     struct mip_3dm_sensor_range_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xD2, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->sensor = mip_get_8(field->data);
@@ -932,7 +769,6 @@ static inline mip_error mip_3dm_sensor_range_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.sensor_range_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode_inline(
     const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -945,21 +781,16 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.get_calibrated_sensor_ranges. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode_inline(
     struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x53, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->sensor = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.get_calibrated_sensor_ranges to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -971,14 +802,10 @@ MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_
     return MIP_OK;
 }
 
-/** Decodes 3dm.low_pass_filter_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_low_pass_filter_response_decode_inline(
     struct mip_3dm_low_pass_filter_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xD4, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 8)) {
         return error;
     }
     value->descriptor_set = mip_get_8(field->data);
@@ -989,7 +816,6 @@ static inline mip_error mip_3dm_low_pass_filter_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.low_pass_filter_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
     const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1005,14 +831,10 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode_inli
     return MIP_OK;
 }
 
-/** Decodes 3dm.data_stream_format_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_format_response_decode_inline(
     struct mip_3dm_data_stream_format_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x88, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->stream = mip_get_8(field->data);
@@ -1020,7 +842,6 @@ static inline mip_error mip_3dm_data_stream_format_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.data_stream_format_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode_inline(
     const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1033,14 +854,10 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode_i
     return MIP_OK;
 }
 
-/** Decodes 3dm.device_power_state_response. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_power_state_response_decode_inline(
     struct mip_3dm_device_power_state_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x89, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->device = mip_get_8(field->data);
@@ -1048,7 +865,6 @@ static inline mip_error mip_3dm_device_power_state_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds 3dm.device_power_state_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode_inline(
     const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1061,21 +877,16 @@ MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode_i
     return MIP_OK;
 }
 
-/** Decodes 3dm.gps_advanced_settings. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_advanced_settings_decode_inline(
     struct mip_3dm_gps_advanced_settings *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x62, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->function = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds 3dm.gps_advanced_settings to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode_inline(
     const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1087,14 +898,10 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes 3dm.device_status. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_decode_inline(struct mip_3dm_device_status *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x64, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 3)) {
         return error;
     }
     value->model_number = mip_get_16(field->data);
@@ -1102,7 +909,6 @@ static inline mip_error mip_3dm_device_status_decode_inline(struct mip_3dm_devic
     return MIP_OK;
 }
 
-/** Adds 3dm.device_status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_encode_inline(
     const struct mip_3dm_device_status *value, struct mip_builder *builder) {
     uint8_t *data;

@@ -63,6 +63,53 @@ const struct mip_codec mip_aiding_frame_config_response_codec = {
     program_frame_config_response,
     &mip_program};
 
+static const uint8_t program_sensor_frame_map[] = {
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_aiding_sensor_frame_map, sensor_id)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_aiding_sensor_frame_map, frame_id)),
+    MIP_END,
+};
+
+const struct mip_codec mip_aiding_sensor_frame_map_codec = {
+    0x13,
+    0x02,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_aiding_sensor_frame_map),
+    0,
+    0,
+    program_sensor_frame_map,
+    &mip_program};
+
+static const struct mip_response responses_sensor_frame_map[] = {
+    {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
+};
+
+const struct mip_exchange mip_aiding_sensor_frame_map_exchange = {
+    0x13, 0x02, 0, sizeof(responses_sensor_frame_map) / sizeof(responses_sensor_frame_map[0]),
+    responses_sensor_frame_map};
+
+const struct mip_command mip_aiding_sensor_frame_map_command = {
+    &mip_aiding_sensor_frame_map_codec, &mip_aiding_sensor_frame_map_exchange, true};
+
+static const uint8_t program_sensor_frame_map_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_aiding_sensor_frame_map_response, sensor_id)),
+    MIP_END,
+};
+
+const struct mip_codec mip_aiding_sensor_frame_map_response_codec = {
+    0x13,
+    0x82,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_aiding_sensor_frame_map_response),
+    0,
+    0,
+    program_sensor_frame_map_response,
+    NULL};
+
 static const uint8_t program_echo_control[] = {
     MIP_REQUIRED(1, 1),
     MIP_GROUP(1),
@@ -163,6 +210,24 @@ const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange = {0x13, 0x
 
 const struct mip_command mip_aiding_height_above_ellipsoid_command = {
     &mip_aiding_height_above_ellipsoid_codec, &mip_aiding_height_above_ellipsoid_exchange, false};
+
+static const uint8_t program_pressure_old[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_aiding_pressure_old, time.timebase)),
+    MIP_64_BITS(1, MIP_AT(struct mip_aiding_pressure_old, time.nanoseconds)),
+    MIP_8_BITS(1, MIP_AT(struct mip_aiding_pressure_old, frame_id)),
+    MIP_32_BITS(2, MIP_AT(struct mip_aiding_pressure_old, pressure)),
+    MIP_16_BITS(1, MIP_AT(struct mip_aiding_pressure_old, valid_flags)),
+    MIP_END,
+};
+
+const struct mip_codec mip_aiding_pressure_old_codec = {
+    0x13, 0x25, MIP_COMMAND,          21,  sizeof(struct mip_aiding_pressure_old),
+    0,    0,    program_pressure_old, NULL};
+
+const struct mip_exchange mip_aiding_pressure_old_exchange = {0x13, 0x25, 0, 0, NULL};
+
+const struct mip_command mip_aiding_pressure_old_command = {
+    &mip_aiding_pressure_old_codec, &mip_aiding_pressure_old_exchange, false};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ecef_velocity, time.timebase)),

@@ -4,7 +4,7 @@
  * Aiding commands (0x13). Measurements of external sensors for the navigation filter, and the
  * frames of the sensors.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_AIDING_H
 #define MIP_AIDING_H
@@ -37,7 +37,7 @@ enum mip_aiding_frame_format MIP_ENUM_8 {
     MIP_AIDING_FRAME_FORMAT_QUATERNION = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_aiding_frame_format_name(uint8_t value);
 
 /**
@@ -54,7 +54,7 @@ enum mip_aiding_echo_mode MIP_ENUM_8 {
     MIP_AIDING_ECHO_MODE_RESPONSE = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_aiding_echo_mode_name(uint8_t value);
 
 /** Clock that the time of a measurement refers to. */
@@ -67,7 +67,7 @@ enum mip_aiding_timebase MIP_ENUM_8 {
     MIP_AIDING_TIMEBASE_TIME_OF_ARRIVAL = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_aiding_timebase_name(uint8_t value);
 
 /** Time at which a measurement was taken. */
@@ -101,8 +101,9 @@ typedef uint16_t mip_aiding_llh_axis_flags;
 /** The member of mip_aiding_frame_config that `format` selects. */
 union mip_aiding_frame_config_rotation {
     /**
-     * If format is MIP_AIDING_FRAME_FORMAT_EULER. Roll, pitch and yaw. Elements: x, y, z. Unit:
-     * rad. Range: -3.141592653589793 to 3.141592653589793.
+     * If format is MIP_AIDING_FRAME_FORMAT_EULER. Roll, pitch and yaw of the frame relative to the
+     * vehicle; positive are right side down, nose up, and clockwise seen from above. Elements: x,
+     * y, z. Unit: rad. Frame: vehicle. Range: -pi to pi.
      */
     float euler[3];
     /**
@@ -118,9 +119,8 @@ union mip_aiding_frame_config_rotation {
  * Sets the position and the orientation of an external sensor on the vehicle.
  *
  * Functions: write, read, save, load and default. Response: mip_aiding_frame_config_response.
- * Changes mip_filter_data_aiding_frame_config_error. Probably changes
- * mip_filter_data_aiding_frame_config_error_uncertainty. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * Affects mip_filter_data_aiding_frame_config_error. Probably affects
+ * mip_filter_data_aiding_frame_config_error_uncertainty.
  *
  * Aiding measurements refer to the frame by its number.
  *
@@ -135,10 +135,7 @@ union mip_aiding_frame_config_rotation {
  * - 3dm-cv7-gnss-ins: Aiding Frames
  */
 struct mip_aiding_frame_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -159,38 +156,15 @@ struct mip_aiding_frame_config {
     union mip_aiding_frame_config_rotation rotation;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_FRAME_CONFIG 0x1301
-/** Its descriptor. */
 #define MIP_AIDING_FRAME_CONFIG_DESCRIPTOR 0x01
-/** Its name in the specification. */
-#define MIP_AIDING_FRAME_CONFIG_NAME "aiding.frame_config"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_frame_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_frame_config_codec, 0x01, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_frame_config_encode(
-    const struct mip_aiding_frame_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_frame_config_codec, value, builder);
-}
+MIP_FIELD(mip_aiding_frame_config, 0x01);
 
 /**
- * Apply the new setting. Fills the structure and returns its address.
+ * Fills the structure for `write`, and returns it.
  *
- * - frame_id: Number of the frame. Range: 1 to 4.
- * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
- *   read.
- * - tracking_enabled: True if the filter estimates the errors of the frame. Required for write.
- * - translation: Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m.
- *   Frame: vehicle. Required for write.
- * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
+ * A format without a name cannot be sent: the function stays 0, and sending fails with
+ * MIP_ERROR_MISSING.
  */
 static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     struct mip_aiding_frame_config *command, uint8_t frame_id, enum mip_aiding_frame_format format,
@@ -205,16 +179,14 @@ static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     if (rotation != NULL) {
         command->rotation = *rotation;
     }
+    if (command->format != MIP_AIDING_FRAME_FORMAT_EULER &&
+        command->format != MIP_AIDING_FRAME_FORMAT_QUATERNION) {
+        command->function = 0;
+    }
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - frame_id: Number of the frame. Range: 1 to 4.
- * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
- *   read.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t frame_id,
                              enum mip_aiding_frame_format format) {
@@ -225,11 +197,7 @@ mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t fr
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - frame_id: Number of the frame. Range: 1 to 4.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -238,11 +206,7 @@ mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t fr
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - frame_id: Number of the frame. Range: 1 to 4.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -251,11 +215,7 @@ mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t fr
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - frame_id: Number of the frame. Range: 1 to 4.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_default(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -264,25 +224,10 @@ mip_aiding_frame_config_default(struct mip_aiding_frame_config *command, uint8_t
     return command;
 }
 
-/** The member of mip_aiding_frame_config_response that `format` selects. */
-union mip_aiding_frame_config_response_rotation {
-    /**
-     * If format is MIP_AIDING_FRAME_FORMAT_EULER. Roll, pitch and yaw. Elements: x, y, z. Unit:
-     * rad. Range: -3.141592653589793 to 3.141592653589793.
-     */
-    float euler[3];
-    /**
-     * If format is MIP_AIDING_FRAME_FORMAT_QUATERNION. Quaternion, scalar part first. Elements: w,
-     * x, y, z. Unit: 1.
-     */
-    float quaternion[4];
-};
-
 /**
  * Frame configuration response: response (0x13,0x81).
  *
- * Response to mip_aiding_frame_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
- * 3DM-CV7-INS.
+ * Response to mip_aiding_frame_config.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -300,30 +245,90 @@ struct mip_aiding_frame_config_response {
      */
     float translation[3];
     /** Rotation from the frame to the vehicle. Selected by format. */
-    union mip_aiding_frame_config_response_rotation rotation;
+    union mip_aiding_frame_config_rotation rotation;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE 0x1381
-/** Its descriptor. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR 0x81
-/** Its name in the specification. */
-#define MIP_AIDING_FRAME_CONFIG_RESPONSE_NAME "aiding.frame_config_response"
+MIP_FIELD(mip_aiding_frame_config_response, 0x81);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_frame_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_frame_config_response_decode(
-    struct mip_aiding_frame_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_frame_config_response_codec, 0x81, value, sizeof(*value),
-                           field);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_aiding_frame_config *
+mip_aiding_frame_config_write_from(struct mip_aiding_frame_config *command,
+                                   const struct mip_aiding_frame_config_response *response) {
+    return mip_aiding_frame_config_write(
+        command, response->frame_id, (enum mip_aiding_frame_format)response->format,
+        response->tracking_enabled, response->translation, &response->rotation);
 }
 
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
-    const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_frame_config_response_codec, value, builder);
+/**
+ * Sensor frame map: command (0x13,0x02).
+ *
+ * Sets the frame in which an aiding sensor measures.
+ *
+ * Also called `sensor_frame_mapping`. Functions: write, read, save, load and default. Response:
+ * mip_aiding_sensor_frame_map_response. Known only from the MicroStrain MIP SDK, versions 1 to 3.
+ * Uncertain: The layout is that of a branch of the SDK of 2024; later versions do not have it.
+ * Uncertain: No source lists the devices that support it.
+ *
+ * - mip-sdk-3: Sensor Frame Mapping (0x13,0x02), branch CmdCallback
+ */
+struct mip_aiding_sensor_frame_map {
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
+    uint8_t present;
+    /** Operation on the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** Number of the sensor. Range: at least 1. Required for write. */
+    uint8_t sensor_id;
+    /**
+     * Frame of the sensor, defined by mip_aiding_frame_config. Range: 1 to 4. Default: 1. Required
+     * for write.
+     */
+    uint8_t frame_id;
+};
+
+#define MIP_AIDING_SENSOR_FRAME_MAP 0x1302
+#define MIP_AIDING_SENSOR_FRAME_MAP_DESCRIPTOR 0x02
+MIP_FIELD(mip_aiding_sensor_frame_map, 0x02);
+MIP_FILL(mip_aiding_sensor_frame_map, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_aiding_sensor_frame_map, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_aiding_sensor_frame_map, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_aiding_sensor_frame_map, default, MIP_FUNCTION_SELECTOR_DEFAULT);
+
+/** Fills the structure for `write`, and returns it. */
+static inline struct mip_aiding_sensor_frame_map *mip_aiding_sensor_frame_map_write(
+    struct mip_aiding_sensor_frame_map *command, uint8_t sensor_id, uint8_t frame_id) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->sensor_id = sensor_id;
+    command->frame_id = frame_id;
+    return command;
+}
+
+/**
+ * Sensor frame map response: response (0x13,0x82).
+ *
+ * Also called `sensor_frame_mapping_response`. Response to mip_aiding_sensor_frame_map. Known only
+ * from the MicroStrain MIP SDK, versions 1 to 3.
+ *
+ * - mip-sdk-3: Sensor Frame Mapping (0x13,0x02), branch CmdCallback
+ */
+struct mip_aiding_sensor_frame_map_response {
+    /** Number of the sensor. Range: at least 1. */
+    uint8_t sensor_id;
+    /** Frame of the sensor, defined by mip_aiding_frame_config. Range: 1 to 4. Default: 1. */
+    uint8_t frame_id;
+};
+
+#define MIP_AIDING_SENSOR_FRAME_MAP_RESPONSE 0x1382
+#define MIP_AIDING_SENSOR_FRAME_MAP_RESPONSE_DESCRIPTOR 0x82
+MIP_FIELD(mip_aiding_sensor_frame_map_response, 0x82);
+
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_aiding_sensor_frame_map *mip_aiding_sensor_frame_map_write_from(
+    struct mip_aiding_sensor_frame_map *command,
+    const struct mip_aiding_sensor_frame_map_response *response) {
+    return mip_aiding_sensor_frame_map_write(command, response->sensor_id, response->frame_id);
 }
 
 /**
@@ -332,7 +337,6 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
  * Sets how the device replies to aiding measurements.
  *
  * Functions: write, read, save, load and default. Response: mip_aiding_echo_control_response.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The manual does not contain the layout of the responses that carry the data back.
  *
@@ -340,10 +344,7 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
 struct mip_aiding_echo_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -351,33 +352,15 @@ struct mip_aiding_echo_control {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_ECHO_CONTROL 0x131F
-/** Its descriptor. */
 #define MIP_AIDING_ECHO_CONTROL_DESCRIPTOR 0x1F
-/** Its name in the specification. */
-#define MIP_AIDING_ECHO_CONTROL_NAME "aiding.echo_control"
+MIP_FIELD(mip_aiding_echo_control, 0x1F);
+MIP_FILL(mip_aiding_echo_control, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_aiding_echo_control, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_aiding_echo_control, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_aiding_echo_control, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_echo_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_echo_control_codec, 0x1F, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_echo_control_encode(
-    const struct mip_aiding_echo_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_echo_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: Reply mode. A value of enum mip_aiding_echo_mode. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     struct mip_aiding_echo_control *command, enum mip_aiding_echo_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -386,42 +369,10 @@ static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_aiding_echo_control *
-mip_aiding_echo_control_read(struct mip_aiding_echo_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_aiding_echo_control *
-mip_aiding_echo_control_save(struct mip_aiding_echo_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_aiding_echo_control *
-mip_aiding_echo_control_load(struct mip_aiding_echo_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_aiding_echo_control *
-mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Echo control response: response (0x13,0x9F).
  *
- * Response to mip_aiding_echo_control. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to mip_aiding_echo_control.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -431,27 +382,15 @@ struct mip_aiding_echo_control_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE 0x139F
-/** Its descriptor. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR 0x9F
-/** Its name in the specification. */
-#define MIP_AIDING_ECHO_CONTROL_RESPONSE_NAME "aiding.echo_control_response"
+MIP_FIELD(mip_aiding_echo_control_response, 0x9F);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_echo_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_echo_control_response_decode(
-    struct mip_aiding_echo_control_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_echo_control_response_codec, 0x9F, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
-    const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_echo_control_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_aiding_echo_control *
+mip_aiding_echo_control_write_from(struct mip_aiding_echo_control *command,
+                                   const struct mip_aiding_echo_control_response *response) {
+    return mip_aiding_echo_control_write(command, (enum mip_aiding_echo_mode)response->mode);
 }
 
 /**
@@ -460,7 +399,7 @@ MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
  * Sends a measured position in Earth-fixed coordinates.
  *
  * Also called `pos_ecef`. Not acknowledged if mode of mip_aiding_echo_control is
- * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  *
  * Use only one form of position: ECEF or LLH.
  *
@@ -491,47 +430,18 @@ struct mip_aiding_ecef_position {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_ECEF_POSITION 0x1321
-/** Its descriptor. */
 #define MIP_AIDING_ECEF_POSITION_DESCRIPTOR 0x21
-/** Its name in the specification. */
-#define MIP_AIDING_ECEF_POSITION_NAME "aiding.ecef_position"
+MIP_FIELD(mip_aiding_ecef_position, 0x21);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_ecef_position_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_position *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_ecef_position_codec, 0x21, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode(
-    const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_ecef_position_codec, value, builder);
-}
-
-/**
- * ECEF position. Fills the structure and returns its address.
- *
- * - time: Time of the measurement.
- * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
- *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
- *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
- *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - valid_flags: Valid axes.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
     struct mip_aiding_ecef_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const double position[3], const float uncertainty[3],
     mip_aiding_axis_flags valid_flags) {
     memset(command, 0, sizeof(*command));
     command->time = *time;
+    command->time.reserved = 1;
     command->frame_id = frame_id;
     memcpy(command->position, position, sizeof(command->position));
     memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
@@ -545,7 +455,7 @@ static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
  * Sends a measured position as latitude, longitude and height.
  *
  * Also called `pos_llh`. Not acknowledged if mode of mip_aiding_echo_control is
- * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  *
  * Use only one form of position: ECEF or LLH.
  *
@@ -589,51 +499,18 @@ struct mip_aiding_llh_position {
     mip_aiding_llh_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_LLH_POSITION 0x1322
-/** Its descriptor. */
 #define MIP_AIDING_LLH_POSITION_DESCRIPTOR 0x22
-/** Its name in the specification. */
-#define MIP_AIDING_LLH_POSITION_NAME "aiding.llh_position"
+MIP_FIELD(mip_aiding_llh_position, 0x22);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_llh_position_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_llh_position_codec, 0x22, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode(
-    const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_llh_position_codec, value, builder);
-}
-
-/**
- * LLH position. Fills the structure and returns its address.
- *
- * - time: Time of the measurement.
- * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
- *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
- * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid
- *   if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
- * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
- *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
- * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
- *   Range: greater than 0. Each element has its own valid flag. north:
- *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
- *   valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
- * - valid_flags: Valid coordinates.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
     struct mip_aiding_llh_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, double latitude, double longitude, double height, const float uncertainty[3],
     mip_aiding_llh_axis_flags valid_flags) {
     memset(command, 0, sizeof(*command));
     command->time = *time;
+    command->time.reserved = 1;
     command->frame_id = frame_id;
     command->latitude = latitude;
     command->longitude = longitude;
@@ -649,7 +526,6 @@ static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
  * Sends a measured height above the ellipsoid.
  *
  * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -669,46 +545,63 @@ struct mip_aiding_height_above_ellipsoid {
     uint16_t valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID 0x1323
-/** Its descriptor. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR 0x23
-/** Its name in the specification. */
-#define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_NAME "aiding.height_above_ellipsoid"
+MIP_FIELD(mip_aiding_height_above_ellipsoid, 0x23);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_height_above_ellipsoid_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_height_above_ellipsoid_decode(
-    struct mip_aiding_height_above_ellipsoid *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_height_above_ellipsoid_codec, 0x23, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode(
-    const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_height_above_ellipsoid_codec, value, builder);
-}
-
-/**
- * Height above ellipsoid. Fills the structure and returns its address.
- *
- * - time: Time of the measurement.
- * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
- * - valid_flags: Nonzero if the measurement is valid.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(
     struct mip_aiding_height_above_ellipsoid *command,
     const struct mip_aiding_measurement_time *time, uint8_t frame_id, float height,
     float uncertainty, uint16_t valid_flags) {
     memset(command, 0, sizeof(*command));
     command->time = *time;
+    command->time.reserved = 1;
     command->frame_id = frame_id;
     command->height = height;
+    command->uncertainty = uncertainty;
+    command->valid_flags = valid_flags;
+    return command;
+}
+
+/**
+ * Pressure (old): command (0x13,0x25).
+ *
+ * Sends a static air pressure measured by an external sensor (superseded by mip_aiding_pressure).
+ *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Known
+ * only from the MicroStrain MIP SDK, versions 1 to 3. Uncertain: The layout is that of a branch of
+ * the SDK of 2024; later versions do not have it. Uncertain: No source lists the devices that
+ * support it.
+ *
+ * - mip-sdk-3: Pressure (0x13,0x25), branch feature/UsbSerial
+ */
+struct mip_aiding_pressure_old {
+    /** Time of the measurement. */
+    struct mip_aiding_measurement_time time;
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
+    uint8_t frame_id;
+    /** Air pressure. Unit: mbar. */
+    float pressure;
+    /** Standard deviation of the pressure. Unit: mbar. Range: greater than 0. */
+    float uncertainty;
+    /** Nonzero if the measurement is valid. */
+    uint16_t valid_flags;
+};
+
+#define MIP_AIDING_PRESSURE_OLD 0x1325
+#define MIP_AIDING_PRESSURE_OLD_DESCRIPTOR 0x25
+MIP_FIELD(mip_aiding_pressure_old, 0x25);
+
+/** Fills the structure, and returns it. */
+static inline struct mip_aiding_pressure_old *mip_aiding_pressure_old_make(
+    struct mip_aiding_pressure_old *command, const struct mip_aiding_measurement_time *time,
+    uint8_t frame_id, float pressure, float uncertainty, uint16_t valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->time.reserved = 1;
+    command->frame_id = frame_id;
+    command->pressure = pressure;
     command->uncertainty = uncertainty;
     command->valid_flags = valid_flags;
     return command;
@@ -720,7 +613,7 @@ static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_
  * Sends a measured velocity in Earth-fixed coordinates.
  *
  * Also called `vel_ecef`. Not acknowledged if mode of mip_aiding_echo_control is
- * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  *
  * Use only one form of velocity: ECEF or NED.
  *
@@ -754,47 +647,18 @@ struct mip_aiding_ecef_velocity {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_ECEF_VELOCITY 0x1328
-/** Its descriptor. */
 #define MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR 0x28
-/** Its name in the specification. */
-#define MIP_AIDING_ECEF_VELOCITY_NAME "aiding.ecef_velocity"
+MIP_FIELD(mip_aiding_ecef_velocity, 0x28);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_ecef_velocity_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_ecef_velocity_codec, 0x28, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode(
-    const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_ecef_velocity_codec, value, builder);
-}
-
-/**
- * ECEF velocity. Fills the structure and returns its address.
- *
- * - time: Time of the measurement.
- * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each
- *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
- *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
- *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - valid_flags: Valid axes.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
     struct mip_aiding_ecef_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
     mip_aiding_axis_flags valid_flags) {
     memset(command, 0, sizeof(*command));
     command->time = *time;
+    command->time.reserved = 1;
     command->frame_id = frame_id;
     memcpy(command->velocity, velocity, sizeof(command->velocity));
     memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
@@ -808,7 +672,7 @@ static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
  * Sends a measured velocity in the local level frame.
  *
  * Also called `vel_ned`. Not acknowledged if mode of mip_aiding_echo_control is
- * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  *
  * Use only one form of velocity: ECEF or NED.
  *
@@ -843,48 +707,18 @@ struct mip_aiding_ned_velocity {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_NED_VELOCITY 0x1329
-/** Its descriptor. */
 #define MIP_AIDING_NED_VELOCITY_DESCRIPTOR 0x29
-/** Its name in the specification. */
-#define MIP_AIDING_NED_VELOCITY_NAME "aiding.ned_velocity"
+MIP_FIELD(mip_aiding_ned_velocity, 0x29);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_ned_velocity_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_velocity *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_ned_velocity_codec, 0x29, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode(
-    const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_ned_velocity_codec, value, builder);
-}
-
-/**
- * NED velocity. Fills the structure and returns its address.
- *
- * - time: Time of the measurement.
- * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
- *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
- *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
- *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
- *   valid_flags.
- * - valid_flags: Valid axes.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
     struct mip_aiding_ned_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
     mip_aiding_axis_flags valid_flags) {
     memset(command, 0, sizeof(*command));
     command->time = *time;
+    command->time.reserved = 1;
     command->frame_id = frame_id;
     memcpy(command->velocity, velocity, sizeof(command->velocity));
     memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
@@ -898,7 +732,7 @@ static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
  * Sends a measured velocity of the vehicle in the frame of the sensor.
  *
  * Also called `vel_body_frame`. Not acknowledged if mode of mip_aiding_echo_control is
- * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  *
  * The device supports up to four sensors of this kind.
  *
@@ -939,49 +773,18 @@ struct mip_aiding_body_frame_velocity {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY 0x132A
-/** Its descriptor. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR 0x2A
-/** Its name in the specification. */
-#define MIP_AIDING_BODY_FRAME_VELOCITY_NAME "aiding.body_frame_velocity"
+MIP_FIELD(mip_aiding_body_frame_velocity, 0x2A);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_body_frame_velocity_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_body_frame_velocity_decode(
-    struct mip_aiding_body_frame_velocity *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_body_frame_velocity_codec, 0x2A, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode(
-    const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_body_frame_velocity_codec, value, builder);
-}
-
-/**
- * Body frame velocity. Fills the structure and returns its address.
- *
- * - time: Time of the measurement.
- * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
- *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
- *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
- *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
- *   valid_flags.
- * - valid_flags: Valid axes.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_velocity_make(
     struct mip_aiding_body_frame_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
     mip_aiding_axis_flags valid_flags) {
     memset(command, 0, sizeof(*command));
     command->time = *time;
+    command->time.reserved = 1;
     command->frame_id = frame_id;
     memcpy(command->velocity, velocity, sizeof(command->velocity));
     memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
@@ -995,7 +798,7 @@ static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_veloc
  * Sends a measured heading relative to true north.
  *
  * Also called `heading_true`. Not acknowledged if mode of mip_aiding_echo_control is
- * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -1009,8 +812,8 @@ struct mip_aiding_true_heading {
     /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-     * 3.141592653589793. Positive: clockwise seen from above.
+     * Heading relative to true north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise
+     * seen from above.
      */
     float heading;
     /** Uncertainty of the heading. Unit: rad. Range: greater than 0. */
@@ -1019,43 +822,17 @@ struct mip_aiding_true_heading {
     uint16_t valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_TRUE_HEADING 0x1331
-/** Its descriptor. */
 #define MIP_AIDING_TRUE_HEADING_DESCRIPTOR 0x31
-/** Its name in the specification. */
-#define MIP_AIDING_TRUE_HEADING_NAME "aiding.true_heading"
+MIP_FIELD(mip_aiding_true_heading, 0x31);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_true_heading_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_heading *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_true_heading_codec, 0x31, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode(
-    const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_true_heading_codec, value, builder);
-}
-
-/**
- * True heading. Fills the structure and returns its address.
- *
- * - time: Time of the measurement.
- * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793. Positive: clockwise seen from above.
- * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
- * - valid_flags: Nonzero if the measurement is valid.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
     struct mip_aiding_true_heading *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float heading, float uncertainty, uint16_t valid_flags) {
     memset(command, 0, sizeof(*command));
     command->time = *time;
+    command->time.reserved = 1;
     command->frame_id = frame_id;
     command->heading = heading;
     command->uncertainty = uncertainty;
@@ -1069,7 +846,6 @@ static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
  * Sends a magnetic field measured by an external magnetometer.
  *
  * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The magnetometer must be calibrated.
  *
@@ -1101,48 +877,18 @@ struct mip_aiding_magnetic_field {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_MAGNETIC_FIELD 0x1332
-/** Its descriptor. */
 #define MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR 0x32
-/** Its name in the specification. */
-#define MIP_AIDING_MAGNETIC_FIELD_NAME "aiding.magnetic_field"
+MIP_FIELD(mip_aiding_magnetic_field, 0x32);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_magnetic_field_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_magnetic_field_codec, 0x32, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode(
-    const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_magnetic_field_codec, value, builder);
-}
-
-/**
- * Magnetic field. Fills the structure and returns its address.
- *
- * - time: Time of the measurement.
- * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each
- *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame:
- *   aiding. Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X
- *   in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
- *   valid_flags.
- * - valid_flags: Valid axes.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
     struct mip_aiding_magnetic_field *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float magnetic_field[3], const float uncertainty[3],
     mip_aiding_axis_flags valid_flags) {
     memset(command, 0, sizeof(*command));
     command->time = *time;
+    command->time.reserved = 1;
     command->frame_id = frame_id;
     memcpy(command->magnetic_field, magnetic_field, sizeof(command->magnetic_field));
     memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
@@ -1156,7 +902,6 @@ static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
  * Sends a static air pressure measured by an external sensor.
  *
  * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -1177,42 +922,17 @@ struct mip_aiding_pressure {
     uint16_t valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_PRESSURE 0x1333
-/** Its descriptor. */
 #define MIP_AIDING_PRESSURE_DESCRIPTOR 0x33
-/** Its name in the specification. */
-#define MIP_AIDING_PRESSURE_NAME "aiding.pressure"
+MIP_FIELD(mip_aiding_pressure, 0x33);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_aiding_pressure_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *value,
-                                                   const struct mip_field *field) {
-    return mip_decode_only(&mip_aiding_pressure_codec, 0x33, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_aiding_pressure_encode(const struct mip_aiding_pressure *value, struct mip_builder *builder) {
-    return mip_encode(&mip_aiding_pressure_codec, value, builder);
-}
-
-/**
- * Pressure. Fills the structure and returns its address.
- *
- * - time: Time of the measurement.
- * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - pressure: Air pressure. Unit: mbar.
- * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
- * - valid_flags: Nonzero if the measurement is valid.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_aiding_pressure *mip_aiding_pressure_make(
     struct mip_aiding_pressure *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float pressure, float uncertainty, uint16_t valid_flags) {
     memset(command, 0, sizeof(*command));
     command->time = *time;
+    command->time.reserved = 1;
     command->frame_id = frame_id;
     command->pressure = pressure;
     command->uncertainty = uncertainty;

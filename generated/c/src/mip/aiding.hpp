@@ -10,23 +10,37 @@
 
 namespace mip {
 
-MIP_LAYOUT(mip_aiding_frame_config, MIP_AIDING_FRAME_CONFIG, MIP_AIDING_FRAME_CONFIG)
-MIP_LAYOUT(mip_aiding_echo_control, MIP_AIDING_ECHO_CONTROL, MIP_AIDING_ECHO_CONTROL)
-MIP_LAYOUT(mip_aiding_ecef_position, MIP_AIDING_ECEF_POSITION, MIP_AIDING_ECEF_POSITION)
-MIP_LAYOUT(mip_aiding_llh_position, MIP_AIDING_LLH_POSITION, MIP_AIDING_LLH_POSITION)
+MIP_LAYOUT(mip_aiding_frame_config, MIP_AIDING_FRAME_CONFIG, MIP_AIDING_FRAME_CONFIG,
+           "aiding.frame_config")
+MIP_LAYOUT(mip_aiding_sensor_frame_map, MIP_AIDING_SENSOR_FRAME_MAP, MIP_AIDING_SENSOR_FRAME_MAP,
+           "aiding.sensor_frame_map")
+MIP_LAYOUT(mip_aiding_echo_control, MIP_AIDING_ECHO_CONTROL, MIP_AIDING_ECHO_CONTROL,
+           "aiding.echo_control")
+MIP_LAYOUT(mip_aiding_ecef_position, MIP_AIDING_ECEF_POSITION, MIP_AIDING_ECEF_POSITION,
+           "aiding.ecef_position")
+MIP_LAYOUT(mip_aiding_llh_position, MIP_AIDING_LLH_POSITION, MIP_AIDING_LLH_POSITION,
+           "aiding.llh_position")
 MIP_LAYOUT(mip_aiding_height_above_ellipsoid, MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID,
-           MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID)
-MIP_LAYOUT(mip_aiding_ecef_velocity, MIP_AIDING_ECEF_VELOCITY, MIP_AIDING_ECEF_VELOCITY)
-MIP_LAYOUT(mip_aiding_ned_velocity, MIP_AIDING_NED_VELOCITY, MIP_AIDING_NED_VELOCITY)
+           MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID, "aiding.height_above_ellipsoid")
+MIP_LAYOUT(mip_aiding_pressure_old, MIP_AIDING_PRESSURE_OLD, MIP_AIDING_PRESSURE_OLD,
+           "aiding.pressure_old")
+MIP_LAYOUT(mip_aiding_ecef_velocity, MIP_AIDING_ECEF_VELOCITY, MIP_AIDING_ECEF_VELOCITY,
+           "aiding.ecef_velocity")
+MIP_LAYOUT(mip_aiding_ned_velocity, MIP_AIDING_NED_VELOCITY, MIP_AIDING_NED_VELOCITY,
+           "aiding.ned_velocity")
 MIP_LAYOUT(mip_aiding_body_frame_velocity, MIP_AIDING_BODY_FRAME_VELOCITY,
-           MIP_AIDING_BODY_FRAME_VELOCITY)
-MIP_LAYOUT(mip_aiding_true_heading, MIP_AIDING_TRUE_HEADING, MIP_AIDING_TRUE_HEADING)
-MIP_LAYOUT(mip_aiding_magnetic_field, MIP_AIDING_MAGNETIC_FIELD, MIP_AIDING_MAGNETIC_FIELD)
-MIP_LAYOUT(mip_aiding_pressure, MIP_AIDING_PRESSURE, MIP_AIDING_PRESSURE)
+           MIP_AIDING_BODY_FRAME_VELOCITY, "aiding.body_frame_velocity")
+MIP_LAYOUT(mip_aiding_true_heading, MIP_AIDING_TRUE_HEADING, MIP_AIDING_TRUE_HEADING,
+           "aiding.true_heading")
+MIP_LAYOUT(mip_aiding_magnetic_field, MIP_AIDING_MAGNETIC_FIELD, MIP_AIDING_MAGNETIC_FIELD,
+           "aiding.magnetic_field")
+MIP_LAYOUT(mip_aiding_pressure, MIP_AIDING_PRESSURE, MIP_AIDING_PRESSURE, "aiding.pressure")
 MIP_LAYOUT(mip_aiding_frame_config_response, MIP_AIDING_FRAME_CONFIG_RESPONSE,
-           MIP_AIDING_FRAME_CONFIG_RESPONSE)
+           MIP_AIDING_FRAME_CONFIG_RESPONSE, "aiding.frame_config_response")
+MIP_LAYOUT(mip_aiding_sensor_frame_map_response, MIP_AIDING_SENSOR_FRAME_MAP_RESPONSE,
+           MIP_AIDING_SENSOR_FRAME_MAP_RESPONSE, "aiding.sensor_frame_map_response")
 MIP_LAYOUT(mip_aiding_echo_control_response, MIP_AIDING_ECHO_CONTROL_RESPONSE,
-           MIP_AIDING_ECHO_CONTROL_RESPONSE)
+           MIP_AIDING_ECHO_CONTROL_RESPONSE, "aiding.echo_control_response")
 
 /** Aiding commands */
 inline constexpr std::uint8_t aiding_set = MIP_AIDING_SET;
@@ -109,6 +123,9 @@ struct frame_config_response_ : ::mip_aiding_frame_config_response {
 
 /** Frame configuration response. See struct mip_aiding_frame_config_response. */
 using frame_config_response = frame_config_response_;
+
+/** Sensor frame map response. See struct mip_aiding_sensor_frame_map_response. */
+using sensor_frame_map_response = ::mip_aiding_sensor_frame_map_response;
 
 struct echo_control_response_ : ::mip_aiding_echo_control_response {
     using c_type = ::mip_aiding_echo_control_response;

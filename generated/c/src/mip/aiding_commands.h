@@ -19,26 +19,13 @@ extern "C" {
 /** @addtogroup mip_aiding Aiding commands (0x13)
  * @{ */
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_frame_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_frame_config_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Frame configuration. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_aiding_frame_config(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_aiding_frame_config *command,
-    struct mip_aiding_frame_config_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_aiding_frame_config_command, command,
-                           &mip_aiding_frame_config_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_aiding_frame_config);
+MIP_SEND(mip_send_aiding_frame_config, mip_aiding_frame_config, mip_aiding_frame_config_response);
+MIP_CALL_WITH(mip_call_aiding_frame_config_with, mip_aiding_frame_config,
+              mip_aiding_frame_config_response);
 
 /**
- * Frame configuration: write. Apply the new setting. See mip_device_call.
+ * Frame configuration: write.
  *
  * - frame_id: Number of the frame. Range: 1 to 4.
  * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
@@ -60,7 +47,7 @@ static inline struct mip_result mip_call_aiding_frame_config_write(
 }
 
 /**
- * Frame configuration: read. Return the current setting in a response. See mip_device_call.
+ * Frame configuration: read.
  *
  * - frame_id: Number of the frame. Range: 1 to 4.
  * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
@@ -69,143 +56,99 @@ static inline struct mip_result mip_call_aiding_frame_config_write(
 static inline struct mip_result mip_call_aiding_frame_config_read(
     struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,
     struct mip_aiding_frame_config_response *response) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)frame_id);
-    mip_put_8(data + 2, (uint8_t)format);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)frame_id,
+                            (uint8_t)format};
     return mip_device_request(device, &mip_aiding_frame_config_exchange, data, 3,
                               &mip_aiding_frame_config_response_codec, response);
 }
 
 /**
- * Frame configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Frame configuration: save.
  *
  * - frame_id: Number of the frame. Range: 1 to 4.
  */
 static inline struct mip_result mip_call_aiding_frame_config_save(struct mip_device *device,
                                                                   uint8_t frame_id) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)frame_id);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)frame_id};
     return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2);
 }
 
 /**
- * Frame configuration: load. Load the saved setting. See mip_device_call.
+ * Frame configuration: load.
  *
  * - frame_id: Number of the frame. Range: 1 to 4.
  */
 static inline struct mip_result mip_call_aiding_frame_config_load(struct mip_device *device,
                                                                   uint8_t frame_id) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)frame_id);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)frame_id};
     return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2);
 }
 
 /**
- * Frame configuration: default. Load the factory default setting. See mip_device_call.
+ * Frame configuration: default.
  *
  * - frame_id: Number of the frame. Range: 1 to 4.
  */
 static inline struct mip_result mip_call_aiding_frame_config_default(struct mip_device *device,
                                                                      uint8_t frame_id) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)frame_id);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)frame_id};
     return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2);
 }
 
+MIP_COMMAND_REPLIES(mip_aiding_sensor_frame_map);
+MIP_SEND(mip_send_aiding_sensor_frame_map, mip_aiding_sensor_frame_map,
+         mip_aiding_sensor_frame_map_response);
+MIP_CALL_FOR(mip_call_aiding_sensor_frame_map_read, mip_aiding_sensor_frame_map,
+             MIP_FUNCTION_SELECTOR_READ, mip_aiding_sensor_frame_map_response);
+MIP_CALL(mip_call_aiding_sensor_frame_map_save, mip_aiding_sensor_frame_map,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_aiding_sensor_frame_map_load, mip_aiding_sensor_frame_map,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_aiding_sensor_frame_map_default, mip_aiding_sensor_frame_map,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_aiding_sensor_frame_map_with, mip_aiding_sensor_frame_map,
+              mip_aiding_sensor_frame_map_response);
+
 /**
- * Frame configuration: calls the command with these values, including optional parameters. See
- * mip_device_call.
+ * Sensor frame map: write.
+ *
+ * - sensor_id: Number of the sensor. Range: at least 1. Required for write.
+ * - frame_id: Frame of the sensor, defined by mip_aiding_frame_config. Range: 1 to 4. Default: 1.
+ *   Required for write.
  */
-static inline struct mip_result mip_call_aiding_frame_config_with(
-    struct mip_device *device, const struct mip_aiding_frame_config *command,
-    struct mip_aiding_frame_config_response *response) {
-    return mip_device_call(device, &mip_aiding_frame_config_command, command,
-                           &mip_aiding_frame_config_response_codec, response);
+static inline struct mip_result mip_call_aiding_sensor_frame_map_write(struct mip_device *device,
+                                                                       uint8_t sensor_id,
+                                                                       uint8_t frame_id) {
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)sensor_id,
+                            (uint8_t)frame_id};
+    return mip_device_send(device, &mip_aiding_sensor_frame_map_exchange, data, 3);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_echo_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_echo_control_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Echo control. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_aiding_echo_control(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_aiding_echo_control *command,
-    struct mip_aiding_echo_control_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_aiding_echo_control_command, command,
-                           &mip_aiding_echo_control_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_aiding_echo_control);
+MIP_SEND(mip_send_aiding_echo_control, mip_aiding_echo_control, mip_aiding_echo_control_response);
+MIP_CALL_FOR(mip_call_aiding_echo_control_read, mip_aiding_echo_control, MIP_FUNCTION_SELECTOR_READ,
+             mip_aiding_echo_control_response);
+MIP_CALL(mip_call_aiding_echo_control_save, mip_aiding_echo_control, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_aiding_echo_control_load, mip_aiding_echo_control, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_aiding_echo_control_default, mip_aiding_echo_control,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_aiding_echo_control_with, mip_aiding_echo_control,
+              mip_aiding_echo_control_response);
 
 /**
- * Echo control: write. Apply the new setting. See mip_device_call.
+ * Echo control: write.
  *
  * - mode: Reply mode. A value of enum mip_aiding_echo_mode. Required for write.
  */
 static inline struct mip_result mip_call_aiding_echo_control_write(struct mip_device *device,
                                                                    enum mip_aiding_echo_mode mode) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)mode);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)mode};
     return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 2);
 }
 
-/** Echo control: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_aiding_echo_control_read(
-    struct mip_device *device, struct mip_aiding_echo_control_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_aiding_echo_control_exchange, data, 1,
-                              &mip_aiding_echo_control_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_aiding_ecef_position);
 
-/** Echo control: save. Save the current setting to non-volatile memory. See mip_device_call. */
-static inline struct mip_result mip_call_aiding_echo_control_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1);
-}
-
-/** Echo control: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_aiding_echo_control_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1);
-}
-
-/** Echo control: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_aiding_echo_control_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1);
-}
-
-/**
- * Echo control: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_aiding_echo_control_with(
-    struct mip_device *device, const struct mip_aiding_echo_control *command,
-    struct mip_aiding_echo_control_response *response) {
-    return mip_device_call(device, &mip_aiding_echo_control_command, command,
-                           &mip_aiding_echo_control_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_ecef_position_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_ecef_position_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. ECEF position. */
+/** ECEF position: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_aiding_ecef_position(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_aiding_ecef_position *command, uint32_t now) {
@@ -214,7 +157,7 @@ static inline mip_error mip_send_aiding_ecef_position(
 }
 
 /**
- * ECEF position. See mip_device_call.
+ * ECEF position.
  *
  * - time: Time of the measurement.
  * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
@@ -236,22 +179,15 @@ static inline struct mip_result mip_call_aiding_ecef_position(
         NULL, NULL);
 }
 
-/**
- * ECEF position: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** ECEF position, with these values, including optional parameters. */
 static inline struct mip_result mip_call_aiding_ecef_position_with(
     struct mip_device *device, const struct mip_aiding_ecef_position *command) {
     return mip_device_call(device, &mip_aiding_ecef_position_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_llh_position_command;
+MIP_COMMAND_REPLIES(mip_aiding_llh_position);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_llh_position_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. LLH position. */
+/** LLH position: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
                                                      struct mip_request *request,
                                                      struct mip_builder *packet,
@@ -262,7 +198,7 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
 }
 
 /**
- * LLH position. See mip_device_call.
+ * LLH position.
  *
  * - time: Time of the measurement.
  * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
@@ -290,24 +226,15 @@ static inline struct mip_result mip_call_aiding_llh_position(
                            NULL, NULL);
 }
 
-/**
- * LLH position: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** LLH position, with these values, including optional parameters. */
 static inline struct mip_result mip_call_aiding_llh_position_with(
     struct mip_device *device, const struct mip_aiding_llh_position *command) {
     return mip_device_call(device, &mip_aiding_llh_position_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_height_above_ellipsoid_command;
+MIP_COMMAND_REPLIES(mip_aiding_height_above_ellipsoid);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Height above ellipsoid.
- */
+/** Height above ellipsoid: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_aiding_height_above_ellipsoid(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_aiding_height_above_ellipsoid *command, uint32_t now) {
@@ -316,7 +243,7 @@ static inline mip_error mip_send_aiding_height_above_ellipsoid(
 }
 
 /**
- * Height above ellipsoid. See mip_device_call.
+ * Height above ellipsoid.
  *
  * - time: Time of the measurement.
  * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
@@ -334,22 +261,52 @@ static inline struct mip_result mip_call_aiding_height_above_ellipsoid(
                            NULL, NULL);
 }
 
-/**
- * Height above ellipsoid: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Height above ellipsoid, with these values, including optional parameters. */
 static inline struct mip_result mip_call_aiding_height_above_ellipsoid_with(
     struct mip_device *device, const struct mip_aiding_height_above_ellipsoid *command) {
     return mip_device_call(device, &mip_aiding_height_above_ellipsoid_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_ecef_velocity_command;
+MIP_COMMAND_REPLIES(mip_aiding_pressure_old);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_ecef_velocity_exchange;
+/** Pressure (old): adds the command to a packet. See mip_client_send. */
+static inline mip_error mip_send_aiding_pressure_old(struct mip_client *client,
+                                                     struct mip_request *request,
+                                                     struct mip_builder *packet,
+                                                     const struct mip_aiding_pressure_old *command,
+                                                     uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_aiding_pressure_old_command, command, NULL,
+                           NULL, now);
+}
 
-/** Adds the command to a packet and tracks its reply: see mip_client_send. ECEF velocity. */
+/**
+ * Pressure (old).
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
+ * - pressure: Air pressure. Unit: mbar.
+ * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
+ * - valid_flags: Nonzero if the measurement is valid.
+ */
+static inline struct mip_result mip_call_aiding_pressure_old(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    float pressure, float uncertainty, uint16_t valid_flags) {
+    struct mip_aiding_pressure_old command;
+    return mip_device_call(
+        device, &mip_aiding_pressure_old_command,
+        mip_aiding_pressure_old_make(&command, time, frame_id, pressure, uncertainty, valid_flags),
+        NULL, NULL);
+}
+
+/** Pressure (old), with these values, including optional parameters. */
+static inline struct mip_result mip_call_aiding_pressure_old_with(
+    struct mip_device *device, const struct mip_aiding_pressure_old *command) {
+    return mip_device_call(device, &mip_aiding_pressure_old_command, command, NULL, NULL);
+}
+
+MIP_COMMAND_REPLIES(mip_aiding_ecef_velocity);
+
+/** ECEF velocity: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_aiding_ecef_velocity(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_aiding_ecef_velocity *command, uint32_t now) {
@@ -358,7 +315,7 @@ static inline mip_error mip_send_aiding_ecef_velocity(
 }
 
 /**
- * ECEF velocity. See mip_device_call.
+ * ECEF velocity.
  *
  * - time: Time of the measurement.
  * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
@@ -380,22 +337,15 @@ static inline struct mip_result mip_call_aiding_ecef_velocity(
         NULL, NULL);
 }
 
-/**
- * ECEF velocity: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** ECEF velocity, with these values, including optional parameters. */
 static inline struct mip_result mip_call_aiding_ecef_velocity_with(
     struct mip_device *device, const struct mip_aiding_ecef_velocity *command) {
     return mip_device_call(device, &mip_aiding_ecef_velocity_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_ned_velocity_command;
+MIP_COMMAND_REPLIES(mip_aiding_ned_velocity);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_ned_velocity_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. NED velocity. */
+/** NED velocity: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
                                                      struct mip_request *request,
                                                      struct mip_builder *packet,
@@ -406,7 +356,7 @@ static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
 }
 
 /**
- * NED velocity. See mip_device_call.
+ * NED velocity.
  *
  * - time: Time of the measurement.
  * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
@@ -429,22 +379,15 @@ static inline struct mip_result mip_call_aiding_ned_velocity(
         NULL, NULL);
 }
 
-/**
- * NED velocity: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** NED velocity, with these values, including optional parameters. */
 static inline struct mip_result mip_call_aiding_ned_velocity_with(
     struct mip_device *device, const struct mip_aiding_ned_velocity *command) {
     return mip_device_call(device, &mip_aiding_ned_velocity_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_body_frame_velocity_command;
+MIP_COMMAND_REPLIES(mip_aiding_body_frame_velocity);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_body_frame_velocity_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Body frame velocity. */
+/** Body frame velocity: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_aiding_body_frame_velocity(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_aiding_body_frame_velocity *command, uint32_t now) {
@@ -453,7 +396,7 @@ static inline mip_error mip_send_aiding_body_frame_velocity(
 }
 
 /**
- * Body frame velocity. See mip_device_call.
+ * Body frame velocity.
  *
  * - time: Time of the measurement.
  * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
@@ -476,22 +419,15 @@ static inline struct mip_result mip_call_aiding_body_frame_velocity(
                            NULL, NULL);
 }
 
-/**
- * Body frame velocity: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Body frame velocity, with these values, including optional parameters. */
 static inline struct mip_result mip_call_aiding_body_frame_velocity_with(
     struct mip_device *device, const struct mip_aiding_body_frame_velocity *command) {
     return mip_device_call(device, &mip_aiding_body_frame_velocity_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_true_heading_command;
+MIP_COMMAND_REPLIES(mip_aiding_true_heading);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_true_heading_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. True heading. */
+/** True heading: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
                                                      struct mip_request *request,
                                                      struct mip_builder *packet,
@@ -502,12 +438,12 @@ static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
 }
 
 /**
- * True heading. See mip_device_call.
+ * True heading.
  *
  * - time: Time of the measurement.
  * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
- * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793. Positive: clockwise seen from above.
+ * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -pi to pi. Positive:
+ *   clockwise seen from above.
  * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
  * - valid_flags: Nonzero if the measurement is valid.
  */
@@ -521,22 +457,15 @@ static inline struct mip_result mip_call_aiding_true_heading(
         NULL, NULL);
 }
 
-/**
- * True heading: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** True heading, with these values, including optional parameters. */
 static inline struct mip_result mip_call_aiding_true_heading_with(
     struct mip_device *device, const struct mip_aiding_true_heading *command) {
     return mip_device_call(device, &mip_aiding_true_heading_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_magnetic_field_command;
+MIP_COMMAND_REPLIES(mip_aiding_magnetic_field);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_magnetic_field_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Magnetic field. */
+/** Magnetic field: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_aiding_magnetic_field(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_aiding_magnetic_field *command, uint32_t now) {
@@ -545,7 +474,7 @@ static inline mip_error mip_send_aiding_magnetic_field(
 }
 
 /**
- * Magnetic field. See mip_device_call.
+ * Magnetic field.
  *
  * - time: Time of the measurement.
  * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
@@ -568,22 +497,15 @@ static inline struct mip_result mip_call_aiding_magnetic_field(
                            NULL, NULL);
 }
 
-/**
- * Magnetic field: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Magnetic field, with these values, including optional parameters. */
 static inline struct mip_result mip_call_aiding_magnetic_field_with(
     struct mip_device *device, const struct mip_aiding_magnetic_field *command) {
     return mip_device_call(device, &mip_aiding_magnetic_field_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_aiding_pressure_command;
+MIP_COMMAND_REPLIES(mip_aiding_pressure);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_aiding_pressure_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Pressure. */
+/** Pressure: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_aiding_pressure(struct mip_client *client,
                                                  struct mip_request *request,
                                                  struct mip_builder *packet,
@@ -594,7 +516,7 @@ static inline mip_error mip_send_aiding_pressure(struct mip_client *client,
 }
 
 /**
- * Pressure. See mip_device_call.
+ * Pressure.
  *
  * - time: Time of the measurement.
  * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
@@ -612,10 +534,7 @@ static inline struct mip_result mip_call_aiding_pressure(
         NULL, NULL);
 }
 
-/**
- * Pressure: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Pressure, with these values, including optional parameters. */
 static inline struct mip_result mip_call_aiding_pressure_with(
     struct mip_device *device, const struct mip_aiding_pressure *command) {
     return mip_device_call(device, &mip_aiding_pressure_command, command, NULL, NULL);

@@ -12,10 +12,18 @@
 namespace mip {
 
 MIP_COMMAND_OF(mip_aiding_frame_config, ::mip::aiding::frame_config_response)
+MIP_CHANGE_OF(mip_aiding_frame_config, ::mip::aiding::frame_config_response,
+              mip_aiding_frame_config_write_from)
+MIP_COMMAND_OF(mip_aiding_sensor_frame_map, ::mip::aiding::sensor_frame_map_response)
+MIP_CHANGE_OF(mip_aiding_sensor_frame_map, ::mip::aiding::sensor_frame_map_response,
+              mip_aiding_sensor_frame_map_write_from)
 MIP_COMMAND_OF(mip_aiding_echo_control, ::mip::aiding::echo_control_response)
+MIP_CHANGE_OF(mip_aiding_echo_control, ::mip::aiding::echo_control_response,
+              mip_aiding_echo_control_write_from)
 MIP_COMMAND_OF(mip_aiding_ecef_position, void)
 MIP_COMMAND_OF(mip_aiding_llh_position, void)
 MIP_COMMAND_OF(mip_aiding_height_above_ellipsoid, void)
+MIP_COMMAND_OF(mip_aiding_pressure_old, void)
 MIP_COMMAND_OF(mip_aiding_ecef_velocity, void)
 MIP_COMMAND_OF(mip_aiding_ned_velocity, void)
 MIP_COMMAND_OF(mip_aiding_body_frame_velocity, void)
@@ -109,6 +117,38 @@ struct default_frame_config {
     }
 };
 
+/** Sensor frame map: write. See mip_call_aiding_sensor_frame_map_write. */
+struct write_sensor_frame_map {
+    uint8_t sensor_id;
+    uint8_t frame_id;
+
+    using command = ::mip_aiding_sensor_frame_map;
+    using response = void;
+    mip_result call(mip_device *device_) const {
+        return ::mip_call_aiding_sensor_frame_map_write(device_, sensor_id, frame_id);
+    }
+    const command *fill(command *to_) const {
+        return ::mip_aiding_sensor_frame_map_write(to_, sensor_id, frame_id);
+    }
+};
+
+/** Sensor frame map: read. See mip_call_aiding_sensor_frame_map_read. */
+struct read_sensor_frame_map
+    : fixed_command<::mip_aiding_sensor_frame_map, ::mip::aiding::sensor_frame_map_response,
+                    MIP_FUNCTION_SELECTOR_READ> {};
+
+/** Sensor frame map: save. See mip_call_aiding_sensor_frame_map_save. */
+struct save_sensor_frame_map
+    : fixed_command<::mip_aiding_sensor_frame_map, void, MIP_FUNCTION_SELECTOR_SAVE> {};
+
+/** Sensor frame map: load. See mip_call_aiding_sensor_frame_map_load. */
+struct load_sensor_frame_map
+    : fixed_command<::mip_aiding_sensor_frame_map, void, MIP_FUNCTION_SELECTOR_LOAD> {};
+
+/** Sensor frame map: default. See mip_call_aiding_sensor_frame_map_default. */
+struct default_sensor_frame_map
+    : fixed_command<::mip_aiding_sensor_frame_map, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+
 /** Echo control: write. See mip_call_aiding_echo_control_write. */
 struct write_echo_control {
     ::mip::aiding::echo_mode mode;
@@ -200,6 +240,26 @@ struct height_above_ellipsoid {
     const command *fill(command *to_) const {
         return ::mip_aiding_height_above_ellipsoid_make(to_, &time, frame_id, height, uncertainty,
                                                         valid_flags);
+    }
+};
+
+/** Pressure (old). See mip_call_aiding_pressure_old. */
+struct pressure_old {
+    ::mip_aiding_measurement_time time;
+    uint8_t frame_id;
+    float pressure;
+    float uncertainty;
+    uint16_t valid_flags;
+
+    using command = ::mip_aiding_pressure_old;
+    using response = void;
+    mip_result call(mip_device *device_) const {
+        return ::mip_call_aiding_pressure_old(device_, &time, frame_id, pressure, uncertainty,
+                                              valid_flags);
+    }
+    const command *fill(command *to_) const {
+        return ::mip_aiding_pressure_old_make(to_, &time, frame_id, pressure, uncertainty,
+                                              valid_flags);
     }
 };
 

@@ -16,21 +16,39 @@
 extern "C" {
 #endif
 
-/** Decodes aiding.echo_control_response. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_sensor_frame_map_response_decode_inline(
+    struct mip_aiding_sensor_frame_map_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x82, 2);
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
+        return error;
+    }
+    value->sensor_id = mip_get_8(field->data);
+    value->frame_id = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+MIP_CHECKED static inline mip_error mip_aiding_sensor_frame_map_response_encode_inline(
+    const struct mip_aiding_sensor_frame_map_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x82, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->sensor_id);
+    mip_put_8(data + 1, value->frame_id);
+    return MIP_OK;
+}
+
 static inline mip_error mip_aiding_echo_control_response_decode_inline(
     struct mip_aiding_echo_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x9F, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->mode = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds aiding.echo_control_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode_inline(
     const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -42,14 +60,10 @@ MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode_inli
     return MIP_OK;
 }
 
-/** Decodes aiding.ecef_position. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ecef_position_decode_inline(
     struct mip_aiding_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x21, 49);
-    if (error != MIP_OK || sizeof(*value) != 49) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 49)) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -66,7 +80,6 @@ static inline mip_error mip_aiding_ecef_position_decode_inline(
     return MIP_OK;
 }
 
-/** Adds aiding.ecef_position to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode_inline(
     const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -88,14 +101,10 @@ MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes aiding.llh_position. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_llh_position_decode_inline(struct mip_aiding_llh_position *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x22, 49);
-    if (error != MIP_OK || sizeof(*value) != 49) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 49)) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -112,7 +121,6 @@ static inline mip_error mip_aiding_llh_position_decode_inline(struct mip_aiding_
     return MIP_OK;
 }
 
-/** Adds aiding.llh_position to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode_inline(
     const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -134,14 +142,10 @@ MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes aiding.height_above_ellipsoid. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_height_above_ellipsoid_decode_inline(
     struct mip_aiding_height_above_ellipsoid *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x23, 21);
-    if (error != MIP_OK || sizeof(*value) != 21) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 21)) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -154,7 +158,6 @@ static inline mip_error mip_aiding_height_above_ellipsoid_decode_inline(
     return MIP_OK;
 }
 
-/** Adds aiding.height_above_ellipsoid to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
     const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -172,14 +175,43 @@ MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode_inl
     return MIP_OK;
 }
 
-/** Decodes aiding.ecef_velocity. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_pressure_old_decode_inline(struct mip_aiding_pressure_old *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x25, 21);
+    if (mip_cleared(error, value, sizeof(*value), 21)) {
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    mip_get_float(&value->pressure, field->data + 11);
+    mip_get_float(&value->uncertainty, field->data + 15);
+    value->valid_flags = mip_get_16(field->data + 19);
+    return MIP_OK;
+}
+
+MIP_CHECKED static inline mip_error mip_aiding_pressure_old_encode_inline(
+    const struct mip_aiding_pressure_old *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x25, 21, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    mip_put_float(data + 11, &value->pressure);
+    mip_put_float(data + 15, &value->uncertainty);
+    mip_put_16(data + 19, value->valid_flags);
+    return MIP_OK;
+}
+
 static inline mip_error mip_aiding_ecef_velocity_decode_inline(
     struct mip_aiding_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x28, 37);
-    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 37)) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -196,7 +228,6 @@ static inline mip_error mip_aiding_ecef_velocity_decode_inline(
     return MIP_OK;
 }
 
-/** Adds aiding.ecef_velocity to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode_inline(
     const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -218,14 +249,10 @@ MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes aiding.ned_velocity. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ned_velocity_decode_inline(struct mip_aiding_ned_velocity *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x29, 37);
-    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 37)) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -242,7 +269,6 @@ static inline mip_error mip_aiding_ned_velocity_decode_inline(struct mip_aiding_
     return MIP_OK;
 }
 
-/** Adds aiding.ned_velocity to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode_inline(
     const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -264,14 +290,10 @@ MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes aiding.body_frame_velocity. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_body_frame_velocity_decode_inline(
     struct mip_aiding_body_frame_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x2A, 37);
-    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 37)) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -288,7 +310,6 @@ static inline mip_error mip_aiding_body_frame_velocity_decode_inline(
     return MIP_OK;
 }
 
-/** Adds aiding.body_frame_velocity to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
     const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -310,14 +331,10 @@ MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode_inline
     return MIP_OK;
 }
 
-/** Decodes aiding.true_heading. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_true_heading_decode_inline(struct mip_aiding_true_heading *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x31, 21);
-    if (error != MIP_OK || sizeof(*value) != 21) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 21)) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -330,7 +347,6 @@ static inline mip_error mip_aiding_true_heading_decode_inline(struct mip_aiding_
     return MIP_OK;
 }
 
-/** Adds aiding.true_heading to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode_inline(
     const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -348,14 +364,10 @@ MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes aiding.magnetic_field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_magnetic_field_decode_inline(
     struct mip_aiding_magnetic_field *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x32, 37);
-    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 37)) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -372,7 +384,6 @@ static inline mip_error mip_aiding_magnetic_field_decode_inline(
     return MIP_OK;
 }
 
-/** Adds aiding.magnetic_field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode_inline(
     const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -394,14 +405,10 @@ MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes aiding.pressure. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_pressure_decode_inline(struct mip_aiding_pressure *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x33, 21);
-    if (error != MIP_OK || sizeof(*value) != 21) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 21)) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -414,7 +421,6 @@ static inline mip_error mip_aiding_pressure_decode_inline(struct mip_aiding_pres
     return MIP_OK;
 }
 
-/** Adds aiding.pressure to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_pressure_encode_inline(
     const struct mip_aiding_pressure *value, struct mip_builder *builder) {
     uint8_t *data;

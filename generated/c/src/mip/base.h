@@ -4,7 +4,7 @@
  * Base (0x01). Commands common to all devices: identity, supported descriptors, idle and resume,
  * self test, reset.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_BASE_H
 #define MIP_BASE_H
@@ -54,16 +54,13 @@ enum mip_base_gps_time_field MIP_ENUM_8 {
     MIP_BASE_GPS_TIME_FIELD_TOW = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
 
 /**
  * Ping: command (0x01,0x01).
  *
  * Checks whether a device is present and replies to commands.
- *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
  *
  * A device that is not in a normal operating mode may reject the command.
  *
@@ -75,35 +72,14 @@ struct mip_base_ping {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_PING 0x0101
-/** Its descriptor. */
 #define MIP_BASE_PING_DESCRIPTOR 0x01
-/** Its name in the specification. */
-#define MIP_BASE_PING_NAME "base.ping"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_ping_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_ping_decode(struct mip_base_ping *value,
-                                             const struct mip_field *field) {
-    return mip_decode_only(&mip_base_ping_codec, 0x01, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
-                                                         struct mip_builder *builder) {
-    return mip_encode(&mip_base_ping_codec, value, builder);
-}
+MIP_FIELD(mip_base_ping, 0x01);
 
 /**
  * Set to idle: command (0x01,0x02).
  *
  * Stops all data streams, and wakes a sleeping device, so that it can be configured.
- *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
  *
  * mip_base_resume restores the previous mode.
  *
@@ -117,36 +93,16 @@ struct mip_base_set_idle {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_SET_IDLE 0x0102
-/** Its descriptor. */
 #define MIP_BASE_SET_IDLE_DESCRIPTOR 0x02
-/** Its name in the specification. */
-#define MIP_BASE_SET_IDLE_NAME "base.set_idle"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_set_idle_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_set_idle_decode(struct mip_base_set_idle *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_only(&mip_base_set_idle_codec, 0x02, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
-                                                             struct mip_builder *builder) {
-    return mip_encode(&mip_base_set_idle_codec, value, builder);
-}
+MIP_FIELD(mip_base_set_idle, 0x02);
 
 /**
  * Get device information: command (0x01,0x03).
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Response: mip_base_get_device_info_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
- * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Response: mip_base_get_device_info_response.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -156,33 +112,14 @@ struct mip_base_get_device_info {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_DEVICE_INFO 0x0103
-/** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_INFO_DESCRIPTOR 0x03
-/** Its name in the specification. */
-#define MIP_BASE_GET_DEVICE_INFO_NAME "base.get_device_info"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_get_device_info_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_base_get_device_info_codec, 0x03, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_get_device_info_encode(
-    const struct mip_base_get_device_info *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_get_device_info_codec, value, builder);
-}
+MIP_FIELD(mip_base_get_device_info, 0x03);
 
 /**
  * Get device information response: response (0x01,0x81).
  *
- * Response to mip_base_get_device_info. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_base_get_device_info.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -192,37 +129,16 @@ struct mip_base_get_device_info_response {
     struct mip_base_device_info device_info;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE 0x0181
-/** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE_DESCRIPTOR 0x81
-/** Its name in the specification. */
-#define MIP_BASE_GET_DEVICE_INFO_RESPONSE_NAME "base.get_device_info_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_get_device_info_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_get_device_info_response_decode(
-    struct mip_base_get_device_info_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_get_device_info_response_codec, 0x81, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode(
-    const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_get_device_info_response_codec, value, builder);
-}
+MIP_FIELD(mip_base_get_device_info_response, 0x81);
 
 /**
  * Get device descriptors: command (0x01,0x04).
  *
  * Gets the command and data descriptors that the device supports.
  *
- * Response: mip_base_get_device_descriptors_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST.
+ * Response: mip_base_get_device_descriptors_response.
  *
  * If the list contains the descriptor of mip_base_get_extended_descriptors, that command returns
  * further descriptors.
@@ -235,35 +151,14 @@ struct mip_base_get_device_descriptors {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS 0x0104
-/** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR 0x04
-/** Its name in the specification. */
-#define MIP_BASE_GET_DEVICE_DESCRIPTORS_NAME "base.get_device_descriptors"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_get_device_descriptors_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_get_device_descriptors_decode(
-    struct mip_base_get_device_descriptors *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_get_device_descriptors_codec, 0x04, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_encode(
-    const struct mip_base_get_device_descriptors *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_get_device_descriptors_codec, value, builder);
-}
+MIP_FIELD(mip_base_get_device_descriptors, 0x04);
 
 /**
  * Get device descriptors response: response (0x01,0x82).
  *
- * Response to mip_base_get_device_descriptors. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST.
+ * Response to mip_base_get_device_descriptors.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -278,38 +173,17 @@ struct mip_base_get_device_descriptors_response {
     uint16_t descriptors[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE 0x0182
-/** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x82
-/** Its name in the specification. */
-#define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_NAME "base.get_device_descriptors_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_get_device_descriptors_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_get_device_descriptors_response_decode(
-    struct mip_base_get_device_descriptors_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_get_device_descriptors_response_codec, 0x82, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_response_encode(
-    const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_get_device_descriptors_response_codec, value, builder);
-}
+MIP_FIELD(mip_base_get_device_descriptors_response, 0x82);
 
 /**
  * Built-in test: command (0x01,0x05).
  *
  * Runs the self test of the device and gets its result.
  *
- * Response: mip_base_built_in_test_response. The device may take 10 s to reply. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain:
- * The maximum duration of the test. The manual of the 3DM-CV7 states several seconds; 10 s leaves
- * room for that.
+ * Response: mip_base_built_in_test_response. The device may take 10 s to reply. Uncertain: The
+ * maximum duration of 10 s is assumed; the manual of the 3DM-CV7 states several seconds.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
  *
@@ -326,33 +200,14 @@ struct mip_base_built_in_test {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_BUILT_IN_TEST 0x0105
-/** Its descriptor. */
 #define MIP_BASE_BUILT_IN_TEST_DESCRIPTOR 0x05
-/** Its name in the specification. */
-#define MIP_BASE_BUILT_IN_TEST_NAME "base.built_in_test"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_built_in_test_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_base_built_in_test_codec, 0x05, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_built_in_test_encode(
-    const struct mip_base_built_in_test *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_built_in_test_codec, value, builder);
-}
+MIP_FIELD(mip_base_built_in_test, 0x05);
 
 /**
  * Built-in test response: response (0x01,0x83).
  *
- * Response to mip_base_built_in_test. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_base_built_in_test.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -361,48 +216,25 @@ MIP_CHECKED static inline mip_error mip_base_built_in_test_encode(
 struct mip_base_built_in_test_response {
     /**
      * Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CV5-10,
-     * 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25 and 3DM-GX5-25: values of
-     * mip_gx5_built_in_test. Inferred: The 3DM-GX5-15 has it. On the 3DM-CV7-AHRS, 3DM-CV7-AR,
-     * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-     * 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of mip_cv7_built_in_test. Inferred: The
-     * 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the
-     * 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
-     * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
-     * 3DM-RQ1-IMU: the values are unknown. On the 3DM-GX5-15: values of mip_gx5_built_in_test.
+     * -15, -25, 3DM-CX5-10, -15, -25 and 3DM-GX5-25: values of mip_gx5_built_in_test (inferred: the
+     * 3DM-GX5-15 has it). On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS,
+     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR, -INS and 3DM-RTK: values of mip_cv7_built_in_test
+     * (inferred: the 3DM-CV7-GNSS/INS has it). On the 3DM-CV7-GNSS/INS: values of
+     * mip_cv7_built_in_test. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, -25, -35, -45, 3DM-GX4-15,
+     * -25, -45, -IMU, 3DM-GX5-35, -45, 3DM-RQ1-45-LT, -45-ST and -IMU: the values are unknown. On
+     * the 3DM-GX5-15: values of mip_gx5_built_in_test.
      */
     uint32_t result;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE 0x0183
-/** Its descriptor. */
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x83
-/** Its name in the specification. */
-#define MIP_BASE_BUILT_IN_TEST_RESPONSE_NAME "base.built_in_test_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_built_in_test_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_built_in_test_response_decode(
-    struct mip_base_built_in_test_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_built_in_test_response_codec, 0x83, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode(
-    const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_built_in_test_response_codec, value, builder);
-}
+MIP_FIELD(mip_base_built_in_test_response, 0x83);
 
 /**
  * Resume: command (0x01,0x06).
  *
  * Ends idle mode and returns the device to the mode that it was in before.
- *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
  *
  * If the device was not idle, it enters its default mode (3DM-GX5-15).
  *
@@ -414,27 +246,9 @@ struct mip_base_resume {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_RESUME 0x0106
-/** Its descriptor. */
 #define MIP_BASE_RESUME_DESCRIPTOR 0x06
-/** Its name in the specification. */
-#define MIP_BASE_RESUME_NAME "base.resume"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_resume_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_resume_decode(struct mip_base_resume *value,
-                                               const struct mip_field *field) {
-    return mip_decode_only(&mip_base_resume_codec, 0x06, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_resume_encode(const struct mip_base_resume *value,
-                                                           struct mip_builder *builder) {
-    return mip_encode(&mip_base_resume_codec, value, builder);
-}
+MIP_FIELD(mip_base_resume, 0x06);
 
 /**
  * Get device descriptors (extended): command (0x01,0x07).
@@ -442,8 +256,7 @@ MIP_CHECKED static inline mip_error mip_base_resume_encode(const struct mip_base
  * Gets the supported descriptors that did not fit into the reply of
  * mip_base_get_device_descriptors.
  *
- * Response: mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Response: mip_base_get_extended_descriptors_response.
  *
  * Only supported if mip_base_get_device_descriptors lists it.
  *
@@ -455,34 +268,14 @@ struct mip_base_get_extended_descriptors {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS 0x0107
-/** Its descriptor. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_DESCRIPTOR 0x07
-/** Its name in the specification. */
-#define MIP_BASE_GET_EXTENDED_DESCRIPTORS_NAME "base.get_extended_descriptors"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_get_extended_descriptors_decode(
-    struct mip_base_get_extended_descriptors *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_get_extended_descriptors_codec, 0x07, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_encode(
-    const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_get_extended_descriptors_codec, value, builder);
-}
+MIP_FIELD(mip_base_get_extended_descriptors, 0x07);
 
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
- * Response to mip_base_get_extended_descriptors. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Response to mip_base_get_extended_descriptors.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -497,36 +290,16 @@ struct mip_base_get_extended_descriptors_response {
     uint16_t descriptors[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE 0x0186
-/** Its descriptor. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x86
-/** Its name in the specification. */
-#define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_NAME "base.get_extended_descriptors_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_get_extended_descriptors_response_decode(
-    struct mip_base_get_extended_descriptors_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_get_extended_descriptors_response_codec, 0x86, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_response_encode(
-    const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_get_extended_descriptors_response_codec, value, builder);
-}
+MIP_FIELD(mip_base_get_extended_descriptors_response, 0x86);
 
 /**
  * Continuous built-in test: command (0x01,0x08).
  *
  * Gets the flags of the tests that run all the time. It does not interrupt operation.
  *
- * Also called `continuous_bit`. Response: mip_base_continuous_built_in_test_response. Supported by
- * 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Also called `continuous_bit`. Response: mip_base_continuous_built_in_test_response.
  *
  * It is less thorough than mip_base_built_in_test.
  *
@@ -542,77 +315,37 @@ struct mip_base_continuous_built_in_test {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST 0x0108
-/** Its descriptor. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR 0x08
-/** Its name in the specification. */
-#define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_NAME "base.continuous_built_in_test"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_continuous_built_in_test_decode(
-    struct mip_base_continuous_built_in_test *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_continuous_built_in_test_codec, 0x08, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_encode(
-    const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_continuous_built_in_test_codec, value, builder);
-}
+MIP_FIELD(mip_base_continuous_built_in_test, 0x08);
 
 /**
  * Continuous built-in test response: response (0x01,0x88).
  *
- * Also called `continuous_bit_response`. Response to mip_base_continuous_built_in_test. Supported
- * by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Also called `continuous_bit_response`. Response to mip_base_continuous_built_in_test.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
 struct mip_base_continuous_built_in_test_response {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit.
-     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
+     * byte. On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS,
+     * 3DM-GV7-AHRS, -AR and -INS: values of mip_cv7_inertial_bit. On the 3DM-CV7-GNSS/INS: values
+     * of mip_cv7_continuous_built_in_test.
      */
     uint8_t result[16];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE 0x0188
-/** Its descriptor. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x88
-/** Its name in the specification. */
-#define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_NAME "base.continuous_built_in_test_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_continuous_built_in_test_response_decode(
-    struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_continuous_built_in_test_response_codec, 0x88, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_encode(
-    const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_continuous_built_in_test_response_codec, value, builder);
-}
+MIP_FIELD(mip_base_continuous_built_in_test_response, 0x88);
 
 /**
  * Comm port speed: command (0x01,0x09).
  *
  * Sets the baud rate of one communication port.
  *
- * Functions: write, read, save, load and default. Response: mip_base_comm_speed_response. Supported
- * by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Functions: write, read, save, load and default. Response: mip_base_comm_speed_response.
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms.
  *
@@ -623,17 +356,14 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_e
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
 struct mip_base_comm_speed {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Port id of the device; 0 means all ports, and is for save, load and default only. On the
-     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of
-     * enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+     * 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum
+     * mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
      * MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
      * 3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
      * MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
@@ -647,43 +377,11 @@ struct mip_base_comm_speed {
     uint32_t baud;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_COMM_SPEED 0x0109
-/** Its descriptor. */
 #define MIP_BASE_COMM_SPEED_DESCRIPTOR 0x09
-/** Its name in the specification. */
-#define MIP_BASE_COMM_SPEED_NAME "base.comm_speed"
+MIP_FIELD(mip_base_comm_speed, 0x09);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_comm_speed_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
-                                                   const struct mip_field *field) {
-    return mip_decode_only(&mip_base_comm_speed_codec, 0x09, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_base_comm_speed_encode(const struct mip_base_comm_speed *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_comm_speed_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
- * - baud: New baud rate; the port must support it. Unit: Bd. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -693,20 +391,7 @@ mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uin
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -715,20 +400,7 @@ mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -737,20 +409,7 @@ mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -759,20 +418,7 @@ mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -784,49 +430,35 @@ mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
 /**
  * Comm port speed response: response (0x01,0x89).
  *
- * Response to mip_base_comm_speed. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * Response to mip_base_comm_speed.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
 struct mip_base_comm_speed_response {
     /**
-     * Port id of the device. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR,
-     * 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
-     * MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of
-     * enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of enum
-     * mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
-     * MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
-     * 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
-     * mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
-     * MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are
-     * unknown.
+     * Port id of the device. On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR:
+     * values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1
+     * and MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On
+     * the 3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only
+     * MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2,
+     * MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the
+     * main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum mip_comm_interface; only
+     * MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and
+     * MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
      */
     uint8_t port;
     /** Baud rate of the port. Unit: Bd. */
     uint32_t baud;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_COMM_SPEED_RESPONSE 0x0189
-/** Its descriptor. */
 #define MIP_BASE_COMM_SPEED_RESPONSE_DESCRIPTOR 0x89
-/** Its name in the specification. */
-#define MIP_BASE_COMM_SPEED_RESPONSE_NAME "base.comm_speed_response"
+MIP_FIELD(mip_base_comm_speed_response, 0x89);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_comm_speed_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_comm_speed_response_decode(
-    struct mip_base_comm_speed_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_comm_speed_response_codec, 0x89, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
-    const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_comm_speed_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_base_comm_speed *mip_base_comm_speed_write_from(
+    struct mip_base_comm_speed *command, const struct mip_base_comm_speed_response *response) {
+    return mip_base_comm_speed_write(command, response->port, response->baud);
 }
 
 /**
@@ -835,10 +467,9 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
  * Sets the week number or the time of week of the external (GPS) time.
  *
  * Functions: write, read and apply. Response: mip_base_gps_time_update_week_number_response or
- * mip_base_gps_time_update_tow_response. Changes mip_filter_data_timestamp,
- * mip_sensor_gps_timestamp, mip_shared_gps_timestamp and mip_shared_external_timestamp. Supported
- * by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS:
- * write only.
+ * mip_base_gps_time_update_tow_response. Affects mip_filter_data_timestamp,
+ * mip_sensor_gps_timestamp, mip_shared_gps_timestamp and mip_shared_external_timestamp. On the
+ * 3DM-CV7-GNSS/INS: write only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
@@ -859,10 +490,7 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
  * - 3dm-cv7-gnss-ins: Timestamps
  */
 struct mip_base_gps_time_update {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -876,36 +504,11 @@ struct mip_base_gps_time_update {
     uint32_t value;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GPS_TIME_UPDATE 0x0172
-/** Its descriptor. */
 #define MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR 0x72
-/** Its name in the specification. */
-#define MIP_BASE_GPS_TIME_UPDATE_NAME "base.gps_time_update"
+MIP_FIELD(mip_base_gps_time_update, 0x72);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_gps_time_update_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_base_gps_time_update_codec, 0x72, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_gps_time_update_encode(
-    const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_gps_time_update_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
- * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id is
- *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
- *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
                                enum mip_base_gps_time_field field_id, uint32_t value) {
@@ -916,11 +519,7 @@ mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     struct mip_base_gps_time_update *command, enum mip_base_gps_time_field field_id) {
     memset(command, 0, sizeof(*command));
@@ -929,15 +528,7 @@ static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     return command;
 }
 
-/**
- * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
- * its address.
- *
- * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
- * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id is
- *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
- *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
- */
+/** Fills the structure for `apply`, and returns it. */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,
                                enum mip_base_gps_time_field field_id, uint32_t value) {
@@ -954,7 +545,6 @@ mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,
  * The current week number.
  *
  * Response to mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER.
- * Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -965,38 +555,16 @@ struct mip_base_gps_time_update_week_number_response {
     uint32_t week_number;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE 0x0184
-/** Its descriptor. */
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR 0x84
-/** Its name in the specification. */
-#define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_NAME \
-    "base.gps_time_update_week_number_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_gps_time_update_week_number_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_gps_time_update_week_number_response_decode(
-    struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_gps_time_update_week_number_response_codec, 0x84, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_response_encode(
-    const struct mip_base_gps_time_update_week_number_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_base_gps_time_update_week_number_response_codec, value, builder);
-}
+MIP_FIELD(mip_base_gps_time_update_week_number_response, 0x84);
 
 /**
  * GPS time update, time of week: response (0x01,0x85).
  *
  * The current time of week.
  *
- * Response to mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TOW. Supported
- * by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+ * Response to mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TOW.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -1007,36 +575,14 @@ struct mip_base_gps_time_update_tow_response {
     uint32_t tow;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE 0x0185
-/** Its descriptor. */
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_DESCRIPTOR 0x85
-/** Its name in the specification. */
-#define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_NAME "base.gps_time_update_tow_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_gps_time_update_tow_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_gps_time_update_tow_response_decode(
-    struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_base_gps_time_update_tow_response_codec, 0x85, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode(
-    const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_gps_time_update_tow_response_codec, value, builder);
-}
+MIP_FIELD(mip_base_gps_time_update_tow_response, 0x85);
 
 /**
  * Reset device: command (0x01,0x7E).
  *
  * Acknowledges the command, then resets the device immediately.
- *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
  * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
@@ -1046,27 +592,9 @@ struct mip_base_soft_reset {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_SOFT_RESET 0x017E
-/** Its descriptor. */
 #define MIP_BASE_SOFT_RESET_DESCRIPTOR 0x7E
-/** Its name in the specification. */
-#define MIP_BASE_SOFT_RESET_NAME "base.soft_reset"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_base_soft_reset_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_base_soft_reset_decode(struct mip_base_soft_reset *value,
-                                                   const struct mip_field *field) {
-    return mip_decode_only(&mip_base_soft_reset_codec, 0x7E, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_base_soft_reset_encode(const struct mip_base_soft_reset *value, struct mip_builder *builder) {
-    return mip_encode(&mip_base_soft_reset_codec, value, builder);
-}
+MIP_FIELD(mip_base_soft_reset, 0x7E);
 
 /** @} */
 

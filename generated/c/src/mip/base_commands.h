@@ -19,30 +19,22 @@ extern "C" {
 /** @addtogroup mip_base Base (0x01)
  * @{ */
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_ping_command;
+MIP_COMMAND_REPLIES(mip_base_ping);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_ping_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Ping. */
+/** Ping: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_ping(struct mip_client *client, struct mip_request *request,
                                            struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_base_ping_command, NULL, NULL, NULL, now);
 }
 
-/** Ping. See mip_device_call. */
+/** Ping. */
 static inline struct mip_result mip_call_base_ping(struct mip_device *device) {
     return mip_device_send(device, &mip_base_ping_exchange, MIP_NO_DATA(mip_base_ping_exchange), 0);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_set_idle_command;
+MIP_COMMAND_REPLIES(mip_base_set_idle);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_set_idle_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Set to idle. */
+/** Set to idle: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_set_idle(struct mip_client *client,
                                                struct mip_request *request,
                                                struct mip_builder *packet, uint32_t now) {
@@ -50,22 +42,15 @@ static inline mip_error mip_send_base_set_idle(struct mip_client *client,
                            now);
 }
 
-/** Set to idle. See mip_device_call. */
+/** Set to idle. */
 static inline struct mip_result mip_call_base_set_idle(struct mip_device *device) {
     return mip_device_send(device, &mip_base_set_idle_exchange,
                            MIP_NO_DATA(mip_base_set_idle_exchange), 0);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_get_device_info_command;
+MIP_COMMAND_REPLIES(mip_base_get_device_info);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_get_device_info_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get device information.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get device information: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_get_device_info(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_base_get_device_info_response *response, uint32_t now) {
@@ -73,7 +58,7 @@ static inline mip_error mip_send_base_get_device_info(
                            &mip_base_get_device_info_response_codec, response, now);
 }
 
-/** Get device information. See mip_device_call. */
+/** Get device information. */
 static inline struct mip_result mip_call_base_get_device_info(
     struct mip_device *device, struct mip_base_get_device_info_response *response) {
     return mip_device_request(device, &mip_base_get_device_info_exchange,
@@ -81,16 +66,9 @@ static inline struct mip_result mip_call_base_get_device_info(
                               &mip_base_get_device_info_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_get_device_descriptors_command;
+MIP_COMMAND_REPLIES(mip_base_get_device_descriptors);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_get_device_descriptors_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get device descriptors.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get device descriptors: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_get_device_descriptors(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_base_get_device_descriptors_response *response, uint32_t now) {
@@ -98,7 +76,7 @@ static inline mip_error mip_send_base_get_device_descriptors(
                            &mip_base_get_device_descriptors_response_codec, response, now);
 }
 
-/** Get device descriptors. See mip_device_call. */
+/** Get device descriptors. */
 static inline struct mip_result mip_call_base_get_device_descriptors(
     struct mip_device *device, struct mip_base_get_device_descriptors_response *response) {
     return mip_device_request(device, &mip_base_get_device_descriptors_exchange,
@@ -106,16 +84,9 @@ static inline struct mip_result mip_call_base_get_device_descriptors(
                               &mip_base_get_device_descriptors_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_built_in_test_command;
+MIP_COMMAND_REPLIES(mip_base_built_in_test);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_built_in_test_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Built-in test. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Built-in test: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_built_in_test(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_base_built_in_test_response *response, uint32_t now) {
@@ -123,7 +94,7 @@ static inline mip_error mip_send_base_built_in_test(
                            &mip_base_built_in_test_response_codec, response, now);
 }
 
-/** Built-in test. See mip_device_call. */
+/** Built-in test. */
 static inline struct mip_result mip_call_base_built_in_test(
     struct mip_device *device, struct mip_base_built_in_test_response *response) {
     return mip_device_request(device, &mip_base_built_in_test_exchange,
@@ -131,35 +102,24 @@ static inline struct mip_result mip_call_base_built_in_test(
                               &mip_base_built_in_test_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_resume_command;
+MIP_COMMAND_REPLIES(mip_base_resume);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_resume_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Resume. */
+/** Resume: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_resume(struct mip_client *client, struct mip_request *request,
                                              struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_base_resume_command, NULL, NULL, NULL,
                            now);
 }
 
-/** Resume. See mip_device_call. */
+/** Resume. */
 static inline struct mip_result mip_call_base_resume(struct mip_device *device) {
     return mip_device_send(device, &mip_base_resume_exchange, MIP_NO_DATA(mip_base_resume_exchange),
                            0);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_get_extended_descriptors_command;
+MIP_COMMAND_REPLIES(mip_base_get_extended_descriptors);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_get_extended_descriptors_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get device descriptors
- * (extended). If the command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get device descriptors (extended): adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_get_extended_descriptors(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_base_get_extended_descriptors_response *response, uint32_t now) {
@@ -167,7 +127,7 @@ static inline mip_error mip_send_base_get_extended_descriptors(
                            NULL, &mip_base_get_extended_descriptors_response_codec, response, now);
 }
 
-/** Get device descriptors (extended). See mip_device_call. */
+/** Get device descriptors (extended). */
 static inline struct mip_result mip_call_base_get_extended_descriptors(
     struct mip_device *device, struct mip_base_get_extended_descriptors_response *response) {
     return mip_device_request(device, &mip_base_get_extended_descriptors_exchange,
@@ -175,16 +135,9 @@ static inline struct mip_result mip_call_base_get_extended_descriptors(
                               &mip_base_get_extended_descriptors_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_continuous_built_in_test_command;
+MIP_COMMAND_REPLIES(mip_base_continuous_built_in_test);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_continuous_built_in_test_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Continuous built-in test.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Continuous built-in test: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_continuous_built_in_test(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_base_continuous_built_in_test_response *response, uint32_t now) {
@@ -192,7 +145,7 @@ static inline mip_error mip_send_base_continuous_built_in_test(
                            NULL, &mip_base_continuous_built_in_test_response_codec, response, now);
 }
 
-/** Continuous built-in test. See mip_device_call. */
+/** Continuous built-in test. */
 static inline struct mip_result mip_call_base_continuous_built_in_test(
     struct mip_device *device, struct mip_base_continuous_built_in_test_response *response) {
     return mip_device_request(device, &mip_base_continuous_built_in_test_exchange,
@@ -200,39 +153,22 @@ static inline struct mip_result mip_call_base_continuous_built_in_test(
                               &mip_base_continuous_built_in_test_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_comm_speed_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_comm_speed_exchange;
+MIP_COMMAND_REPLIES(mip_base_comm_speed);
+MIP_SEND(mip_send_base_comm_speed, mip_base_comm_speed, mip_base_comm_speed_response);
+MIP_CALL_WITH(mip_call_base_comm_speed_with, mip_base_comm_speed, mip_base_comm_speed_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Comm port speed. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
-                                                 struct mip_request *request,
-                                                 struct mip_builder *packet,
-                                                 const struct mip_base_comm_speed *command,
-                                                 struct mip_base_comm_speed_response *response,
-                                                 uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_base_comm_speed_command, command,
-                           &mip_base_comm_speed_response_codec, response, now);
-}
-
-/**
- * Comm port speed: write. Apply the new setting. See mip_device_call.
+ * Comm port speed: write.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
+ *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
+ *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
  * - baud: New baud rate; the port must support it. Unit: Bd. Required for write.
  */
 static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device *device,
@@ -245,112 +181,85 @@ static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device
 }
 
 /**
- * Comm port speed: read. Return the current setting in a response. See mip_device_call.
+ * Comm port speed: read.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
+ *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
+ *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_read(
     struct mip_device *device, uint8_t port, struct mip_base_comm_speed_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)port);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)port};
     return mip_device_request(device, &mip_base_comm_speed_exchange, data, 2,
                               &mip_base_comm_speed_response_codec, response);
 }
 
 /**
- * Comm port speed: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Comm port speed: save.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
+ *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
+ *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device *device,
                                                               uint8_t port) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)port);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)port};
     return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2);
 }
 
 /**
- * Comm port speed: load. Load the saved setting. See mip_device_call.
+ * Comm port speed: load.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
+ *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
+ *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device *device,
                                                               uint8_t port) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)port);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)port};
     return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2);
 }
 
 /**
- * Comm port speed: default. Load the factory default setting. See mip_device_call.
+ * Comm port speed: default.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
+ *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
+ *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+ *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_default(struct mip_device *device,
                                                                  uint8_t port) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)port);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)port};
     return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2);
 }
 
-/**
- * Comm port speed: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_base_comm_speed_with(struct mip_device *device, const struct mip_base_comm_speed *command,
-                              struct mip_base_comm_speed_response *response) {
-    return mip_device_call(device, &mip_base_comm_speed_command, command,
-                           &mip_base_comm_speed_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_base_gps_time_update);
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_gps_time_update_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_gps_time_update_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. GPS time update. */
+/** GPS time update: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_gps_time_update(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_base_gps_time_update *command, uint32_t now) {
@@ -358,10 +267,7 @@ static inline mip_error mip_send_base_gps_time_update(
                            NULL, NULL, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GPS time update. Expects
- * this response.
- */
+/** GPS time update: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_base_gps_time_update_week_number_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_base_gps_time_update *command,
@@ -370,10 +276,7 @@ static inline mip_error mip_send_for_base_gps_time_update_week_number_response(
                            &mip_base_gps_time_update_week_number_response_codec, response, now);
 }
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GPS time update. Expects
- * this response.
- */
+/** GPS time update: adds the command to a packet. Expects this response. See mip_client_send. */
 static inline mip_error mip_send_for_base_gps_time_update_tow_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_base_gps_time_update *command,
@@ -383,7 +286,7 @@ static inline mip_error mip_send_for_base_gps_time_update_tow_response(
 }
 
 /**
- * GPS time update: write. Apply the new setting. See mip_device_call.
+ * GPS time update: write.
  *
  * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
  * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id is
@@ -400,7 +303,7 @@ static inline struct mip_result mip_call_base_gps_time_update_write(
 }
 
 /**
- * GPS time update: read. Return the current setting in a response. See mip_device_call.
+ * GPS time update: read.
  *
  * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
  */
@@ -411,10 +314,7 @@ static inline struct mip_result mip_call_base_gps_time_update_read(
                            mip_base_gps_time_update_read(&command, field_id), NULL, NULL);
 }
 
-/**
- * GPS time update: read. Return the current setting in a response. The reply is decoded as this
- * response. See mip_device_call.
- */
+/** GPS time update: read. The reply is decoded as this response. */
 static inline struct mip_result mip_call_for_base_gps_time_update_week_number_response_read(
     struct mip_device *device, struct mip_base_gps_time_update_week_number_response *response) {
     struct mip_base_gps_time_update command;
@@ -424,10 +324,7 @@ static inline struct mip_result mip_call_for_base_gps_time_update_week_number_re
         &mip_base_gps_time_update_week_number_response_codec, response);
 }
 
-/**
- * GPS time update: read. Return the current setting in a response. The reply is decoded as this
- * response. See mip_device_call.
- */
+/** GPS time update: read. The reply is decoded as this response. */
 static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_read(
     struct mip_device *device, struct mip_base_gps_time_update_tow_response *response) {
     struct mip_base_gps_time_update command;
@@ -437,8 +334,7 @@ static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_r
 }
 
 /**
- * GPS time update: apply. Apply the new setting without sending an ACK (5-series devices). See
- * mip_device_call.
+ * GPS time update: apply.
  *
  * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
  * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id is
@@ -452,22 +348,15 @@ static inline struct mip_result mip_call_base_gps_time_update_apply(
                            mip_base_gps_time_update_apply(&command, field_id, value), NULL, NULL);
 }
 
-/**
- * GPS time update: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** GPS time update, with these values, including optional parameters. */
 static inline struct mip_result mip_call_base_gps_time_update_with(
     struct mip_device *device, const struct mip_base_gps_time_update *command) {
     return mip_device_call(device, &mip_base_gps_time_update_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_base_soft_reset_command;
+MIP_COMMAND_REPLIES(mip_base_soft_reset);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_base_soft_reset_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Reset device. */
+/** Reset device: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_base_soft_reset(struct mip_client *client,
                                                  struct mip_request *request,
                                                  struct mip_builder *packet, uint32_t now) {
@@ -475,7 +364,7 @@ static inline mip_error mip_send_base_soft_reset(struct mip_client *client,
                            now);
 }
 
-/** Reset device. See mip_device_call. */
+/** Reset device. */
 static inline struct mip_result mip_call_base_soft_reset(struct mip_device *device) {
     return mip_device_send(device, &mip_base_soft_reset_exchange,
                            MIP_NO_DATA(mip_base_soft_reset_exchange), 0);

@@ -20,6 +20,7 @@ MIP_COMMAND_OF(mip_base_resume, void)
 MIP_COMMAND_OF(mip_base_get_extended_descriptors, ::mip::base::get_extended_descriptors_response)
 MIP_COMMAND_OF(mip_base_continuous_built_in_test, ::mip::base::continuous_built_in_test_response)
 MIP_COMMAND_OF(mip_base_comm_speed, ::mip::base::comm_speed_response)
+MIP_CHANGE_OF(mip_base_comm_speed, ::mip::base::comm_speed_response, mip_base_comm_speed_write_from)
 MIP_COMMAND_OF(mip_base_gps_time_update, void)
 MIP_COMMAND_OF(mip_base_soft_reset, void)
 

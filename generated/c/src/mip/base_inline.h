@@ -16,14 +16,10 @@
 extern "C" {
 #endif
 
-/** Decodes base.get_device_info_response. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_info_response_decode_inline(
     struct mip_base_get_device_info_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x81, 82);
-    if (error != MIP_OK || sizeof(*value) != 82) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 82)) {
         return error;
     }
     value->device_info.firmware_version = mip_get_16(field->data);
@@ -40,7 +36,6 @@ static inline mip_error mip_base_get_device_info_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds base.get_device_info_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode_inline(
     const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -57,21 +52,16 @@ MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode_inl
     return MIP_OK;
 }
 
-/** Decodes base.built_in_test_response. On an error the structure is zeroed. */
 static inline mip_error mip_base_built_in_test_response_decode_inline(
     struct mip_base_built_in_test_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x83, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->result = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds base.built_in_test_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode_inline(
     const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -83,21 +73,16 @@ MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes base.continuous_built_in_test_response. On an error the structure is zeroed. */
 static inline mip_error mip_base_continuous_built_in_test_response_decode_inline(
     struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x88, 16);
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 16)) {
         return error;
     }
     memcpy(value->result, field->data, 16);
     return MIP_OK;
 }
 
-/** Adds base.continuous_built_in_test_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_encode_inline(
     const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -109,14 +94,10 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_e
     return MIP_OK;
 }
 
-/** Decodes base.comm_speed_response. On an error the structure is zeroed. */
 static inline mip_error mip_base_comm_speed_response_decode_inline(
     struct mip_base_comm_speed_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x89, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->port = mip_get_8(field->data);
@@ -124,7 +105,6 @@ static inline mip_error mip_base_comm_speed_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds base.comm_speed_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode_inline(
     const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -137,22 +117,16 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes base.gps_time_update_week_number_response. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_week_number_response_decode_inline(
     struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x84, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->week_number = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds base.gps_time_update_week_number_response to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_response_encode_inline(
     const struct mip_base_gps_time_update_week_number_response *value,
     struct mip_builder *builder) {
@@ -165,21 +139,16 @@ MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_respons
     return MIP_OK;
 }
 
-/** Decodes base.gps_time_update_tow_response. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_tow_response_decode_inline(
     struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x85, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->tow = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds base.gps_time_update_tow_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
     const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
     uint8_t *data;

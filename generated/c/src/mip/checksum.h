@@ -47,9 +47,17 @@ struct mip_sums {
 /** Byte by byte. */
 static inline struct mip_sums plain(const uint8_t *bytes, size_t size) {
     struct mip_sums s = {0, 0};
-    for (size_t i = 0; i < size; i++) {
-        s.a += bytes[i];
+    const uint8_t *end = bytes + size;
+    if (size % 2 > 0) {
+        s.a = *bytes++;
+        s.b = s.a;
+    }
+    while (bytes != end) {
+        s.a += bytes[0];
         s.b += s.a;
+        s.a += bytes[1];
+        s.b += s.a;
+        bytes += 2;
     }
     return s;
 }

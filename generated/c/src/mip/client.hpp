@@ -29,16 +29,15 @@ template <class Command> class request {
 
     /** Does it still wait for a reply? */
     bool waiting() const {
-        return client_ != nullptr && request_.state == MIP_REQUEST_WAITING;
+        return request_.result.outcome == MIP_WAITING;
     }
-    /** Returns the outcome: not_sent before it is sent and while it waits, closed if cancelled. */
+    /** Returns the outcome: not_sent before it is sent, waiting until the reply, closed if
+     * cancelled. */
     mip::result<response> result() const {
-        const mip_result of = {static_cast<mip_outcome>(request_.state), request_.code,
-                               error_ != MIP_OK ? error_ : request_.error, request_.responded};
         if constexpr (std::is_void_v<response>) {
-            return of;
+            return request_.result;
         } else {
-            return {of, response_};
+            return {request_.result, response_};
         }
     }
     /** Stops waiting. */
@@ -66,19 +65,19 @@ template <class Command> class request {
             answer = static_cast<c_type<response> *>(&response_);
         }
         client_ = &to;
-        error_ = static_cast<std::uint8_t>(mip_client_send(
-            &to, &request_, &packet, &exchange<structure>::command(), value, codec, answer, now));
-        return error_ == MIP_OK;
+        return mip_client_send(&to, &request_, &packet, &exchange<structure>::command(), value,
+                               codec, answer, now) == MIP_OK;
     }
-    void forget() {
+    /** It was not sent; the error of an encoder is kept. */
+    void forget(std::uint8_t error = MIP_OK) {
         cancel();
         client_ = nullptr;
         request_ = {};
+        request_.result.error = error;
     }
 
     mip_client *client_ = nullptr;
     mip_request request_ = {};
-    std::uint8_t error_ = MIP_OK;
     std::conditional_t<std::is_void_v<response>, nothing, response> response_ = {};
 };
 
@@ -109,7 +108,7 @@ class client {
         mip_builder packet;
         (void)mip_builder_start(&packet, bytes_ + barrier, MIP_MAX_PACKET, set(requests...));
         if (!(requests.add(client_, packet, now) && ...)) {
-            (requests.forget(), ...);
+            (requests.forget(requests.request_.result.error), ...);
             client_.missed = before.missed;
             client_.behind = before.behind;
             return {};

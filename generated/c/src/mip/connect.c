@@ -84,6 +84,7 @@ struct mip_result mip_device_connect(struct mip_device *device,
                                      struct mip_base_get_device_info_response *identity) {
     static step *const steps[] = {idle, identify};
     struct mip_result result;
+    MIP_ASSERT(device->deferred == NULL); /* see mip_defer */
     return find(device, set_baud, &result)
                ? run(device, steps, sizeof(steps) / sizeof(steps[0]), identity)
                : result;
@@ -212,6 +213,7 @@ struct mip_result mip_device_stream(struct mip_device *device, uint8_t descripto
                                     uint8_t count, struct mip_rate *rates) {
     static step *const steps[] = {base_rate, divide, format, stream, resume};
     struct plan plan;
+    MIP_ASSERT(device->deferred == NULL); /* see mip_defer */
     if (count > sizeof(plan.fields) / sizeof(plan.fields[0])) {
         const struct mip_result result = {MIP_NOT_SENT, 0, MIP_ERROR_COUNT, false};
         return result;
@@ -221,4 +223,26 @@ struct mip_result mip_device_stream(struct mip_device *device, uint8_t descripto
     plan.older = false;
     plan.rates = rates;
     return run(device, steps, sizeof(steps) / sizeof(steps[0]), &plan);
+}
+
+struct mip_rejected mip_stream_rejected(uint8_t descriptor_set, uint8_t count,
+                                        const struct mip_rate *rates,
+                                        const struct mip_known_device *known) {
+    uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_builder packet;
+    struct mip_field field = {NULL, 0, 0, 0}; /* of no command, if there are too many rates */
+    struct mip_3dm_message_format command;
+    struct mip_descriptor_rate fields[83];
+    for (size_t i = 0; i < count && i < sizeof(fields) / sizeof(fields[0]); i++) {
+        fields[i].descriptor = rates[i].descriptor;
+        fields[i].decimation = 1;
+    }
+    mip_3dm_message_format_write(&command, descriptor_set, count, fields);
+    if (mip_builder_start(&packet, bytes, sizeof(bytes), 0x0C) == MIP_OK &&
+        mip_3dm_message_format_encode(&command, &packet) == MIP_OK) {
+        const struct mip_packet sent = mip_builder_finish(&packet);
+        struct mip_walk walk = mip_walk_packet(&sent);
+        (void)mip_walk_next(&walk, &field);
+    }
+    return mip_find_rejected(&field, known);
 }

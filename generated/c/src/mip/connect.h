@@ -25,6 +25,7 @@ extern "C" {
 #endif
 
 #include "mip/profile.h"
+#include "mip/rejected.h"
 
 /**
  * Finds a device: tries each baud rate until anything answers a ping, or sends data; then sets the
@@ -79,6 +80,12 @@ struct mip_rate {
  */
 MIP_API struct mip_result mip_device_stream(struct mip_device *device, uint8_t descriptor_set,
                                             uint8_t count, struct mip_rate *rates);
+
+/** Finds the rate for whose field a device has rejected a stream: `index` is its index in `rates`.
+ */
+MIP_API struct mip_rejected mip_stream_rejected(uint8_t descriptor_set, uint8_t count,
+                                                const struct mip_rate *rates,
+                                                const struct mip_known_device *known);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
 
 void mip_device_init(struct mip_device *device, const struct mip_port *port, size_t handler_count,
                      const struct mip_handler *handlers) {
+    MIP_ASSERT(port->write != NULL && port->now != NULL);
     memset(device, 0, sizeof(*device)); /* which also initializes the parser */
     device->port = *port;
     device->handlers = handlers;
@@ -16,13 +17,15 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port, siz
 /* No field has descriptor 0. */
 const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, 0, NULL, NULL};
 
-/** Does a handler match this field? */
+/** Does a handler match this field? Most differ in the descriptor. */
 static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
     const struct mip_codec *type = handler->type;
-    return type != NULL &&
-           (handler->descriptor_set == MIP_ANY_SET ||
-            handler->descriptor_set == field->descriptor_set) &&
-           (type->descriptor == 0 || mip_field_is(field, type));
+    if (type == NULL || (handler->descriptor_set != MIP_ANY_SET &&
+                         handler->descriptor_set != field->descriptor_set)) {
+        return false;
+    }
+    return type->descriptor == 0 ||
+           (type->descriptor == field->descriptor && mip_field_is(field, type));
 }
 
 /** Calls the first handler that matches a field. */
@@ -39,6 +42,23 @@ static void dispatch(const struct mip_device *device, const struct mip_field *fi
     }
 }
 
+/** Counts a packet of its descriptor set. */
+static void count_packet(struct mip_device *device, const struct mip_packet *packet) {
+    (void)device, (void)packet;
+#ifdef MIP_DIAGNOSTICS
+    struct mip_set_count *count = device->sets;
+    while (count->descriptor_set != packet->descriptor_set && count->descriptor_set != 0 &&
+           count < &device->sets[MIP_COUNTED_SETS - 1]) {
+        count++;
+    }
+    if (count->descriptor_set == 0 || count->descriptor_set == packet->descriptor_set) {
+        count->descriptor_set = packet->descriptor_set;
+        count->packets++;
+        count->bytes += (uint32_t)packet->size;
+    }
+#endif
+}
+
 /** Passes the replies in a packet to the client, and the other fields to the handlers. */
 static void handle(struct mip_device *device, const struct mip_packet *packet) {
     struct mip_walk walk = {packet->bytes + MIP_HEADER_SIZE,
@@ -46,6 +66,7 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
                             packet->descriptor_set, MIP_OK};
     struct mip_request *answered;
     struct mip_field field;
+    count_packet(device, packet);
     if (mip_client_passes(&device->client, packet)) {
         return;
     }
@@ -65,40 +86,65 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     device->packet = NULL;
 }
 
+/** Shows bytes to the program. */
+static void show(const struct mip_device *device, const uint8_t *bytes, size_t size, bool sent) {
+    (void)device, (void)bytes, (void)size, (void)sent;
+#ifdef MIP_HOOKS
+    if (device->hooks != NULL && device->hooks->bytes != NULL && size > 0) {
+        device->hooks->bytes(device->hooks->user, bytes, size, sent);
+    }
+#endif
+}
+
+/** Handles received bytes, and updates the time. Returns false if this is called in a handler. */
+static bool handle_bytes(struct mip_device *device, const uint8_t *data, size_t size, bool open) {
+    struct mip_packet packet;
+    mip_device_lock(device, true);
+    const bool outside = device->packet == NULL;
+    if (outside) {
+        uint32_t now = device->port.now(device->port.user);
+        if (size > 0) {
+            device->heard = now;
+        }
+        const bool ended =
+            !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
+        if (size >= MIP_MAX_PACKET) { /* the reply may already wait after the bytes read */
+            now -= MIP_BACKLOG;
+        }
+        show(device, data, size, false);
+        while (mip_parser_next(&device->parser, &data, &size, &packet) ||
+               (ended && mip_parser_flush(&device->parser, &packet)) ||
+               mip_client_poll(&device->client, &device->parser, now, &packet)) {
+            handle(device, &packet);
+        }
+    }
+    mip_device_lock(device, false);
+    return outside;
+}
+
 /** Reads once, into MIP_MAX_PACKET bytes, and updates the time. Returns false if the port is lost.
  */
 static bool update(struct mip_device *device, uint8_t *bytes) {
     const struct mip_port *port = &device->port;
-    const uint8_t *data = bytes;
-    struct mip_packet packet;
     size_t size = 0;
     bool open = port->read(port->user, bytes, MIP_MAX_PACKET, &size);
-    uint32_t now = port->now(port->user);
     if (size > MIP_MAX_PACKET) { /* which bytes have been read is not known */
         size = 0;
         open = false;
-    } else if (size > 0) {
-        device->heard = now;
     }
-    const bool ended =
-        !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
-    if (size >= MIP_MAX_PACKET) { /* the reply may already wait after the bytes read */
-        now -= MIP_BACKLOG;
-    }
-    while (mip_parser_next(&device->parser, &data, &size, &packet) ||
-           (ended && mip_parser_flush(&device->parser, &packet)) ||
-           mip_client_poll(&device->client, &device->parser, now, &packet)) {
-        handle(device, &packet);
-    }
-    return open;
+    return handle_bytes(device, bytes, size, open) && open;
+}
+
+bool mip_device_step(struct mip_device *device, const uint8_t *data, size_t size) {
+    return handle_bytes(device, data, size, true);
 }
 
 bool mip_device_poll(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_PACKET];
-    if (device->packet != NULL) { /* in a handler */
-        return false;
-    }
-    return update(device, bytes);
+    mip_device_lock(device, true);
+    const bool outside = device->packet == NULL;
+    mip_device_lock(device, false);
+    return outside && update(device, bytes);
 }
 
 /* ------------------------------------------------------------------------------------- commands */
@@ -106,45 +152,50 @@ bool mip_device_poll(struct mip_device *device) {
 /** The offset of a command's data in its packet. */
 #define DATA (MIP_HEADER_SIZE + 2)
 
+/** Sends bytes. */
+static bool write(const struct mip_device *device, const uint8_t *bytes, size_t size) {
+    show(device, bytes, size, true);
+    return device->port.write(device->port.user, bytes, size);
+}
+
 /** Sends the barrier that must precede the next command, if there is one. */
 static bool guard(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_BARRIER];
     const size_t size = mip_client_barrier(&device->client, bytes);
-    return size == 0 || device->port.write(device->port.user, bytes, size);
+    return size == 0 || write(device, bytes, size);
 }
 
 /** Sends a command, whose data is already in the packet, and waits for its reply. */
 static struct mip_result carry_out(struct mip_device *device, struct mip_request *request,
                                    uint8_t *bytes, size_t size) {
-    const struct mip_port *port = &device->port;
-    struct mip_result result;
-    if (device->packet != NULL) { /* in a handler */
-        request->state = MIP_BUSY;
-    } else if (request->error == MIP_OK) {
+    mip_device_lock(device, true);
+    struct mip_request *const deferred = device->deferred;
+    if (deferred != NULL) {
+        device->deferred = NULL;
+        mip_device_lock(device, false);               /* mip_defer has locked it once more */
+        mip_client_cancel(&device->client, deferred); /* it may still wait */
+        *deferred = *request;
+        request = deferred;
+    } else if (device->packet != NULL) { /* in a handler */
+        request->result.outcome = MIP_BUSY;
+    }
+    if (request->result.outcome != MIP_BUSY && request->result.error == MIP_OK) {
         bytes[4] = (uint8_t)(size + 2);
         bytes[5] = request->exchange->descriptor;
         size = mip_packet_seal(bytes, request->exchange->descriptor_set, size + 2);
-        if (guard(device) && port->write(port->user, bytes, size)) {
-            mip_client_wait(&device->client, request, port->now(port->user));
-            while (request->state == MIP_REQUEST_WAITING) {
-                if (!update(device, bytes)) {                    /* reuses the packet's memory */
-                    mip_client_cancel(&device->client, request); /* unless it was just answered */
-                }
-            }
+        if (guard(device) && write(device, bytes, size)) {
+            mip_client_wait(&device->client, request, device->port.now(device->port.user));
         } else {
             mip_client_miss(&device->client); /* a part may have been sent */
         }
     }
-    /* The states of a request are the outcomes; a request that never waited was not sent. */
-    if (sizeof(result) == 4) { /* one word, in the same order */
-        memcpy(&result, &request->state, 4);
-        return result;
+    mip_device_lock(device, false);
+    while (deferred == NULL && mip_request_result(device, request).outcome == MIP_WAITING) {
+        if (!update(device, bytes)) {           /* reuses the packet's memory */
+            mip_device_cancel(device, request); /* unless it was just answered */
+        }
     }
-    result.outcome = (enum mip_outcome)request->state;
-    result.code = request->code;
-    result.error = request->error;
-    result.responded = request->responded;
-    return result;
+    return mip_request_result(device, request);
 }
 
 /** Initializes a request. */
@@ -167,8 +218,8 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
     struct mip_request request;
     request_of(&request, command->exchange, codec, response);
     mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
-    request.error = (uint8_t)mip_command_encode(command, value, &builder);
-    if (request.error == MIP_OK) {
+    request.result.error = (uint8_t)mip_command_encode(command, value, &builder);
+    if (request.result.error == MIP_OK) {
         request.asked = mip_requested(command->exchange, bytes + MIP_HEADER_SIZE);
     }
     return carry_out(device, &request, bytes, builder.length - DATA);
@@ -179,7 +230,7 @@ static struct mip_result send(struct mip_device *device, struct mip_request *req
                               const uint8_t *data, size_t size) {
     uint8_t bytes[MIP_MAX_PACKET];
     if (size > MIP_MAX_FIELD_DATA) {
-        request->error = MIP_ERROR_COUNT;
+        request->result.error = MIP_ERROR_COUNT;
     } else {
         memcpy(bytes + DATA, data, size);
     }

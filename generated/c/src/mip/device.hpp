@@ -32,10 +32,14 @@ enum class outcome {
     missing_response = MIP_MISSING_RESPONSE,
     /** The device has sent a response that cannot be decoded: `error` is the reason. */
     undecodable = MIP_UNDECODABLE,
-    /** The port was lost before the reply arrived. */
+    /** It was cancelled, or the port was lost, before the reply arrived. */
     closed = MIP_CLOSED,
+    /** It was sent without waiting, and its reply has not arrived. */
+    waiting = MIP_WAITING,
     /** The call was made in a handler of the same device. */
-    busy = MIP_BUSY
+    busy = MIP_BUSY,
+    /** The stream was not changed, because the device does not support one of the rates. */
+    no_such_rate = MIP_NO_SUCH_RATE
 };
 
 /** Returns the outcome in words: "timed out". */
@@ -85,6 +89,12 @@ template <class Response = void> class [[nodiscard]] result : public basic_resul
     const Response *operator->() const {
         return &response_;
     }
+    Response &operator*() {
+        return response_;
+    }
+    Response *operator->() {
+        return &response_;
+    }
 
   private:
     Response response_;
@@ -123,6 +133,14 @@ template <class Command> struct exchange;
             return ::type##_command;           \
         }                                      \
     };
+
+/** Defines `change` for a command: the command that writes the values of a response, to read,
+ * change and write them: `device.call(mip::change(*response))`. */
+#define MIP_CHANGE_OF(type, response, write_from)  \
+    inline ::type change(const response &values) { \
+        ::type command;                            \
+        return *::write_from(&command, &values);   \
+    }
 
 namespace detail {
 

@@ -11,13 +11,15 @@
 namespace mip {
 
 MIP_LAYOUT(mip_displacement_get_calibration, MIP_DISPLACEMENT_GET_CALIBRATION,
-           MIP_DISPLACEMENT_GET_CALIBRATION)
-MIP_LAYOUT(mip_displacement_output_rate, MIP_DISPLACEMENT_OUTPUT_RATE, MIP_DISPLACEMENT_OUTPUT_RATE)
-MIP_LAYOUT(mip_displacement_device_time, MIP_DISPLACEMENT_DEVICE_TIME, MIP_DISPLACEMENT_DEVICE_TIME)
+           MIP_DISPLACEMENT_GET_CALIBRATION, "displacement.get_calibration")
+MIP_LAYOUT(mip_displacement_output_rate, MIP_DISPLACEMENT_OUTPUT_RATE, MIP_DISPLACEMENT_OUTPUT_RATE,
+           "displacement.output_rate")
+MIP_LAYOUT(mip_displacement_device_time, MIP_DISPLACEMENT_DEVICE_TIME, MIP_DISPLACEMENT_DEVICE_TIME,
+           "displacement.device_time")
 MIP_LAYOUT(mip_displacement_get_calibration_response, MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE,
-           MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE)
+           MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE, "displacement.get_calibration_response")
 MIP_LAYOUT(mip_displacement_output_rate_response, MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE,
-           MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE)
+           MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE, "displacement.output_rate_response")
 
 /** Displacement commands */
 inline constexpr std::uint8_t displacement_set = MIP_DISPLACEMENT_SET;
@@ -40,12 +42,12 @@ using ::mip::has;
 using ::mip::to_string;
 
 /**
- * Get Analog to Displacement Calibration response. See struct
+ * Get analog to displacement calibration response. See struct
  * mip_displacement_get_calibration_response.
  */
 using get_calibration_response = ::mip_displacement_get_calibration_response;
 
-/** Displacement Output Data Rate response. See struct mip_displacement_output_rate_response. */
+/** Displacement output data rate response. See struct mip_displacement_output_rate_response. */
 using output_rate_response = ::mip_displacement_output_rate_response;
 
 /** @} */

@@ -19,17 +19,9 @@ extern "C" {
 /** @addtogroup mip_displacement Displacement commands (0x11)
  * @{ */
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_displacement_get_calibration_command;
+MIP_COMMAND_REPLIES(mip_displacement_get_calibration);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_displacement_get_calibration_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get Analog to
- * Displacement Calibration. If the command requests the response, it is stored in `response`, which
- * may be NULL.
- */
+/** Get analog to displacement calibration: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_displacement_get_calibration(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_displacement_get_calibration_response *response, uint32_t now) {
@@ -37,7 +29,7 @@ static inline mip_error mip_send_displacement_get_calibration(
                            &mip_displacement_get_calibration_response_codec, response, now);
 }
 
-/** Get Analog to Displacement Calibration. See mip_device_call. */
+/** Get analog to displacement calibration. */
 static inline struct mip_result mip_call_displacement_get_calibration(
     struct mip_device *device, struct mip_displacement_get_calibration_response *response) {
     return mip_device_request(device, &mip_displacement_get_calibration_exchange,
@@ -45,56 +37,17 @@ static inline struct mip_result mip_call_displacement_get_calibration(
                               &mip_displacement_get_calibration_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_displacement_output_rate_command;
+MIP_COMMAND_REPLIES(mip_displacement_output_rate);
+MIP_SEND(mip_send_displacement_output_rate, mip_displacement_output_rate,
+         mip_displacement_output_rate_response);
+MIP_CALL_FOR(mip_call_displacement_output_rate_read, mip_displacement_output_rate,
+             MIP_FUNCTION_SELECTOR_READ, mip_displacement_output_rate_response);
+MIP_CALL_WITH(mip_call_displacement_output_rate_with, mip_displacement_output_rate,
+              mip_displacement_output_rate_response);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_displacement_output_rate_exchange;
+MIP_COMMAND_REPLIES(mip_displacement_device_time);
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Displacement Output Data
- * Rate. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_displacement_output_rate(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_displacement_output_rate *command,
-    struct mip_displacement_output_rate_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_displacement_output_rate_command, command,
-                           &mip_displacement_output_rate_response_codec, response, now);
-}
-
-/**
- * Displacement Output Data Rate: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_displacement_output_rate_read(
-    struct mip_device *device, struct mip_displacement_output_rate_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_displacement_output_rate_exchange, data, 1,
-                              &mip_displacement_output_rate_response_codec, response);
-}
-
-/**
- * Displacement Output Data Rate: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_displacement_output_rate_with(
-    struct mip_device *device, const struct mip_displacement_output_rate *command,
-    struct mip_displacement_output_rate_response *response) {
-    return mip_device_call(device, &mip_displacement_output_rate_command, command,
-                           &mip_displacement_output_rate_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_displacement_device_time_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_displacement_device_time_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Displacement Device Time.
- */
+/** Displacement device time: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_displacement_device_time(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_displacement_device_time *command, uint32_t now) {
@@ -103,7 +56,7 @@ static inline mip_error mip_send_displacement_device_time(
 }
 
 /**
- * Displacement Device Time: write. Apply the new setting. See mip_device_call.
+ * Displacement device time: write.
  *
  * - time: UTC since 1970-01-01, without leap seconds. Unit: ns.
  */
@@ -115,10 +68,7 @@ static inline struct mip_result mip_call_displacement_device_time_write(struct m
     return mip_device_send(device, &mip_displacement_device_time_exchange, data, 9);
 }
 
-/**
- * Displacement Device Time: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Displacement device time, with these values, including optional parameters. */
 static inline struct mip_result mip_call_displacement_device_time_with(
     struct mip_device *device, const struct mip_displacement_device_time *command) {
     return mip_device_call(device, &mip_displacement_device_time_command, command, NULL, NULL);

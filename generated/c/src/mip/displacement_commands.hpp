@@ -20,16 +20,16 @@ namespace displacement {
 /** @addtogroup mip_displacement
  * @{ */
 
-/** Get Analog to Displacement Calibration. See mip_call_displacement_get_calibration. */
+/** Get analog to displacement calibration. See mip_call_displacement_get_calibration. */
 struct get_calibration : fixed_command<::mip_displacement_get_calibration,
                                        ::mip::displacement::get_calibration_response> {};
 
-/** Displacement Output Data Rate: read. See mip_call_displacement_output_rate_read. */
+/** Displacement output data rate: read. See mip_call_displacement_output_rate_read. */
 struct read_output_rate
     : fixed_command<::mip_displacement_output_rate, ::mip::displacement::output_rate_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Displacement Device Time: write. See mip_call_displacement_device_time_write. */
+/** Displacement device time: write. See mip_call_displacement_device_time_write. */
 struct write_device_time {
     uint64_t time;
 

@@ -11,11 +11,11 @@
 namespace mip {
 
 MIP_LAYOUT(mip_displacement_data_displacement_raw, MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW,
-           MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW)
+           MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW, "displacement_data.displacement_raw")
 MIP_LAYOUT(mip_displacement_data_displacement, MIP_DISPLACEMENT_DATA_DISPLACEMENT,
-           MIP_DISPLACEMENT_DATA_DISPLACEMENT)
+           MIP_DISPLACEMENT_DATA_DISPLACEMENT, "displacement_data.displacement")
 MIP_LAYOUT(mip_displacement_data_timestamp, MIP_DISPLACEMENT_DATA_TIMESTAMP,
-           MIP_DISPLACEMENT_DATA_TIMESTAMP)
+           MIP_DISPLACEMENT_DATA_TIMESTAMP, "displacement_data.timestamp")
 
 /** Displacement data */
 inline constexpr std::uint8_t displacement_data_set = MIP_DISPLACEMENT_DATA_SET;
@@ -58,7 +58,7 @@ struct timestamp_ : ::mip_displacement_data_timestamp {
     }
 };
 
-/** Displacement Device Timestamp. See struct mip_displacement_data_timestamp. */
+/** Displacement device timestamp. See struct mip_displacement_data_timestamp. */
 using timestamp = timestamp_;
 
 /** @} */

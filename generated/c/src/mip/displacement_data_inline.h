@@ -16,21 +16,16 @@
 extern "C" {
 #endif
 
-/** Decodes displacement_data.displacement_raw. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_displacement_raw_decode_inline(
     struct mip_displacement_data_displacement_raw *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x90, 0x01, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->counts = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds displacement_data.displacement_raw to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encode_inline(
     const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -42,21 +37,16 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encod
     return MIP_OK;
 }
 
-/** Decodes displacement_data.displacement. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_displacement_decode_inline(
     struct mip_displacement_data_displacement *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x90, 0x02, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     mip_get_float(&value->displacement, field->data);
     return MIP_OK;
 }
 
-/** Adds displacement_data.displacement to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode_inline(
     const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -68,14 +58,10 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode_in
     return MIP_OK;
 }
 
-/** Decodes displacement_data.timestamp. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_timestamp_decode_inline(
     struct mip_displacement_data_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x90, 0x04, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 9)) {
         return error;
     }
     value->flags = mip_get_8(field->data);
@@ -83,7 +69,6 @@ static inline mip_error mip_displacement_data_timestamp_decode_inline(
     return MIP_OK;
 }
 
-/** Adds displacement_data.timestamp to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_data_timestamp_encode_inline(
     const struct mip_displacement_data_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;

@@ -16,14 +16,10 @@
 extern "C" {
 #endif
 
-/** Decodes displacement.get_calibration_response. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_get_calibration_response_decode_inline(
     struct mip_displacement_get_calibration_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x11, 0x81, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 8)) {
         return error;
     }
     mip_get_float(&value->slope, field->data);
@@ -31,7 +27,6 @@ static inline mip_error mip_displacement_get_calibration_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds displacement.get_calibration_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_get_calibration_response_encode_inline(
     const struct mip_displacement_get_calibration_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -44,21 +39,16 @@ MIP_CHECKED static inline mip_error mip_displacement_get_calibration_response_en
     return MIP_OK;
 }
 
-/** Decodes displacement.output_rate. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_output_rate_decode_inline(
     struct mip_displacement_output_rate *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x11, 0x02, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->function = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds displacement.output_rate to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_output_rate_encode_inline(
     const struct mip_displacement_output_rate *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -70,21 +60,16 @@ MIP_CHECKED static inline mip_error mip_displacement_output_rate_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes displacement.output_rate_response. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_output_rate_response_decode_inline(
     struct mip_displacement_output_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x11, 0x82, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->rate = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds displacement.output_rate_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_output_rate_response_encode_inline(
     const struct mip_displacement_output_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;

@@ -3,7 +3,7 @@
  *
  * Filter commands (0x0D). Commands that set up, start and aid the navigation filter.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_FILTER_H
 #define MIP_FILTER_H
@@ -42,7 +42,7 @@ enum mip_filter_dynamics_mode MIP_ENUM_8 {
     MIP_FILTER_DYNAMICS_MODE_AIRBORNE_HIGH_G = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_dynamics_mode_name(uint8_t value);
 
 /**
@@ -62,24 +62,24 @@ typedef uint16_t mip_filter_estimated_states;
 #define MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR 0x0008U
 /** Bit 4. Estimate the offset of the GNSS antenna. */
 #define MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET 0x0010U
-/** Bit 5. Estimate the hard iron offset of the magnetometer. */
+/** Bit 5. Estimate the hard iron offset of the magnetometer. Requires a magnetometer. */
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON 0x0020U
-/** Bit 6. Estimate the soft iron matrix of the magnetometer. */
+/** Bit 6. Estimate the soft iron matrix of the magnetometer. Requires a magnetometer. */
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON 0x0040U
 
 /** Source of the GNSS data that aids the filter. */
 enum mip_filter_gnss_aiding_source MIP_ENUM_8 {
-    /** All internal receivers. */
+    /** All internal receivers. Requires a receiver. */
     MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL = 1,
     /** GNSS measurements that your program sends. */
     MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL = 2,
-    /** Internal receiver 1 only. */
+    /** Internal receiver 1 only. Requires a receiver. */
     MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_1 = 3,
-    /** Internal receiver 2 only. */
+    /** Internal receiver 2 only. Requires 2 receivers. */
     MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_2 = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_gnss_aiding_source_name(uint8_t value);
 
 /** The north that a heading refers to. */
@@ -90,7 +90,7 @@ enum mip_filter_heading_type MIP_ENUM_8 {
     MIP_FILTER_HEADING_TYPE_MAGNETIC_HEADING = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_heading_type_name(uint8_t value);
 
 /**
@@ -103,23 +103,23 @@ MIP_API const char *mip_filter_heading_type_name(uint8_t value);
 enum mip_filter_heading_update_source MIP_ENUM_8 {
     /** No heading updates. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_NONE = 0,
-    /** The device's own magnetometer. */
+    /** The device's own magnetometer. Requires a magnetometer. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_MAG = 1,
-    /** The velocity that the GNSS receiver measures. */
+    /** The velocity that the GNSS receiver measures. Requires a receiver. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY = 2,
     /** The heading messages that your program sends. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL = 3,
-    /** The course over ground and the magnetometer. */
+    /** The course over ground and the magnetometer. Requires a receiver and a magnetometer. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG = 4,
-    /** GNSS velocity and your program's heading messages. */
+    /** GNSS velocity and your program's heading messages. Requires a receiver. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL = 5,
-    /** Magnetometer and your program's heading messages. */
+    /** Magnetometer and your program's heading messages. Requires a magnetometer. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL = 6,
-    /** All three. */
+    /** All three. Requires a receiver and a magnetometer. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_ALL = 7
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_heading_update_source_name(uint8_t value);
 
 /** Axes to tare; 0 resets all axes. */
@@ -135,12 +135,12 @@ typedef uint8_t mip_filter_tare_axes;
 typedef uint16_t mip_filter_measurement_flags;
 /** Bit 0. Accelerometer measurements. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_ACCEL 0x0001U
-/** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
+/** Bit 1. Magnetometer measurements. Requires a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAG 0x0002U
 
 /** Source of the declination, the inclination or the magnitude of the magnetic field. */
 enum mip_filter_mag_parameter_source MIP_ENUM_8 {
-    /** No source. Uncertain: What the device does without a source. */
+    /** No source. Uncertain: No source states what the device does without a declination. */
     MIP_FILTER_MAG_PARAMETER_SOURCE_NONE = 1,
     /** The World Magnetic Model, at the estimated position. */
     MIP_FILTER_MAG_PARAMETER_SOURCE_WMM = 2,
@@ -148,7 +148,7 @@ enum mip_filter_mag_parameter_source MIP_ENUM_8 {
     MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
 
 /** Weighting of measurements whose magnitude is not as expected. */
@@ -161,7 +161,7 @@ enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_adaptive_measurement_selector_name(uint8_t value);
 
 /**
@@ -172,11 +172,11 @@ MIP_API const char *mip_filter_adaptive_measurement_selector_name(uint8_t value)
 enum mip_filter_altitude_aiding_source MIP_ENUM_8 {
     /** No aiding. */
     MIP_FILTER_ALTITUDE_AIDING_SOURCE_NONE = 0,
-    /** The pressure sensor. */
+    /** The pressure sensor. Requires a pressure sensor. */
     MIP_FILTER_ALTITUDE_AIDING_SOURCE_PRESSURE = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_altitude_aiding_source_name(uint8_t value);
 
 /** Source that aids pitch and roll. */
@@ -187,7 +187,7 @@ enum mip_filter_pitch_roll_aiding_source MIP_ENUM_8 {
     MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_GRAVITY_VECTOR = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 
 /**
@@ -196,13 +196,13 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
  * Position and velocity of the GNSS receivers.
  */
 #define MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY 0
-/** GNSS heading from two antennas. */
+/** GNSS heading from two antennas. Requires 2 antennas. */
 #define MIP_FILTER_AIDING_SOURCE_GNSS_HEADING 1
-/** Built-in pressure altimeter. */
+/** Built-in pressure altimeter. Requires a pressure sensor. */
 #define MIP_FILTER_AIDING_SOURCE_ALTIMETER 2
 /** Speed sensor or odometer. */
 #define MIP_FILTER_AIDING_SOURCE_SPEED 3
-/** Built-in magnetometer. */
+/** Built-in magnetometer. Requires a magnetometer. */
 #define MIP_FILTER_AIDING_SOURCE_MAG 4
 /** Heading that your program sends. */
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING 5
@@ -215,7 +215,7 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 /** All sources, for save, load and default. */
 #define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
 
 /**
@@ -230,7 +230,7 @@ enum mip_filter_accel_constraint MIP_ENUM_8 {
     MIP_FILTER_ACCEL_CONSTRAINT_ZERO_ACCEL = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
 
 /**
@@ -247,7 +247,7 @@ enum mip_filter_velocity_constraint MIP_ENUM_8 {
     MIP_FILTER_VELOCITY_CONSTRAINT_WHEELED_VEHICLE = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
 
 /**
@@ -262,7 +262,7 @@ enum mip_filter_angular_constraint MIP_ENUM_8 {
     MIP_FILTER_ANGULAR_CONSTRAINT_ZERO_ANGULAR_RATE = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
 
 /** Initial conditions that your program provides instead of the device. */
@@ -277,16 +277,16 @@ enum mip_filter_initial_condition_source MIP_ENUM_8 {
     MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_initial_condition_source_name(uint8_t value);
 
 /** Methods that the device may use to determine its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
-/** Bit 0. From the baseline between two GNSS antennas. */
+/** Bit 0. From the baseline between two GNSS antennas. Requires 2 antennas. */
 #define MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA 0x01U
 /** Bit 1. From the GNSS velocity; assumes motion along the positive x axis of the vehicle. */
 #define MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC 0x02U
-/** Bit 2. From the built-in magnetometer. */
+/** Bit 2. From the built-in magnetometer. Requires a magnetometer. */
 #define MIP_FILTER_HEADING_ALIGNMENT_MAG 0x04U
 /** Bit 3. From the heading that your program sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
@@ -299,7 +299,7 @@ enum mip_filter_reference_frame MIP_ENUM_8 {
     MIP_FILTER_REFERENCE_FRAME_LLH = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
 
 /** Strength of the adaptation to inconsistent measurements. */
@@ -314,7 +314,7 @@ enum mip_filter_adaptive_level MIP_ENUM_8 {
     MIP_FILTER_ADAPTIVE_LEVEL_AGGRESSIVE = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
 
 /** Source of the reference point for relative positions. */
@@ -325,7 +325,7 @@ enum mip_filter_relative_position_source MIP_ENUM_8 {
     MIP_FILTER_RELATIVE_POSITION_SOURCE_MANUAL = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_relative_position_source_name(uint8_t value);
 
 /** Point that a lever arm moves. */
@@ -334,7 +334,7 @@ enum mip_filter_reference_point MIP_ENUM_8 {
     MIP_FILTER_REFERENCE_POINT_VEHICLE = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_reference_point_name(uint8_t value);
 
 /**
@@ -342,8 +342,7 @@ MIP_API const char *mip_filter_reference_point_name(uint8_t value);
  *
  * Returns the filter to its initialization state.
  *
- * Changes MIP_FILTER_DATA_SET. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Affects MIP_FILTER_DATA_SET.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
@@ -359,45 +358,24 @@ struct mip_filter_reset {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_RESET 0x0D01
-/** Its descriptor. */
 #define MIP_FILTER_RESET_DESCRIPTOR 0x01
-/** Its name in the specification. */
-#define MIP_FILTER_RESET_NAME "filter.reset"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_reset_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_reset_decode(struct mip_filter_reset *value,
-                                                const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_reset_codec, 0x01, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
-                                                            struct mip_builder *builder) {
-    return mip_encode(&mip_filter_reset_codec, value, builder);
-}
+MIP_FIELD(mip_filter_reset, 0x01);
 
 /**
  * Set initial attitude: command (0x0D,0x02).
  *
  * Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.
  *
- * Changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
- * mip_filter_data_euler_angles. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Affects mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles.
  *
  * Accepted only in the initialization state.
  *
  * - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
  */
 struct mip_filter_set_initial_attitude {
-    /**
-     * Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-     * right side down.
-     */
+    /** Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down. */
     float roll;
     /**
      * Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
@@ -405,45 +383,17 @@ struct mip_filter_set_initial_attitude {
      */
     float pitch;
     /**
-     * Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
-     * Positive: clockwise seen from above.
+     * Heading (yaw) angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from
+     * above.
      */
     float heading;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE 0x0D02
-/** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR 0x02
-/** Its name in the specification. */
-#define MIP_FILTER_SET_INITIAL_ATTITUDE_NAME "filter.set_initial_attitude"
+MIP_FIELD(mip_filter_set_initial_attitude, 0x02);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_set_initial_attitude_decode(
-    struct mip_filter_set_initial_attitude *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_set_initial_attitude_codec, 0x02, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode(
-    const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_set_initial_attitude_codec, value, builder);
-}
-
-/**
- * Set initial attitude. Fills the structure and returns its address.
- *
- * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
- *   Positive: right side down.
- * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
- *   Positive: nose up.
- * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793. Positive: clockwise seen from above.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_attitude_make(
     struct mip_filter_set_initial_attitude *command, float roll, float pitch, float heading) {
     memset(command, 0, sizeof(*command));
@@ -458,9 +408,8 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
  *
  * Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
  *
- * Changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
- * mip_filter_data_euler_angles. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Affects mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles.
  *
  * 3DM-GX5: accepted only in the initialization state.
  *
@@ -472,41 +421,17 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
  */
 struct mip_filter_set_initial_heading {
     /**
-     * Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
-     * Positive: clockwise seen from above.
+     * Initial heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from
+     * above.
      */
     float heading;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SET_INITIAL_HEADING 0x0D03
-/** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_HEADING_DESCRIPTOR 0x03
-/** Its name in the specification. */
-#define MIP_FILTER_SET_INITIAL_HEADING_NAME "filter.set_initial_heading"
+MIP_FIELD(mip_filter_set_initial_heading, 0x03);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_set_initial_heading_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_set_initial_heading_decode(
-    struct mip_filter_set_initial_heading *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_set_initial_heading_codec, 0x03, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode(
-    const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_set_initial_heading_codec, value, builder);
-}
-
-/**
- * Set initial heading. Fills the structure and returns its address.
- *
- * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793. Positive: clockwise seen from above.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_filter_set_initial_heading *
 mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *command, float heading) {
     memset(command, 0, sizeof(*command));
@@ -519,12 +444,12 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
  *
  * Initializes the filter's attitude from the complementary filter.
  *
- * No device is known for certain to support it. Also called `set_initial_heading_from_mag`. Changes
+ * No device is known for certain to support it. Also called `set_initial_heading_from_mag`. Affects
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Known only from the MIP SDK of 2014, MicroStrain Communication
- * Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set initial heading from
- * mag, and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45.
- * Uncertain: Which devices support it.
+ * Library and MicroStrain MIP SDK. Uncertain: The SDK calls it set initial heading from mag,
+ * without a layout; the SDK of 2014 has this layout in its example for the 3DM-GX3-45. Uncertain:
+ * No source lists the devices that support it.
  *
  * - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
  * - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -532,41 +457,18 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
  */
 struct mip_filter_set_initial_attitude_from_imu {
     /**
-     * Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
-     * 3.141592653589793.
+     * Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive:
+     * magnetic north is east of true north. Uncertain: The sign is the usual one; no source states
+     * it.
      */
     float declination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU 0x0D04
-/** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU_DESCRIPTOR 0x04
-/** Its name in the specification. */
-#define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU_NAME "filter.set_initial_attitude_from_imu"
+MIP_FIELD(mip_filter_set_initial_attitude_from_imu, 0x04);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_set_initial_attitude_from_imu_decode(
-    struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_set_initial_attitude_from_imu_codec, 0x04, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
-    const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_set_initial_attitude_from_imu_codec, value, builder);
-}
-
-/**
- * Set initial attitude from IMU. Fills the structure and returns its address.
- *
- * - declination: Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
- *   3.141592653589793.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_filter_set_initial_attitude_from_imu *
 mip_filter_set_initial_attitude_from_imu_make(
     struct mip_filter_set_initial_attitude_from_imu *command, float declination) {
@@ -580,7 +482,7 @@ mip_filter_set_initial_attitude_from_imu_make(
  *
  * Starts a filter that is configured to wait for this command.
  *
- * Changes mip_filter_data_status. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Affects mip_filter_data_status.
  *
  * The filter waits in its initialization state if `wait_for_run_command` of
  * mip_filter_initialization_config is set.
@@ -592,27 +494,9 @@ struct mip_filter_run {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_RUN 0x0D05
-/** Its descriptor. */
 #define MIP_FILTER_RUN_DESCRIPTOR 0x05
-/** Its name in the specification. */
-#define MIP_FILTER_RUN_NAME "filter.run"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_run_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_run_decode(struct mip_filter_run *value,
-                                              const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_run_codec, 0x05, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value,
-                                                          struct mip_builder *builder) {
-    return mip_encode(&mip_filter_run_codec, value, builder);
-}
+MIP_FIELD(mip_filter_run, 0x05);
 
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
@@ -620,16 +504,13 @@ MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filte
  * Adapts the filter to the expected motion.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_vehicle_dynamics_mode_response. Probably changes MIP_FILTER_DATA_SET. Supported by
- * 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * mip_filter_vehicle_dynamics_mode_response. Probably affects MIP_FILTER_DATA_SET. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
  */
 struct mip_filter_vehicle_dynamics_mode {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -641,36 +522,15 @@ struct mip_filter_vehicle_dynamics_mode {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE 0x0D10
-/** Its descriptor. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR 0x10
-/** Its name in the specification. */
-#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_NAME "filter.vehicle_dynamics_mode"
+MIP_FIELD(mip_filter_vehicle_dynamics_mode, 0x10);
+MIP_FILL(mip_filter_vehicle_dynamics_mode, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_vehicle_dynamics_mode, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_vehicle_dynamics_mode, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_vehicle_dynamics_mode, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_vehicle_dynamics_mode_decode(
-    struct mip_filter_vehicle_dynamics_mode *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_vehicle_dynamics_mode_codec, 0x10, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
-    const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
- *   3DM-GX3-45: only MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
- *   MIP_FILTER_DYNAMICS_MODE_AIRBORNE.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynamics_mode_write(
     struct mip_filter_vehicle_dynamics_mode *command, enum mip_filter_dynamics_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -679,43 +539,10 @@ static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynami
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_vehicle_dynamics_mode *
-mip_filter_vehicle_dynamics_mode_read(struct mip_filter_vehicle_dynamics_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_vehicle_dynamics_mode *
-mip_filter_vehicle_dynamics_mode_save(struct mip_filter_vehicle_dynamics_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_vehicle_dynamics_mode *
-mip_filter_vehicle_dynamics_mode_load(struct mip_filter_vehicle_dynamics_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_vehicle_dynamics_mode *
-mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Response to mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Response to mip_filter_vehicle_dynamics_mode. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
  */
@@ -724,27 +551,16 @@ struct mip_filter_vehicle_dynamics_mode_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE 0x0D80
-/** Its descriptor. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x80
-/** Its name in the specification. */
-#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_NAME "filter.vehicle_dynamics_mode_response"
+MIP_FIELD(mip_filter_vehicle_dynamics_mode_response, 0x80);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode(
-    struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_vehicle_dynamics_mode_response_codec, 0x80, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode(
-    const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_vehicle_dynamics_mode_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynamics_mode_write_from(
+    struct mip_filter_vehicle_dynamics_mode *command,
+    const struct mip_filter_vehicle_dynamics_mode_response *response) {
+    return mip_filter_vehicle_dynamics_mode_write(command,
+                                                  (enum mip_filter_dynamics_mode)response->mode);
 }
 
 /**
@@ -753,13 +569,12 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
  * Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_sensor_to_vehicle_rotation_euler_response. Changes mip_sensor_scaled_accel,
+ * mip_filter_sensor_to_vehicle_rotation_euler_response. Affects mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate, mip_filter_data_gravity_vector
- * and mip_filter_data_comp_accel. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The formula.
- * The text of the manual lacks it; it is the inverse of that of
- * mip_3dm_sensor_to_vehicle_transform_euler, which the 3DM-CV7 manual states.
+ * and mip_filter_data_comp_accel. Uncertain: The text of the manual lacks the formula; it is the
+ * inverse of that of mip_3dm_sensor_to_vehicle_transform_euler, which the 3DM-CV7 manual states.
  *
  * The 3DM-CV7 uses the inverse instead: mip_3dm_sensor_to_vehicle_transform_euler.
  *
@@ -768,51 +583,36 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 struct mip_filter_sensor_to_vehicle_rotation_euler {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Roll angle. Unit: rad. Required for write. */
+    /**
+     * Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right
+     * side down. Required for write.
+     */
     float roll;
-    /** Pitch angle. Unit: rad. Required for write. */
+    /**
+     * Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose
+     * up. Required for write.
+     */
     float pitch;
-    /** Yaw angle. Unit: rad. Required for write. */
+    /**
+     * Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive:
+     * clockwise seen from above. Required for write.
+     */
     float yaw;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER 0x0D11
-/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR 0x11
-/** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
+MIP_FIELD(mip_filter_sensor_to_vehicle_rotation_euler, 0x11);
+MIP_FILL(mip_filter_sensor_to_vehicle_rotation_euler, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_sensor_to_vehicle_rotation_euler, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_sensor_to_vehicle_rotation_euler, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_sensor_to_vehicle_rotation_euler, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_euler_codec, 0x11, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - roll: Roll angle. Unit: rad. Required for write.
- * - pitch: Pitch angle. Unit: rad. Required for write.
- * - yaw: Yaw angle. Unit: rad. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
 mip_filter_sensor_to_vehicle_rotation_euler_write(
     struct mip_filter_sensor_to_vehicle_rotation_euler *command, float roll, float pitch,
@@ -825,82 +625,42 @@ mip_filter_sensor_to_vehicle_rotation_euler_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
-mip_filter_sensor_to_vehicle_rotation_euler_read(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
-mip_filter_sensor_to_vehicle_rotation_euler_save(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
-mip_filter_sensor_to_vehicle_rotation_euler_load(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
-mip_filter_sensor_to_vehicle_rotation_euler_default(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Response to mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_sensor_to_vehicle_rotation_euler.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 struct mip_filter_sensor_to_vehicle_rotation_euler_response {
-    /** Roll angle. Unit: rad. */
+    /**
+     * Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right
+     * side down.
+     */
     float roll;
-    /** Pitch angle. Unit: rad. */
+    /**
+     * Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose
+     * up.
+     */
     float pitch;
-    /** Yaw angle. Unit: rad. */
+    /**
+     * Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive:
+     * clockwise seen from above.
+     */
     float yaw;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE 0x0D81
-/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR 0x81
-/** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_NAME \
-    "filter.sensor_to_vehicle_rotation_euler_response"
+MIP_FIELD(mip_filter_sensor_to_vehicle_rotation_euler_response, 0x81);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_euler_response_codec, 0x81, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_write_from(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command,
+    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *response) {
+    return mip_filter_sensor_to_vehicle_rotation_euler_write(command, response->roll,
+                                                             response->pitch, response->yaw);
 }
 
 /**
@@ -909,19 +669,16 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_
  * Sets the origin of the vehicle frame relative to the sensor.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_sensor_to_vehicle_offset_response. Changes mip_filter_data_llh_position. Supported by
- * 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to
- * the origin of the vehicle frame, is inferred from the name.
+ * mip_filter_sensor_to_vehicle_offset_response. Affects mip_filter_data_llh_position. Known only
+ * from the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin of the
+ * vehicle frame, is inferred from the name.
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
  *
  * - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
  */
 struct mip_filter_sensor_to_vehicle_offset {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -932,35 +689,15 @@ struct mip_filter_sensor_to_vehicle_offset {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET 0x0D12
-/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR 0x12
-/** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_NAME "filter.sensor_to_vehicle_offset"
+MIP_FIELD(mip_filter_sensor_to_vehicle_offset, 0x12);
+MIP_FILL(mip_filter_sensor_to_vehicle_offset, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_sensor_to_vehicle_offset, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_sensor_to_vehicle_offset, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_sensor_to_vehicle_offset, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_offset_decode(
-    struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_offset_codec, 0x12, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
-    const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - offset: Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m.
- *   Frame: sensor. Range: magnitude at most 10. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_vehicle_offset_write(
     struct mip_filter_sensor_to_vehicle_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -969,43 +706,10 @@ static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_v
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_offset *
-mip_filter_sensor_to_vehicle_offset_read(struct mip_filter_sensor_to_vehicle_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_offset *
-mip_filter_sensor_to_vehicle_offset_save(struct mip_filter_sensor_to_vehicle_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_offset *
-mip_filter_sensor_to_vehicle_offset_load(struct mip_filter_sensor_to_vehicle_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_offset *
-mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
- * Response to mip_filter_sensor_to_vehicle_offset. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Response to mip_filter_sensor_to_vehicle_offset. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
  */
@@ -1017,27 +721,16 @@ struct mip_filter_sensor_to_vehicle_offset_response {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE 0x0D82
-/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR 0x82
-/** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_NAME "filter.sensor_to_vehicle_offset_response"
+MIP_FIELD(mip_filter_sensor_to_vehicle_offset_response, 0x82);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
-    struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_offset_response_codec, 0x82, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
-    const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_sensor_to_vehicle_offset *
+mip_filter_sensor_to_vehicle_offset_write_from(
+    struct mip_filter_sensor_to_vehicle_offset *command,
+    const struct mip_filter_sensor_to_vehicle_offset_response *response) {
+    return mip_filter_sensor_to_vehicle_offset_write(command, response->offset);
 }
 
 /**
@@ -1046,12 +739,11 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response
  * Sets the position of the GNSS antenna relative to the origin of the sensor.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_antenna_offset_response.
- * Probably changes mip_filter_data_llh_position, mip_filter_data_ecef_position,
+ * Probably affects mip_filter_data_llh_position, mip_filter_data_ecef_position,
  * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
- * mip_filter_data_antenna_offset_correction. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
- * 3DM-GX5-45.
+ * mip_filter_data_antenna_offset_correction.
  *
- * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
+ * 5-series devices expect the sensor frame.
  *
  * On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands uses
  * mip_aiding_frame_config.
@@ -1059,50 +751,27 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_antenna_offset {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
-     * Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
-     * sensor.
+     * Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-CX5-45: frame
+     * sensor (inferred: the manual of the 3DM-GX5-45 states it). On the 3DM-GX5-45: frame sensor.
      */
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ANTENNA_OFFSET 0x0D13
-/** Its descriptor. */
 #define MIP_FILTER_ANTENNA_OFFSET_DESCRIPTOR 0x13
-/** Its name in the specification. */
-#define MIP_FILTER_ANTENNA_OFFSET_NAME "filter.antenna_offset"
+MIP_FIELD(mip_filter_antenna_offset, 0x13);
+MIP_FILL(mip_filter_antenna_offset, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_antenna_offset, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_antenna_offset, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_antenna_offset, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_antenna_offset_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_antenna_offset_codec, 0x13, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_antenna_offset_encode(
-    const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - offset: Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z.
- *   Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45:
- *   frame sensor.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -1111,74 +780,31 @@ mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_antenna_offset *
-mip_filter_antenna_offset_read(struct mip_filter_antenna_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_antenna_offset *
-mip_filter_antenna_offset_save(struct mip_filter_antenna_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_antenna_offset *
-mip_filter_antenna_offset_load(struct mip_filter_antenna_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_antenna_offset *
-mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
- * Response to mip_filter_antenna_offset. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+ * Response to mip_filter_antenna_offset.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_antenna_offset_response {
     /**
      * Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
-     * Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.
+     * Frame: vehicle. Range: magnitude at most 10. On the 3DM-CX5-45: frame sensor (inferred: the
+     * manual of the 3DM-GX5-45 states it). On the 3DM-GX5-45: frame sensor.
      */
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE 0x0D83
-/** Its descriptor. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0x83
-/** Its name in the specification. */
-#define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_NAME "filter.antenna_offset_response"
+MIP_FIELD(mip_filter_antenna_offset_response, 0x83);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_antenna_offset_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_antenna_offset_response_decode(
-    struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_antenna_offset_response_codec, 0x83, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
-    const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_antenna_offset_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_antenna_offset *
+mip_filter_antenna_offset_write_from(struct mip_filter_antenna_offset *command,
+                                     const struct mip_filter_antenna_offset_response *response) {
+    return mip_filter_antenna_offset_write(command, response->offset);
 }
 
 /**
@@ -1187,30 +813,27 @@ MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
  * Selects the states that the filter estimates.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_estimation_control_response.
- * Changes mip_filter_data_gyro_bias, mip_filter_data_accel_bias, mip_filter_data_gyro_scale_factor,
+ * Affects mip_filter_data_gyro_bias, mip_filter_data_accel_bias, mip_filter_data_gyro_scale_factor,
  * mip_filter_data_accel_scale_factor, mip_filter_data_antenna_offset_correction,
- * mip_filter_data_mag_offset and mip_filter_data_mag_matrix. Probably changes
+ * mip_filter_data_mag_offset and mip_filter_data_mag_matrix. Probably affects
  * mip_filter_data_gyro_bias_uncertainty, mip_filter_data_accel_bias_uncertainty,
  * mip_filter_data_gyro_scale_factor_uncertainty, mip_filter_data_accel_scale_factor_uncertainty,
  * mip_filter_data_antenna_offset_correction_uncertainty, mip_filter_data_mag_offset_uncertainty and
- * mip_filter_data_mag_matrix_uncertainty. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_data_mag_matrix_uncertainty.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
 struct mip_filter_estimation_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * States to estimate. Required for write. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45,
-     * 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
+     * 3DM-GX4-15, -25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
      * 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
      * MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
-     * the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+     * the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
      * MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
      * MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
      * and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
@@ -1218,41 +841,15 @@ struct mip_filter_estimation_control {
     mip_filter_estimated_states flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ESTIMATION_CONTROL 0x0D14
-/** Its descriptor. */
 #define MIP_FILTER_ESTIMATION_CONTROL_DESCRIPTOR 0x14
-/** Its name in the specification. */
-#define MIP_FILTER_ESTIMATION_CONTROL_NAME "filter.estimation_control"
+MIP_FIELD(mip_filter_estimation_control, 0x14);
+MIP_FILL(mip_filter_estimation_control, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_estimation_control, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_estimation_control, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_estimation_control, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_estimation_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_estimation_control_decode(
-    struct mip_filter_estimation_control *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_estimation_control_codec, 0x14, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_estimation_control_encode(
-    const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_estimation_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - flags: States to estimate. Required for write. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
- *   3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
- *   MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
- *   the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
- *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
- *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
- *   and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_estimation_control *mip_filter_estimation_control_write(
     struct mip_filter_estimation_control *command, mip_filter_estimated_states flags) {
     memset(command, 0, sizeof(*command));
@@ -1261,42 +858,10 @@ static inline struct mip_filter_estimation_control *mip_filter_estimation_contro
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_estimation_control *
-mip_filter_estimation_control_read(struct mip_filter_estimation_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_estimation_control *
-mip_filter_estimation_control_save(struct mip_filter_estimation_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_estimation_control *
-mip_filter_estimation_control_load(struct mip_filter_estimation_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_estimation_control *
-mip_filter_estimation_control_default(struct mip_filter_estimation_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Response to mip_filter_estimation_control. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_estimation_control.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -1305,27 +870,15 @@ struct mip_filter_estimation_control_response {
     mip_filter_estimated_states flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE 0x0D84
-/** Its descriptor. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_DESCRIPTOR 0x84
-/** Its name in the specification. */
-#define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_NAME "filter.estimation_control_response"
+MIP_FIELD(mip_filter_estimation_control_response, 0x84);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_estimation_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_estimation_control_response_decode(
-    struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_estimation_control_response_codec, 0x84, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encode(
-    const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_estimation_control_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_estimation_control *mip_filter_estimation_control_write_from(
+    struct mip_filter_estimation_control *command,
+    const struct mip_filter_estimation_control_response *response) {
+    return mip_filter_estimation_control_write(command, response->flags);
 }
 
 /**
@@ -1334,10 +887,9 @@ MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encod
  * Selects the GNSS receiver that aids the filter.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_gnss_source_response.
- * Probably changes mip_filter_data_llh_position, mip_filter_data_ecef_position,
+ * Probably affects mip_filter_data_llh_position, mip_filter_data_ecef_position,
  * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
- * mip_filter_data_gnss_position_aiding_status. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
- * 3DM-GX5-45.
+ * mip_filter_data_gnss_position_aiding_status.
  *
  * A change while the filter is running may return it to initialization until the new source
  * provides data.
@@ -1345,50 +897,30 @@ MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encod
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
 struct mip_filter_gnss_source {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for write.
-     * On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
-     * MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
+     * On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
+     * On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
+     * MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL, MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL and
+     * MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_1. On the 3DM-GX5-45: only
+     * MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
      */
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GNSS_SOURCE 0x0D15
-/** Its descriptor. */
 #define MIP_FILTER_GNSS_SOURCE_DESCRIPTOR 0x15
-/** Its name in the specification. */
-#define MIP_FILTER_GNSS_SOURCE_NAME "filter.gnss_source"
+MIP_FIELD(mip_filter_gnss_source, 0x15);
+MIP_FILL(mip_filter_gnss_source, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_gnss_source, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_gnss_source, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_gnss_source, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gnss_source_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gnss_source_codec, 0x15, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gnss_source_encode(
-    const struct mip_filter_gnss_source *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gnss_source_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
- *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
- *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     struct mip_filter_gnss_source *command, enum mip_filter_gnss_aiding_source source) {
     memset(command, 0, sizeof(*command));
@@ -1397,43 +929,10 @@ static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_source *
-mip_filter_gnss_source_read(struct mip_filter_gnss_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_source *
-mip_filter_gnss_source_save(struct mip_filter_gnss_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_source *
-mip_filter_gnss_source_load(struct mip_filter_gnss_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_source *
-mip_filter_gnss_source_default(struct mip_filter_gnss_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
- * Response to mip_filter_gnss_source. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
- * 3DM-GX5-45.
+ * Response to mip_filter_gnss_source.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -1442,27 +941,16 @@ struct mip_filter_gnss_source_response {
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE 0x0D86
-/** Its descriptor. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE_DESCRIPTOR 0x86
-/** Its name in the specification. */
-#define MIP_FILTER_GNSS_SOURCE_RESPONSE_NAME "filter.gnss_source_response"
+MIP_FIELD(mip_filter_gnss_source_response, 0x86);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gnss_source_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gnss_source_response_decode(
-    struct mip_filter_gnss_source_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gnss_source_response_codec, 0x86, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
-    const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gnss_source_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_gnss_source *
+mip_filter_gnss_source_write_from(struct mip_filter_gnss_source *command,
+                                  const struct mip_filter_gnss_source_response *response) {
+    return mip_filter_gnss_source_write(command,
+                                        (enum mip_filter_gnss_aiding_source)response->source);
 }
 
 /**
@@ -1470,7 +958,7 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
  *
  * Sends one position and velocity measurement from your own GNSS receiver to the filter.
  *
- * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * Rejected unless mip_filter_gnss_source selects the external source.
  *
@@ -1503,43 +991,11 @@ struct mip_filter_external_gnss_update {
     float velocity_uncertainty[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE 0x0D16
-/** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR 0x16
-/** Its name in the specification. */
-#define MIP_FILTER_EXTERNAL_GNSS_UPDATE_NAME "filter.external_gnss_update"
+MIP_FIELD(mip_filter_external_gnss_update, 0x16);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_external_gnss_update_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_external_gnss_update_decode(
-    struct mip_filter_external_gnss_update *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_external_gnss_update_codec, 0x16, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode(
-    const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_external_gnss_update_codec, value, builder);
-}
-
-/**
- * External GNSS update. Fills the structure and returns its address.
- *
- * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
- * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
- * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
- * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
- * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
- *   Frame: ned. Range: at least 0.
- * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
- *   m/s. Frame: ned. Range: at least 0.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_update_make(
     struct mip_filter_external_gnss_update *command, double tow, uint16_t week_number,
     double latitude, double longitude, double height, const float velocity[3],
@@ -1563,8 +1019,6 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
  *
  * Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
- *
  * Rejected unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
  * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
  *
@@ -1578,8 +1032,8 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
  */
 struct mip_filter_external_heading_update {
     /**
-     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
-     * -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi.
+     * Positive: clockwise seen from above.
      */
     float heading;
     /**
@@ -1590,38 +1044,11 @@ struct mip_filter_external_heading_update {
     uint8_t type;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE 0x0D17
-/** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR 0x17
-/** Its name in the specification. */
-#define MIP_FILTER_EXTERNAL_HEADING_UPDATE_NAME "filter.external_heading_update"
+MIP_FIELD(mip_filter_external_heading_update, 0x17);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_external_heading_update_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_external_heading_update_decode(
-    struct mip_filter_external_heading_update *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_external_heading_update_codec, 0x17, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode(
-    const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_external_heading_update_codec, value, builder);
-}
-
-/**
- * External heading update. Fills the structure and returns its address.
- *
- * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device rejects values out of range. Unit: rad.
- *   Range: greater than 0.
- * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_filter_external_heading_update *mip_filter_external_heading_update_make(
     struct mip_filter_external_heading_update *command, float heading, float heading_uncertainty,
     enum mip_filter_heading_type type) {
@@ -1638,17 +1065,14 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
  * Selects the source of the heading that aids the filter.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_heading_source_response.
- * Changes mip_filter_data_heading_update_state. Probably changes
+ * Affects mip_filter_data_heading_update_state. Probably affects
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
- * mip_filter_data_euler_angles. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_data_euler_angles.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
 struct mip_filter_heading_source {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1660,47 +1084,21 @@ struct mip_filter_heading_source {
      * and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
      * only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
      * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
-     * On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+     * On the 3DM-RQ1-45-LT and -45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
      * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
      */
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_HEADING_SOURCE 0x0D18
-/** Its descriptor. */
 #define MIP_FILTER_HEADING_SOURCE_DESCRIPTOR 0x18
-/** Its name in the specification. */
-#define MIP_FILTER_HEADING_SOURCE_NAME "filter.heading_source"
+MIP_FIELD(mip_filter_heading_source, 0x18);
+MIP_FILL(mip_filter_heading_source, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_heading_source, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_heading_source, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_heading_source, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_heading_source_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_heading_source_codec, 0x18, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_heading_source_encode(
-    const struct mip_filter_heading_source *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_heading_source_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
- *   write. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE
- *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and
- *   3DM-GX5-25: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG
- *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
- *   only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
- *   On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     struct mip_filter_heading_source *command, enum mip_filter_heading_update_source source) {
     memset(command, 0, sizeof(*command));
@@ -1709,42 +1107,10 @@ static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_heading_source *
-mip_filter_heading_source_read(struct mip_filter_heading_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_heading_source *
-mip_filter_heading_source_save(struct mip_filter_heading_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_heading_source *
-mip_filter_heading_source_load(struct mip_filter_heading_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_heading_source *
-mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Response to mip_filter_heading_source. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_heading_source.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -1753,27 +1119,16 @@ struct mip_filter_heading_source_response {
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE 0x0D87
-/** Its descriptor. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE_DESCRIPTOR 0x87
-/** Its name in the specification. */
-#define MIP_FILTER_HEADING_SOURCE_RESPONSE_NAME "filter.heading_source_response"
+MIP_FIELD(mip_filter_heading_source_response, 0x87);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_heading_source_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_heading_source_response_decode(
-    struct mip_filter_heading_source_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_heading_source_response_codec, 0x87, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
-    const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_heading_source_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_heading_source *
+mip_filter_heading_source_write_from(struct mip_filter_heading_source *command,
+                                     const struct mip_filter_heading_source_response *response) {
+    return mip_filter_heading_source_write(command,
+                                           (enum mip_filter_heading_update_source)response->source);
 }
 
 /**
@@ -1782,17 +1137,14 @@ MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
  * Sets whether the filter initializes automatically at power-up.
  *
  * Also called `auto_init_control`. Functions: write, read, save, load and default. Response:
- * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_auto_initialization_control_response.
  *
  * Automatic initialization needs a valid heading source.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
 struct mip_filter_auto_initialization_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1800,34 +1152,15 @@ struct mip_filter_auto_initialization_control {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL 0x0D19
-/** Its descriptor. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR 0x19
-/** Its name in the specification. */
-#define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_NAME "filter.auto_initialization_control"
+MIP_FIELD(mip_filter_auto_initialization_control, 0x19);
+MIP_FILL(mip_filter_auto_initialization_control, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_auto_initialization_control, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_auto_initialization_control, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_auto_initialization_control, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_auto_initialization_control_decode(
-    struct mip_filter_auto_initialization_control *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_auto_initialization_control_codec, 0x19, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_encode(
-    const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_write(struct mip_filter_auto_initialization_control *command,
                                              uint8_t enable) {
@@ -1837,47 +1170,10 @@ mip_filter_auto_initialization_control_write(struct mip_filter_auto_initializati
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_initialization_control *
-mip_filter_auto_initialization_control_read(
-    struct mip_filter_auto_initialization_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_initialization_control *
-mip_filter_auto_initialization_control_save(
-    struct mip_filter_auto_initialization_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_initialization_control *
-mip_filter_auto_initialization_control_load(
-    struct mip_filter_auto_initialization_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_initialization_control *
-mip_filter_auto_initialization_control_default(
-    struct mip_filter_auto_initialization_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Automatic initialization response: response (0x0D,0x88).
  *
  * Also called `auto_init_control_response`. Response to mip_filter_auto_initialization_control.
- * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -1886,29 +1182,16 @@ struct mip_filter_auto_initialization_control_response {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE 0x0D88
-/** Its descriptor. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR 0x88
-/** Its name in the specification. */
-#define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_NAME \
-    "filter.auto_initialization_control_response"
+MIP_FIELD(mip_filter_auto_initialization_control_response, 0x88);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_auto_initialization_control_response_decode(
-    struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_auto_initialization_control_response_codec, 0x88, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_response_encode(
-    const struct mip_filter_auto_initialization_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_auto_initialization_control_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_auto_initialization_control *
+mip_filter_auto_initialization_control_write_from(
+    struct mip_filter_auto_initialization_control *command,
+    const struct mip_filter_auto_initialization_control_response *response) {
+    return mip_filter_auto_initialization_control_write(command, response->enable);
 }
 
 /**
@@ -1917,10 +1200,9 @@ MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_respo
  * Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Response: mip_filter_accel_noise_response.
- * Probably changes mip_filter_data_llh_position_uncertainty,
+ * Probably affects mip_filter_data_llh_position_uncertainty,
  * mip_filter_data_ecef_position_uncertainty, mip_filter_data_ned_velocity_uncertainty,
- * mip_filter_data_ecef_velocity_uncertainty and mip_filter_data_accel_bias_uncertainty. Supported
- * by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_data_ecef_velocity_uncertainty and mip_filter_data_accel_bias_uncertainty.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1928,10 +1210,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_respo
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
 struct mip_filter_accel_noise {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1942,34 +1221,15 @@ struct mip_filter_accel_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_NOISE 0x0D1A
-/** Its descriptor. */
 #define MIP_FILTER_ACCEL_NOISE_DESCRIPTOR 0x1A
-/** Its name in the specification. */
-#define MIP_FILTER_ACCEL_NOISE_NAME "filter.accel_noise"
+MIP_FIELD(mip_filter_accel_noise, 0x1A);
+MIP_FILL(mip_filter_accel_noise, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_accel_noise, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_accel_noise, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_accel_noise, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_accel_noise_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_accel_noise_codec, 0x1A, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_accel_noise_encode(
-    const struct mip_filter_accel_noise *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_accel_noise_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
- *   Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -1978,42 +1238,10 @@ mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_noise *
-mip_filter_accel_noise_read(struct mip_filter_accel_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_noise *
-mip_filter_accel_noise_save(struct mip_filter_accel_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_noise *
-mip_filter_accel_noise_load(struct mip_filter_accel_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_noise *
-mip_filter_accel_noise_default(struct mip_filter_accel_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
- * Response to mip_filter_accel_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_accel_noise.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -2023,27 +1251,15 @@ struct mip_filter_accel_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE 0x0D89
-/** Its descriptor. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE_DESCRIPTOR 0x89
-/** Its name in the specification. */
-#define MIP_FILTER_ACCEL_NOISE_RESPONSE_NAME "filter.accel_noise_response"
+MIP_FIELD(mip_filter_accel_noise_response, 0x89);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_accel_noise_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_accel_noise_response_decode(
-    struct mip_filter_accel_noise_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_accel_noise_response_codec, 0x89, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
-    const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_accel_noise_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_accel_noise *
+mip_filter_accel_noise_write_from(struct mip_filter_accel_noise *command,
+                                  const struct mip_filter_accel_noise_response *response) {
+    return mip_filter_accel_noise_write(command, response->noise);
 }
 
 /**
@@ -2052,9 +1268,8 @@ MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
  * Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Response: mip_filter_gyro_noise_response.
- * Probably changes mip_filter_data_euler_angles_uncertainty,
+ * Probably affects mip_filter_data_euler_angles_uncertainty,
  * mip_filter_data_quaternion_attitude_uncertainty and mip_filter_data_gyro_bias_uncertainty.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -2062,10 +1277,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
 struct mip_filter_gyro_noise {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2076,34 +1288,15 @@ struct mip_filter_gyro_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GYRO_NOISE 0x0D1B
-/** Its descriptor. */
 #define MIP_FILTER_GYRO_NOISE_DESCRIPTOR 0x1B
-/** Its name in the specification. */
-#define MIP_FILTER_GYRO_NOISE_NAME "filter.gyro_noise"
+MIP_FIELD(mip_filter_gyro_noise, 0x1B);
+MIP_FILL(mip_filter_gyro_noise, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_gyro_noise, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_gyro_noise, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_gyro_noise, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gyro_noise_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
-                                                     const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gyro_noise_codec, 0x1B, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gyro_noise_encode(
-    const struct mip_filter_gyro_noise *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0.
- *   Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2112,42 +1305,10 @@ mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float n
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_gyro_noise *
-mip_filter_gyro_noise_read(struct mip_filter_gyro_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_gyro_noise *
-mip_filter_gyro_noise_save(struct mip_filter_gyro_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gyro_noise *
-mip_filter_gyro_noise_load(struct mip_filter_gyro_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gyro_noise *
-mip_filter_gyro_noise_default(struct mip_filter_gyro_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
- * Response to mip_filter_gyro_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_gyro_noise.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -2157,27 +1318,14 @@ struct mip_filter_gyro_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE 0x0D8A
-/** Its descriptor. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE_DESCRIPTOR 0x8A
-/** Its name in the specification. */
-#define MIP_FILTER_GYRO_NOISE_RESPONSE_NAME "filter.gyro_noise_response"
+MIP_FIELD(mip_filter_gyro_noise_response, 0x8A);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gyro_noise_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gyro_noise_response_decode(
-    struct mip_filter_gyro_noise_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gyro_noise_response_codec, 0x8A, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
-    const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gyro_noise_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_gyro_noise *mip_filter_gyro_noise_write_from(
+    struct mip_filter_gyro_noise *command, const struct mip_filter_gyro_noise_response *response) {
+    return mip_filter_gyro_noise_write(command, response->noise);
 }
 
 /**
@@ -2186,16 +1334,12 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
  * Sets the parameters of the accelerometer bias drift model.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_accel_bias_model_response.
- * Probably changes mip_filter_data_accel_bias and mip_filter_data_accel_bias_uncertainty. Supported
- * by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+ * Probably affects mip_filter_data_accel_bias and mip_filter_data_accel_bias_uncertainty.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
 struct mip_filter_accel_bias_model {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2211,36 +1355,15 @@ struct mip_filter_accel_bias_model {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL 0x0D1C
-/** Its descriptor. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_DESCRIPTOR 0x1C
-/** Its name in the specification. */
-#define MIP_FILTER_ACCEL_BIAS_MODEL_NAME "filter.accel_bias_model"
+MIP_FIELD(mip_filter_accel_bias_model, 0x1C);
+MIP_FILL(mip_filter_accel_bias_model, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_accel_bias_model, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_accel_bias_model, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_accel_bias_model, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_accel_bias_model_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_accel_bias_model_decode(
-    struct mip_filter_accel_bias_model *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_accel_bias_model_codec, 0x1C, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_encode(
-    const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
- *   write.
- * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater
- *   than 0. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_write(
     struct mip_filter_accel_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2250,42 +1373,10 @@ static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_wr
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_bias_model *
-mip_filter_accel_bias_model_read(struct mip_filter_accel_bias_model *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_bias_model *
-mip_filter_accel_bias_model_save(struct mip_filter_accel_bias_model *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_bias_model *
-mip_filter_accel_bias_model_load(struct mip_filter_accel_bias_model *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_bias_model *
-mip_filter_accel_bias_model_default(struct mip_filter_accel_bias_model *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
- * Response to mip_filter_accel_bias_model. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+ * Response to mip_filter_accel_bias_model.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -2299,27 +1390,15 @@ struct mip_filter_accel_bias_model_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE 0x0D8B
-/** Its descriptor. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8B
-/** Its name in the specification. */
-#define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_NAME "filter.accel_bias_model_response"
+MIP_FIELD(mip_filter_accel_bias_model_response, 0x8B);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_accel_bias_model_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_accel_bias_model_response_decode(
-    struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_accel_bias_model_response_codec, 0x8B, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
-    const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_accel_bias_model_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_write_from(
+    struct mip_filter_accel_bias_model *command,
+    const struct mip_filter_accel_bias_model_response *response) {
+    return mip_filter_accel_bias_model_write(command, response->beta, response->noise);
 }
 
 /**
@@ -2328,17 +1407,13 @@ MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
  * Sets the parameters of the gyroscope bias drift model.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_gyro_bias_model_response.
- * Probably changes mip_filter_data_gyro_bias and mip_filter_data_gyro_bias_uncertainty. Supported
- * by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Probably affects mip_filter_data_gyro_bias and mip_filter_data_gyro_bias_uncertainty.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
  */
 struct mip_filter_gyro_bias_model {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2354,36 +1429,15 @@ struct mip_filter_gyro_bias_model {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GYRO_BIAS_MODEL 0x0D1D
-/** Its descriptor. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_DESCRIPTOR 0x1D
-/** Its name in the specification. */
-#define MIP_FILTER_GYRO_BIAS_MODEL_NAME "filter.gyro_bias_model"
+MIP_FIELD(mip_filter_gyro_bias_model, 0x1D);
+MIP_FILL(mip_filter_gyro_bias_model, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_gyro_bias_model, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_gyro_bias_model, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_gyro_bias_model, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gyro_bias_model_codec, 0x1D, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_encode(
-    const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
- *   write.
- * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater
- *   than 0. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_write(
     struct mip_filter_gyro_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2393,42 +1447,10 @@ static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_writ
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_gyro_bias_model *
-mip_filter_gyro_bias_model_read(struct mip_filter_gyro_bias_model *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_gyro_bias_model *
-mip_filter_gyro_bias_model_save(struct mip_filter_gyro_bias_model *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gyro_bias_model *
-mip_filter_gyro_bias_model_load(struct mip_filter_gyro_bias_model *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gyro_bias_model *
-mip_filter_gyro_bias_model_default(struct mip_filter_gyro_bias_model *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
- * Response to mip_filter_gyro_bias_model. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_gyro_bias_model.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -2443,27 +1465,15 @@ struct mip_filter_gyro_bias_model_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE 0x0D8C
-/** Its descriptor. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8C
-/** Its name in the specification. */
-#define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_NAME "filter.gyro_bias_model_response"
+MIP_FIELD(mip_filter_gyro_bias_model_response, 0x8C);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gyro_bias_model_response_decode(
-    struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gyro_bias_model_response_codec, 0x8C, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
-    const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gyro_bias_model_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_gyro_bias_model *
+mip_filter_gyro_bias_model_write_from(struct mip_filter_gyro_bias_model *command,
+                                      const struct mip_filter_gyro_bias_model_response *response) {
+    return mip_filter_gyro_bias_model_write(command, response->beta, response->noise);
 }
 
 /**
@@ -2472,19 +1482,16 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
  * Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_auto_zupt_response. Probably
- * changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
- * mip_filter_data_ned_velocity_uncertainty and mip_filter_data_ecef_velocity_uncertainty. Supported
- * by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * affects mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
+ * mip_filter_data_ned_velocity_uncertainty and mip_filter_data_ecef_velocity_uncertainty. Known
+ * only from the MicroStrain MIP SDK.
  *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
 struct mip_filter_auto_zupt {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2494,35 +1501,15 @@ struct mip_filter_auto_zupt {
     float threshold;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_ZUPT 0x0D1E
-/** Its descriptor. */
 #define MIP_FILTER_AUTO_ZUPT_DESCRIPTOR 0x1E
-/** Its name in the specification. */
-#define MIP_FILTER_AUTO_ZUPT_NAME "filter.auto_zupt"
+MIP_FIELD(mip_filter_auto_zupt, 0x1E);
+MIP_FILL(mip_filter_auto_zupt, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_auto_zupt, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_auto_zupt, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_auto_zupt, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_auto_zupt_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
-                                                    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_auto_zupt_codec, 0x1E, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - threshold: Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for
- *   write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -2532,43 +1519,10 @@ mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable,
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_zupt *
-mip_filter_auto_zupt_read(struct mip_filter_auto_zupt *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_zupt *
-mip_filter_auto_zupt_save(struct mip_filter_auto_zupt *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_zupt *
-mip_filter_auto_zupt_load(struct mip_filter_auto_zupt *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_zupt *
-mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
- * Response to mip_filter_auto_zupt. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from
- * the MicroStrain MIP SDK.
+ * Response to mip_filter_auto_zupt. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -2579,35 +1533,20 @@ struct mip_filter_auto_zupt_response {
     float threshold;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE 0x0D8D
-/** Its descriptor. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR 0x8D
-/** Its name in the specification. */
-#define MIP_FILTER_AUTO_ZUPT_RESPONSE_NAME "filter.auto_zupt_response"
+MIP_FIELD(mip_filter_auto_zupt_response, 0x8D);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_auto_zupt_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_auto_zupt_response_decode(
-    struct mip_filter_auto_zupt_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_auto_zupt_response_codec, 0x8D, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode(
-    const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_auto_zupt_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_auto_zupt *mip_filter_auto_zupt_write_from(
+    struct mip_filter_auto_zupt *command, const struct mip_filter_auto_zupt_response *response) {
+    return mip_filter_auto_zupt_write(command, response->enable, response->threshold);
 }
 
 /**
  * External heading update with time: command (0x0D,0x1F).
  *
  * Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
- *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Better than mip_filter_external_heading_update if the heading changes quickly; the time must be
  * accurate.
@@ -2629,8 +1568,8 @@ struct mip_filter_external_heading_update_with_time {
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
     /**
-     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
-     * -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi.
+     * Positive: clockwise seen from above.
      */
     float heading;
     /**
@@ -2641,40 +1580,11 @@ struct mip_filter_external_heading_update_with_time {
     uint8_t type;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME 0x0D1F
-/** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR 0x1F
-/** Its name in the specification. */
-#define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_NAME "filter.external_heading_update_with_time"
+MIP_FIELD(mip_filter_external_heading_update_with_time, 0x1F);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_external_heading_update_with_time_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_external_heading_update_with_time_decode(
-    struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_external_heading_update_with_time_codec, 0x1F, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode(
-    const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_external_heading_update_with_time_codec, value, builder);
-}
-
-/**
- * External heading update with time. Fills the structure and returns its address.
- *
- * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
- * - week_number: GPS week, counted without rollover. Unit: week.
- * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device rejects values out of range. Unit: rad.
- *   Range: greater than 0.
- * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_filter_external_heading_update_with_time *
 mip_filter_external_heading_update_with_time_make(
     struct mip_filter_external_heading_update_with_time *command, double tow, uint16_t week_number,
@@ -2694,10 +1604,9 @@ mip_filter_external_heading_update_with_time_make(
  * Sets whether the filter assumes that the device is not rotating while its angular rate is low.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_auto_angular_zupt_response.
- * Probably changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
+ * Probably affects mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
  * mip_filter_data_euler_angles, mip_filter_data_gyro_bias and
- * mip_filter_data_gyro_bias_uncertainty. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_data_gyro_bias_uncertainty.
  *
  * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
@@ -2705,10 +1614,7 @@ mip_filter_external_heading_update_with_time_make(
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
  */
 struct mip_filter_auto_angular_zupt {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2721,35 +1627,15 @@ struct mip_filter_auto_angular_zupt {
     float threshold;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT 0x0D20
-/** Its descriptor. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_DESCRIPTOR 0x20
-/** Its name in the specification. */
-#define MIP_FILTER_AUTO_ANGULAR_ZUPT_NAME "filter.auto_angular_zupt"
+MIP_FIELD(mip_filter_auto_angular_zupt, 0x20);
+MIP_FILL(mip_filter_auto_angular_zupt, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_auto_angular_zupt, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_auto_angular_zupt, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_auto_angular_zupt, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_auto_angular_zupt_decode(
-    struct mip_filter_auto_angular_zupt *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_auto_angular_zupt_codec, 0x20, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_encode(
-    const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - threshold: Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0.
- *   Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_write(
     struct mip_filter_auto_angular_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -2759,43 +1645,10 @@ static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_angular_zupt *
-mip_filter_auto_angular_zupt_read(struct mip_filter_auto_angular_zupt *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_angular_zupt *
-mip_filter_auto_angular_zupt_save(struct mip_filter_auto_angular_zupt *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_angular_zupt *
-mip_filter_auto_angular_zupt_load(struct mip_filter_auto_angular_zupt *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_auto_angular_zupt *
-mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
- * Response to mip_filter_auto_angular_zupt. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_auto_angular_zupt.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -2807,27 +1660,15 @@ struct mip_filter_auto_angular_zupt_response {
     float threshold;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE 0x0D8E
-/** Its descriptor. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_DESCRIPTOR 0x8E
-/** Its name in the specification. */
-#define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_NAME "filter.auto_angular_zupt_response"
+MIP_FIELD(mip_filter_auto_angular_zupt_response, 0x8E);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_auto_angular_zupt_response_decode(
-    struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_auto_angular_zupt_response_codec, 0x8E, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode(
-    const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_auto_angular_zupt_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_write_from(
+    struct mip_filter_auto_angular_zupt *command,
+    const struct mip_filter_auto_angular_zupt_response *response) {
+    return mip_filter_auto_angular_zupt_write(command, response->enable, response->threshold);
 }
 
 /**
@@ -2836,12 +1677,12 @@ MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode
  * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_tare_orientation_response.
- * Changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro, mip_sensor_scaled_mag,
+ * Affects mip_sensor_scaled_accel, mip_sensor_scaled_gyro, mip_sensor_scaled_mag,
  * mip_sensor_delta_theta, mip_sensor_delta_velocity, mip_filter_data_attitude_quaternion,
  * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles, mip_filter_data_linear_accel,
  * mip_filter_data_comp_angular_rate, mip_filter_data_gravity_vector and mip_filter_data_comp_accel.
- * Supported by 3DM-GX5-15 and 3DM-GX5-45. On the 3DM-GX5-15: write, save, load and default only. On
- * the 3DM-GX5-45: write, save, load and default only.
+ * On the 3DM-GX5-15: write, save, load and default only. On the 3DM-GX5-45: write, save, load and
+ * default only.
  *
  * Rejected while the filter has no valid attitude.
  *
@@ -2849,10 +1690,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode
  * - mip-sdk-4: Tare orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2860,33 +1698,15 @@ struct mip_filter_tare_orientation {
     mip_filter_tare_axes axes;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_TARE_ORIENTATION 0x0D21
-/** Its descriptor. */
 #define MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR 0x21
-/** Its name in the specification. */
-#define MIP_FILTER_TARE_ORIENTATION_NAME "filter.tare_orientation"
+MIP_FIELD(mip_filter_tare_orientation, 0x21);
+MIP_FILL(mip_filter_tare_orientation, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_tare_orientation, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_tare_orientation, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_tare_orientation, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_tare_orientation_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_tare_orientation_decode(
-    struct mip_filter_tare_orientation *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_tare_orientation_codec, 0x21, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_tare_orientation_encode(
-    const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - axes: Axes to tare; 0 resets all axes. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_write(
     struct mip_filter_tare_orientation *command, mip_filter_tare_axes axes) {
     memset(command, 0, sizeof(*command));
@@ -2895,44 +1715,11 @@ static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_wr
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_tare_orientation *
-mip_filter_tare_orientation_read(struct mip_filter_tare_orientation *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_tare_orientation *
-mip_filter_tare_orientation_save(struct mip_filter_tare_orientation *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_tare_orientation *
-mip_filter_tare_orientation_load(struct mip_filter_tare_orientation *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_tare_orientation *
-mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Tare orientation response: response (0x0D,0xA1).
  *
- * No device is known for certain to support it. Response to mip_filter_tare_orientation. Uncertain:
- * Which devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and
- * 3DM-GX5-45 have neither the read function nor the response.
+ * Response to mip_filter_tare_orientation. Uncertain: The SDK reads the setting back; the manuals
+ * of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -2942,27 +1729,15 @@ struct mip_filter_tare_orientation_response {
     mip_filter_tare_axes axes;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE 0x0DA1
-/** Its descriptor. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR 0xA1
-/** Its name in the specification. */
-#define MIP_FILTER_TARE_ORIENTATION_RESPONSE_NAME "filter.tare_orientation_response"
+MIP_FIELD(mip_filter_tare_orientation_response, 0xA1);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_tare_orientation_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_tare_orientation_response_decode(
-    struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_tare_orientation_response_codec, 0xA1, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode(
-    const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_tare_orientation_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_write_from(
+    struct mip_filter_tare_orientation *command,
+    const struct mip_filter_tare_orientation_response *response) {
+    return mip_filter_tare_orientation_write(command, response->axes);
 }
 
 /**
@@ -2970,9 +1745,9 @@ MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode(
  *
  * Informs the filter once that the device is at rest.
  *
- * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
- * mip_filter_data_ned_velocity_uncertainty and mip_filter_data_ecef_velocity_uncertainty. Supported
- * by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Probably affects mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
+ * mip_filter_data_ned_velocity_uncertainty and mip_filter_data_ecef_velocity_uncertainty. Known
+ * only from the MicroStrain MIP SDK.
  *
  * The maximum rate depends on the device.
  *
@@ -2983,36 +1758,18 @@ struct mip_filter_commanded_zupt {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_COMMANDED_ZUPT 0x0D22
-/** Its descriptor. */
 #define MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR 0x22
-/** Its name in the specification. */
-#define MIP_FILTER_COMMANDED_ZUPT_NAME "filter.commanded_zupt"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_commanded_zupt_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_commanded_zupt_codec, 0x22, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_commanded_zupt_encode(
-    const struct mip_filter_commanded_zupt *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_commanded_zupt_codec, value, builder);
-}
+MIP_FIELD(mip_filter_commanded_zupt, 0x22);
 
 /**
  * Commanded zero angular rate update: command (0x0D,0x23).
  *
  * Informs the filter once that the device is not rotating.
  *
- * Probably changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
+ * Probably affects mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
  * mip_filter_data_euler_angles, mip_filter_data_gyro_bias and
- * mip_filter_data_gyro_bias_uncertainty. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_data_gyro_bias_uncertainty.
  *
  * At most 10 per second.
  *
@@ -3023,28 +1780,9 @@ struct mip_filter_commanded_angular_zupt {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT 0x0D23
-/** Its descriptor. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_DESCRIPTOR 0x23
-/** Its name in the specification. */
-#define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_NAME "filter.commanded_angular_zupt"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_commanded_angular_zupt_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_commanded_angular_zupt_decode(
-    struct mip_filter_commanded_angular_zupt *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_commanded_angular_zupt_codec, 0x23, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
-    const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_commanded_angular_zupt_codec, value, builder);
-}
+MIP_FIELD(mip_filter_commanded_angular_zupt, 0x23);
 
 /**
  * Set reference position: command (0x0D,0x26).
@@ -3052,16 +1790,12 @@ MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
  * Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
  * Functions: write, read, save, load and default. Response: mip_filter_reference_position_response.
- * Changes mip_filter_data_wgs84_gravity_magnitude and mip_filter_data_magnetic_model. Supported by
- * 3DM-GX5-15.
+ * Affects mip_filter_data_wgs84_gravity_magnitude and mip_filter_data_magnetic_model.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
 struct mip_filter_reference_position {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3078,48 +1812,22 @@ struct mip_filter_reference_position {
      */
     double longitude;
     /**
-     * Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether it counts
-     * from the ellipsoid or from sea level. The manual does not state it; its glossary counts
+     * Altitude of the reference position. Unit: m. Required for write. Uncertain: The reference,
+     * ellipsoid or sea level, is inferred. The manual does not state it; its glossary counts
      * altitudes from sea level.
      */
     double altitude;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_REFERENCE_POSITION 0x0D26
-/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POSITION_DESCRIPTOR 0x26
-/** Its name in the specification. */
-#define MIP_FILTER_REFERENCE_POSITION_NAME "filter.reference_position"
+MIP_FIELD(mip_filter_reference_position, 0x26);
+MIP_FILL(mip_filter_reference_position, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_reference_position, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_reference_position, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_reference_position, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_reference_position_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_reference_position_decode(
-    struct mip_filter_reference_position *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_reference_position_codec, 0x26, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_reference_position_encode(
-    const struct mip_filter_reference_position *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_reference_position_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required
- *   for write.
- * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
- *   Required for write.
- * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
- *   it counts from the ellipsoid or from sea level. The manual does not state it; its glossary
- *   counts altitudes from sea level.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
                                     double latitude, double longitude, double altitude) {
@@ -3132,42 +1840,10 @@ mip_filter_reference_position_write(struct mip_filter_reference_position *comman
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_reference_position *
-mip_filter_reference_position_read(struct mip_filter_reference_position *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_reference_position *
-mip_filter_reference_position_save(struct mip_filter_reference_position *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_reference_position *
-mip_filter_reference_position_load(struct mip_filter_reference_position *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_reference_position *
-mip_filter_reference_position_default(struct mip_filter_reference_position *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Set reference position response: response (0x0D,0x90).
  *
- * Response to mip_filter_reference_position. Supported by 3DM-GX5-15.
+ * Response to mip_filter_reference_position.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -3179,34 +1855,23 @@ struct mip_filter_reference_position_response {
     /** Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
     double longitude;
     /**
-     * Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid
-     * or from sea level. The manual does not state it; its glossary counts altitudes from sea
+     * Altitude of the reference position. Unit: m. Uncertain: The reference, ellipsoid or sea
+     * level, is inferred. The manual does not state it; its glossary counts altitudes from sea
      * level.
      */
     double altitude;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE 0x0D90
-/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_FILTER_REFERENCE_POSITION_RESPONSE_NAME "filter.reference_position_response"
+MIP_FIELD(mip_filter_reference_position_response, 0x90);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_reference_position_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_reference_position_response_decode(
-    struct mip_filter_reference_position_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_reference_position_response_codec, 0x90, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encode(
-    const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_reference_position_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_reference_position *mip_filter_reference_position_write_from(
+    struct mip_filter_reference_position *command,
+    const struct mip_filter_reference_position_response *response) {
+    return mip_filter_reference_position_write(command, response->enable, response->latitude,
+                                               response->longitude, response->altitude);
 }
 
 /**
@@ -3214,9 +1879,9 @@ MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encod
  *
  * Moves the result of the automatic magnetometer calibration into the fixed calibration.
  *
- * Also called `mag_capture_auto_cal`. Functions: write and save. Changes mip_sensor_scaled_mag,
- * mip_filter_data_mag_offset and mip_filter_data_mag_matrix. Supported by 3DM-GX5-45. Known only
- * from the MicroStrain MIP SDK.
+ * Also called `mag_capture_auto_cal`. Functions: write and save. Affects mip_sensor_scaled_mag,
+ * mip_filter_data_mag_offset and mip_filter_data_mag_matrix. Known only from the MicroStrain MIP
+ * SDK. Requires a magnetometer.
  *
  * A write combines the automatic calibration with mip_3dm_mag_hard_iron_offset and
  * mip_3dm_mag_soft_iron_matrix, then resets the automatic calibration.
@@ -3230,46 +1895,11 @@ struct mip_filter_mag_capture_auto_calibration {
     uint8_t function;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION 0x0D27
-/** Its descriptor. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_DESCRIPTOR 0x27
-/** Its name in the specification. */
-#define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_NAME "filter.mag_capture_auto_calibration"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_mag_capture_auto_calibration_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_capture_auto_calibration_decode(
-    struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_mag_capture_auto_calibration_codec, 0x27, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
-    const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_capture_auto_calibration_codec, value, builder);
-}
-
-/** Apply the new setting. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_capture_auto_calibration *
-mip_filter_mag_capture_auto_calibration_write(
-    struct mip_filter_mag_capture_auto_calibration *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_WRITE;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_capture_auto_calibration *
-mip_filter_mag_capture_auto_calibration_save(
-    struct mip_filter_mag_capture_auto_calibration *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
+MIP_FIELD(mip_filter_mag_capture_auto_calibration, 0x27);
+MIP_FILL(mip_filter_mag_capture_auto_calibration, write, MIP_FUNCTION_SELECTOR_WRITE);
+MIP_FILL(mip_filter_mag_capture_auto_calibration, save, MIP_FUNCTION_SELECTOR_SAVE);
 
 /**
  * Gravity noise: command (0x0D,0x28).
@@ -3277,9 +1907,8 @@ mip_filter_mag_capture_auto_calibration_save(
  * Sets the standard deviation of the gravity noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Response: mip_filter_gravity_noise_response.
- * Probably changes mip_filter_data_euler_angles_uncertainty and
- * mip_filter_data_quaternion_attitude_uncertainty. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45.
+ * Probably affects mip_filter_data_euler_angles_uncertainty and
+ * mip_filter_data_quaternion_attitude_uncertainty.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -3287,10 +1916,7 @@ mip_filter_mag_capture_auto_calibration_save(
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
 struct mip_filter_gravity_noise {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3301,34 +1927,15 @@ struct mip_filter_gravity_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GRAVITY_NOISE 0x0D28
-/** Its descriptor. */
 #define MIP_FILTER_GRAVITY_NOISE_DESCRIPTOR 0x28
-/** Its name in the specification. */
-#define MIP_FILTER_GRAVITY_NOISE_NAME "filter.gravity_noise"
+MIP_FIELD(mip_filter_gravity_noise, 0x28);
+MIP_FILL(mip_filter_gravity_noise, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_gravity_noise, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_gravity_noise, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_gravity_noise, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gravity_noise_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gravity_noise_codec, 0x28, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gravity_noise_encode(
-    const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required
- *   for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -3337,42 +1944,10 @@ mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const f
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_gravity_noise *
-mip_filter_gravity_noise_read(struct mip_filter_gravity_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_gravity_noise *
-mip_filter_gravity_noise_save(struct mip_filter_gravity_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gravity_noise *
-mip_filter_gravity_noise_load(struct mip_filter_gravity_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gravity_noise *
-mip_filter_gravity_noise_default(struct mip_filter_gravity_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
- * Response to mip_filter_gravity_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_gravity_noise.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -3382,27 +1957,15 @@ struct mip_filter_gravity_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE 0x0D93
-/** Its descriptor. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE_DESCRIPTOR 0x93
-/** Its name in the specification. */
-#define MIP_FILTER_GRAVITY_NOISE_RESPONSE_NAME "filter.gravity_noise_response"
+MIP_FIELD(mip_filter_gravity_noise_response, 0x93);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gravity_noise_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gravity_noise_response_decode(
-    struct mip_filter_gravity_noise_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gravity_noise_response_codec, 0x93, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
-    const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gravity_noise_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_gravity_noise *
+mip_filter_gravity_noise_write_from(struct mip_filter_gravity_noise *command,
+                                    const struct mip_filter_gravity_noise_response *response) {
+    return mip_filter_gravity_noise_write(command, response->noise);
 }
 
 /**
@@ -3411,9 +1974,9 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
  * Sets the standard deviation of the pressure altitude noise that the filter assumes.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_pressure_altitude_noise_response. Probably changes mip_filter_data_llh_position and
- * mip_filter_data_llh_position_uncertainty. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * mip_filter_pressure_altitude_noise_response. Probably affects mip_filter_data_llh_position and
+ * mip_filter_data_llh_position_uncertainty. Known only from the MicroStrain MIP SDK. Requires a
+ * pressure sensor.
  *
  * With a small value, the altitude follows the pressure faster, but weather and draughts appear as
  * changes of height.
@@ -3421,10 +1984,7 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
  * - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
  */
 struct mip_filter_pressure_altitude_noise {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3435,35 +1995,15 @@ struct mip_filter_pressure_altitude_noise {
     float noise;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE 0x0D29
-/** Its descriptor. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR 0x29
-/** Its name in the specification. */
-#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_NAME "filter.pressure_altitude_noise"
+MIP_FIELD(mip_filter_pressure_altitude_noise, 0x29);
+MIP_FILL(mip_filter_pressure_altitude_noise, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_pressure_altitude_noise, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_pressure_altitude_noise, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_pressure_altitude_noise, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_pressure_altitude_noise_decode(
-    struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_pressure_altitude_noise_codec, 0x29, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_encode(
-    const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0.
- *   Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_altitude_noise_write(
     struct mip_filter_pressure_altitude_noise *command, float noise) {
     memset(command, 0, sizeof(*command));
@@ -3472,43 +2012,10 @@ static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_alt
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_pressure_altitude_noise *
-mip_filter_pressure_altitude_noise_read(struct mip_filter_pressure_altitude_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_pressure_altitude_noise *
-mip_filter_pressure_altitude_noise_save(struct mip_filter_pressure_altitude_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_pressure_altitude_noise *
-mip_filter_pressure_altitude_noise_load(struct mip_filter_pressure_altitude_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_pressure_altitude_noise *
-mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
- * Response to mip_filter_pressure_altitude_noise. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Response to mip_filter_pressure_altitude_noise. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
  */
@@ -3517,27 +2024,16 @@ struct mip_filter_pressure_altitude_noise_response {
     float noise;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE 0x0D94
-/** Its descriptor. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR 0x94
-/** Its name in the specification. */
-#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_NAME "filter.pressure_altitude_noise_response"
+MIP_FIELD(mip_filter_pressure_altitude_noise_response, 0x94);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_pressure_altitude_noise_response_decode(
-    struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_pressure_altitude_noise_response_codec, 0x94, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_encode(
-    const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_pressure_altitude_noise_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_pressure_altitude_noise *
+mip_filter_pressure_altitude_noise_write_from(
+    struct mip_filter_pressure_altitude_noise *command,
+    const struct mip_filter_pressure_altitude_noise_response *response) {
+    return mip_filter_pressure_altitude_noise_write(command, response->noise);
 }
 
 /**
@@ -3546,17 +2042,14 @@ MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_
  * Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_hard_iron_offset_noise_response. Probably changes mip_filter_data_mag_offset and
- * mip_filter_data_mag_offset_uncertainty. Supported by 3DM-GX5-45. Known only from the MicroStrain
- * MIP SDK.
+ * mip_filter_hard_iron_offset_noise_response. Probably affects mip_filter_data_mag_offset and
+ * mip_filter_data_mag_offset_uncertainty. Known only from the MicroStrain MIP SDK. Requires a
+ * magnetometer.
  *
  * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
  */
 struct mip_filter_hard_iron_offset_noise {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3567,35 +2060,15 @@ struct mip_filter_hard_iron_offset_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE 0x0D2B
-/** Its descriptor. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR 0x2B
-/** Its name in the specification. */
-#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_NAME "filter.hard_iron_offset_noise"
+MIP_FIELD(mip_filter_hard_iron_offset_noise, 0x2B);
+MIP_FILL(mip_filter_hard_iron_offset_noise, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_hard_iron_offset_noise, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_hard_iron_offset_noise, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_hard_iron_offset_noise, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_hard_iron_offset_noise_decode(
-    struct mip_filter_hard_iron_offset_noise *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_hard_iron_offset_noise_codec, 0x2B, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_encode(
-    const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
- *   Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_offset_noise_write(
     struct mip_filter_hard_iron_offset_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -3604,43 +2077,10 @@ static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_off
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_hard_iron_offset_noise *
-mip_filter_hard_iron_offset_noise_read(struct mip_filter_hard_iron_offset_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_hard_iron_offset_noise *
-mip_filter_hard_iron_offset_noise_save(struct mip_filter_hard_iron_offset_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_hard_iron_offset_noise *
-mip_filter_hard_iron_offset_noise_load(struct mip_filter_hard_iron_offset_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_hard_iron_offset_noise *
-mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
- * Response to mip_filter_hard_iron_offset_noise. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Response to mip_filter_hard_iron_offset_noise. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
  */
@@ -3649,27 +2089,16 @@ struct mip_filter_hard_iron_offset_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE 0x0D96
-/** Its descriptor. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR 0x96
-/** Its name in the specification. */
-#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_NAME "filter.hard_iron_offset_noise_response"
+MIP_FIELD(mip_filter_hard_iron_offset_noise_response, 0x96);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_hard_iron_offset_noise_response_decode(
-    struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_hard_iron_offset_noise_response_codec, 0x96, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_encode(
-    const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_hard_iron_offset_noise_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_hard_iron_offset_noise *
+mip_filter_hard_iron_offset_noise_write_from(
+    struct mip_filter_hard_iron_offset_noise *command,
+    const struct mip_filter_hard_iron_offset_noise_response *response) {
+    return mip_filter_hard_iron_offset_noise_write(command, response->noise);
 }
 
 /**
@@ -3678,17 +2107,14 @@ MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_e
  * Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_soft_iron_matrix_noise_response. Probably changes mip_filter_data_mag_matrix and
- * mip_filter_data_mag_matrix_uncertainty. Supported by 3DM-GX5-45. Known only from the MicroStrain
- * MIP SDK.
+ * mip_filter_soft_iron_matrix_noise_response. Probably affects mip_filter_data_mag_matrix and
+ * mip_filter_data_mag_matrix_uncertainty. Known only from the MicroStrain MIP SDK. Requires a
+ * magnetometer.
  *
  * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
  */
 struct mip_filter_soft_iron_matrix_noise {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3699,35 +2125,15 @@ struct mip_filter_soft_iron_matrix_noise {
     float noise[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE 0x0D2C
-/** Its descriptor. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR 0x2C
-/** Its name in the specification. */
-#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_NAME "filter.soft_iron_matrix_noise"
+MIP_FIELD(mip_filter_soft_iron_matrix_noise, 0x2C);
+MIP_FILL(mip_filter_soft_iron_matrix_noise, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_soft_iron_matrix_noise, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_soft_iron_matrix_noise, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_soft_iron_matrix_noise, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_soft_iron_matrix_noise_decode(
-    struct mip_filter_soft_iron_matrix_noise *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_soft_iron_matrix_noise_codec, 0x2C, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
-    const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
- *   Unit: 1. Range: greater than 0. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_matrix_noise_write(
     struct mip_filter_soft_iron_matrix_noise *command, const float noise[9]) {
     memset(command, 0, sizeof(*command));
@@ -3736,43 +2142,10 @@ static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_mat
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_soft_iron_matrix_noise *
-mip_filter_soft_iron_matrix_noise_read(struct mip_filter_soft_iron_matrix_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_soft_iron_matrix_noise *
-mip_filter_soft_iron_matrix_noise_save(struct mip_filter_soft_iron_matrix_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_soft_iron_matrix_noise *
-mip_filter_soft_iron_matrix_noise_load(struct mip_filter_soft_iron_matrix_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_soft_iron_matrix_noise *
-mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
- * Response to mip_filter_soft_iron_matrix_noise. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Response to mip_filter_soft_iron_matrix_noise. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
  */
@@ -3784,27 +2157,16 @@ struct mip_filter_soft_iron_matrix_noise_response {
     float noise[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE 0x0D97
-/** Its descriptor. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR 0x97
-/** Its name in the specification. */
-#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_NAME "filter.soft_iron_matrix_noise_response"
+MIP_FIELD(mip_filter_soft_iron_matrix_noise_response, 0x97);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode(
-    struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_soft_iron_matrix_noise_response_codec, 0x97, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode(
-    const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_soft_iron_matrix_noise_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_soft_iron_matrix_noise *
+mip_filter_soft_iron_matrix_noise_write_from(
+    struct mip_filter_soft_iron_matrix_noise *command,
+    const struct mip_filter_soft_iron_matrix_noise_response *response) {
+    return mip_filter_soft_iron_matrix_noise_write(command, response->noise);
 }
 
 /**
@@ -3813,57 +2175,33 @@ MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_e
  * Selects the inertial measurements that the filter uses.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_enable_measurements_response. Probably changes mip_filter_data_attitude_quaternion,
+ * mip_filter_enable_measurements_response. Probably affects mip_filter_data_attitude_quaternion,
  * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
- * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
 struct mip_filter_enable_measurements {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Measurements to use. Required for write. On the 3DM-GX5-15: only
+     * Measurements to use. Required for write. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only
      * MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
      */
     mip_filter_measurement_flags control;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS 0x0D41
-/** Its descriptor. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_DESCRIPTOR 0x41
-/** Its name in the specification. */
-#define MIP_FILTER_ENABLE_MEASUREMENTS_NAME "filter.enable_measurements"
+MIP_FIELD(mip_filter_enable_measurements, 0x41);
+MIP_FILL(mip_filter_enable_measurements, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_enable_measurements, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_enable_measurements, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_enable_measurements, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_enable_measurements_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_enable_measurements_decode(
-    struct mip_filter_enable_measurements *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_enable_measurements_codec, 0x41, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_enable_measurements_encode(
-    const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
- *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_enable_measurements *mip_filter_enable_measurements_write(
     struct mip_filter_enable_measurements *command, mip_filter_measurement_flags control) {
     memset(command, 0, sizeof(*command));
@@ -3872,42 +2210,10 @@ static inline struct mip_filter_enable_measurements *mip_filter_enable_measureme
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_enable_measurements *
-mip_filter_enable_measurements_read(struct mip_filter_enable_measurements *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_enable_measurements *
-mip_filter_enable_measurements_save(struct mip_filter_enable_measurements *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_enable_measurements *
-mip_filter_enable_measurements_load(struct mip_filter_enable_measurements *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_enable_measurements *
-mip_filter_enable_measurements_default(struct mip_filter_enable_measurements *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Enable or disable measurements response: response (0x0D,0xB0).
  *
- * Response to mip_filter_enable_measurements. Supported by 3DM-GX5-15.
+ * Response to mip_filter_enable_measurements.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -3916,27 +2222,15 @@ struct mip_filter_enable_measurements_response {
     mip_filter_measurement_flags control;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE 0x0DB0
-/** Its descriptor. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR 0xB0
-/** Its name in the specification. */
-#define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_NAME "filter.enable_measurements_response"
+MIP_FIELD(mip_filter_enable_measurements_response, 0xB0);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_enable_measurements_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_enable_measurements_response_decode(
-    struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_enable_measurements_response_codec, 0xB0, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_encode(
-    const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_enable_measurements_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_enable_measurements *mip_filter_enable_measurements_write_from(
+    struct mip_filter_enable_measurements *command,
+    const struct mip_filter_enable_measurements_response *response) {
+    return mip_filter_enable_measurements_write(command, response->control);
 }
 
 /**
@@ -3945,18 +2239,15 @@ MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_enco
  * Sets the standard deviation of the magnetometer noise that the filter assumes.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_mag_noise_response. Probably
- * changes mip_filter_data_euler_angles_uncertainty and
- * mip_filter_data_quaternion_attitude_uncertainty. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
- * measurement.
+ * affects mip_filter_data_euler_angles_uncertainty and
+ * mip_filter_data_quaternion_attitude_uncertainty. Known only from the MicroStrain MIP SDK.
+ * Requires a magnetometer. Uncertain: The SDK calls it process noise, although the noise is that of
+ * a measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
 struct mip_filter_mag_noise {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3967,34 +2258,15 @@ struct mip_filter_mag_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_NOISE 0x0D42
-/** Its descriptor. */
 #define MIP_FILTER_MAG_NOISE_DESCRIPTOR 0x42
-/** Its name in the specification. */
-#define MIP_FILTER_MAG_NOISE_NAME "filter.mag_noise"
+MIP_FIELD(mip_filter_mag_noise, 0x42);
+MIP_FILL(mip_filter_mag_noise, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_mag_noise, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_mag_noise, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_mag_noise, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_mag_noise_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
-                                                    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_mag_noise_codec, 0x42, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_noise_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
- *   Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4003,43 +2275,10 @@ mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noi
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_noise *
-mip_filter_mag_noise_read(struct mip_filter_mag_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_noise *
-mip_filter_mag_noise_save(struct mip_filter_mag_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_noise *
-mip_filter_mag_noise_load(struct mip_filter_mag_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_noise *
-mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
- * Response to mip_filter_mag_noise. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
- * SDK.
+ * Response to mip_filter_mag_noise. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -4048,27 +2287,14 @@ struct mip_filter_mag_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE 0x0DB1
-/** Its descriptor. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR 0xB1
-/** Its name in the specification. */
-#define MIP_FILTER_MAG_NOISE_RESPONSE_NAME "filter.mag_noise_response"
+MIP_FIELD(mip_filter_mag_noise_response, 0xB1);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_mag_noise_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_noise_response_decode(
-    struct mip_filter_mag_noise_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_mag_noise_response_codec, 0xB1, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
-    const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_noise_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_mag_noise *mip_filter_mag_noise_write_from(
+    struct mip_filter_mag_noise *command, const struct mip_filter_mag_noise_response *response) {
+    return mip_filter_mag_noise_write(command, response->noise);
 }
 
 /**
@@ -4077,10 +2303,9 @@ MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
  * Selects the source of the local declination of the magnetic field.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_magnetic_declination_source_response. Probably changes
+ * mip_filter_magnetic_declination_source_response. Probably affects
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
- * mip_filter_data_euler_angles. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * mip_filter_data_euler_angles. Requires a magnetometer.
  *
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
@@ -4088,66 +2313,36 @@ MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
  * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_declination_source {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the declination. A value of enum mip_filter_mag_parameter_source. Required for
-     * write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
-     * MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
-     * 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
-     * MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
+     * write. On the 3DM-CX7-AHRS and 3DM-GV7-AHRS: only MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and
+     * MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the 3DM-GQ7-GNSS/INS: only
+     * MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
      */
     uint8_t source;
     /**
-     * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
-     * 3.141592653589793. Required for write. Uncertain: Whether it may be omitted if `source` is
-     * not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state
-     * one length, with the value. Sending it always fits both.
+     * Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame:
+     * ned. Range: -pi to pi. Positive: magnetic north is east of true north. Required for write.
+     * Uncertain: The sign is the usual one; no source states it. Uncertain: The manuals, that of
+     * the 3DM-GQ7 included, require it only if `source` is manual, but state one length, with the
+     * value. Always send it.
      */
     float declination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE 0x0D43
-/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_DESCRIPTOR 0x43
-/** Its name in the specification. */
-#define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_NAME "filter.magnetic_declination_source"
+MIP_FIELD(mip_filter_magnetic_declination_source, 0x43);
+MIP_FILL(mip_filter_magnetic_declination_source, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_magnetic_declination_source, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_magnetic_declination_source, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_magnetic_declination_source, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_magnetic_declination_source_decode(
-    struct mip_filter_magnetic_declination_source *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_magnetic_declination_source_codec, 0x43, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_encode(
-    const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
- *   for write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
- *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
- *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
- *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
- * - declination: Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793
- *   to 3.141592653589793. Required for write. Uncertain: Whether it may be omitted if `source` is
- *   not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state one
- *   length, with the value. Sending it always fits both.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -4159,47 +2354,10 @@ mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declinat
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_declination_source *
-mip_filter_magnetic_declination_source_read(
-    struct mip_filter_magnetic_declination_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_declination_source *
-mip_filter_magnetic_declination_source_save(
-    struct mip_filter_magnetic_declination_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_declination_source *
-mip_filter_magnetic_declination_source_load(
-    struct mip_filter_magnetic_declination_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_declination_source *
-mip_filter_magnetic_declination_source_default(
-    struct mip_filter_magnetic_declination_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
- * Response to mip_filter_magnetic_declination_source. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * Response to mip_filter_magnetic_declination_source.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -4208,37 +2366,25 @@ struct mip_filter_magnetic_declination_source_response {
     /** Source of the declination. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
     /**
-     * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
-     * 3.141592653589793. Uncertain: Whether it may be omitted if `source` is not manual. The
-     * manuals, that of the 3DM-GQ7 included, require it only if it is, but state one length, with
-     * the value. Sending it always fits both.
+     * Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame:
+     * ned. Range: -pi to pi. Positive: magnetic north is east of true north. Uncertain: The sign is
+     * the usual one; no source states it. Uncertain: The manuals, that of the 3DM-GQ7 included,
+     * require it only if `source` is manual, but state one length, with the value. Always send it.
      */
     float declination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE 0x0DB2
-/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xB2
-/** Its name in the specification. */
-#define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_NAME \
-    "filter.magnetic_declination_source_response"
+MIP_FIELD(mip_filter_magnetic_declination_source_response, 0xB2);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_magnetic_declination_source_response_decode(
-    struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_magnetic_declination_source_response_codec, 0xB2, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_response_encode(
-    const struct mip_filter_magnetic_declination_source_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_magnetic_declination_source_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_magnetic_declination_source *
+mip_filter_magnetic_declination_source_write_from(
+    struct mip_filter_magnetic_declination_source *command,
+    const struct mip_filter_magnetic_declination_source_response *response) {
+    return mip_filter_magnetic_declination_source_write(
+        command, (enum mip_filter_mag_parameter_source)response->source, response->declination);
 }
 
 /**
@@ -4249,10 +2395,9 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
  * Full name: filter.accel_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_accel_magnitude_adaptive_response. Probably changes
+ * mip_filter_accel_magnitude_adaptive_response. Probably affects
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
- * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
@@ -4267,17 +2412,14 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
 struct mip_filter_accel_magnitude_adaptive {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones; a ..._WITH_... constant sends all up to that one.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. Required for
-     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
-     * 3DM-RQ1-45-ST: only MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, -25, -45, 3DM-RQ1-45-LT and -45-ST: only
+     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
     uint8_t adaptive_measurement;
@@ -4295,12 +2437,8 @@ struct mip_filter_accel_magnitude_adaptive {
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE 0x0D44
-/** Its descriptor. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x44
-/** Its name in the specification. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_NAME "filter.accel_magnitude_error_adaptive_measurement"
 /** The value of `present` if frequency is the last parameter that is present. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_FREQUENCY 2
 /** The value of `present` if low_limit is the last parameter that is present. */
@@ -4313,32 +2451,13 @@ struct mip_filter_accel_magnitude_adaptive {
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_HIGH_LIMIT_UNCERTAINTY 6
 /** The value of `present` if minimum_uncertainty is the last parameter that is present. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_MINIMUM_UNCERTAINTY 7
+MIP_FIELD(mip_filter_accel_magnitude_adaptive, 0x44);
+MIP_FILL(mip_filter_accel_magnitude_adaptive, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_accel_magnitude_adaptive, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_accel_magnitude_adaptive, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_accel_magnitude_adaptive, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_accel_magnitude_adaptive_decode(
-    struct mip_filter_accel_magnitude_adaptive *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_accel_magnitude_adaptive_codec, 0x44, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
-    const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - adaptive_measurement: Kind of adaptation. A value of enum
- *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
- *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
- *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magnitude_adaptive_write(
     struct mip_filter_accel_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
@@ -4348,44 +2467,12 @@ static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magni
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_magnitude_adaptive *
-mip_filter_accel_magnitude_adaptive_read(struct mip_filter_accel_magnitude_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_magnitude_adaptive *
-mip_filter_accel_magnitude_adaptive_save(struct mip_filter_accel_magnitude_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_magnitude_adaptive *
-mip_filter_accel_magnitude_adaptive_load(struct mip_filter_accel_magnitude_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_accel_magnitude_adaptive *
-mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
  * Full name: filter.accel_magnitude_error_adaptive_measurement_response.
  *
- * Response to mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_accel_magnitude_adaptive.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -4406,28 +2493,17 @@ struct mip_filter_accel_magnitude_adaptive_response {
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB3
-/** Its descriptor. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB3
-/** Its name in the specification. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
-    "filter.accel_magnitude_error_adaptive_measurement_response"
+MIP_FIELD(mip_filter_accel_magnitude_adaptive_response, 0xB3);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode(
-    struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_accel_magnitude_adaptive_response_codec, 0xB3, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode(
-    const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_accel_magnitude_adaptive_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_accel_magnitude_adaptive *
+mip_filter_accel_magnitude_adaptive_write_from(
+    struct mip_filter_accel_magnitude_adaptive *command,
+    const struct mip_filter_accel_magnitude_adaptive_response *response) {
+    return mip_filter_accel_magnitude_adaptive_write(
+        command, (enum mip_filter_adaptive_measurement_selector)response->adaptive_measurement);
 }
 
 /**
@@ -4438,12 +2514,11 @@ MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response
  * Full name: filter.mag_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_mag_magnitude_adaptive_response. Probably changes mip_filter_data_attitude_quaternion,
+ * mip_filter_mag_magnitude_adaptive_response. Probably affects mip_filter_data_attitude_quaternion,
  * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
- * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether the
- * parameters after the selector may be omitted on write, as those of
- * mip_filter_accel_magnitude_adaptive may.
+ * Known only from the MicroStrain MIP SDK. Requires a magnetometer. Uncertain: The parameters after
+ * the selector can possibly be omitted on write, like those of mip_filter_accel_magnitude_adaptive.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
  * determines the limits.
@@ -4454,17 +2529,14 @@ MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
 struct mip_filter_mag_magnitude_adaptive {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. Required for
-     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
-     * 3DM-RQ1-45-ST: only MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, -45, 3DM-RQ1-45-LT and -45-ST: only
+     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
     uint8_t adaptive_measurement;
@@ -4472,85 +2544,45 @@ struct mip_filter_mag_magnitude_adaptive {
     float frequency;
     /**
      * Lower limit of the magnetic field magnitude error. Unit: gauss. Required for write.
-     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
-     * command and gauss in the response.
+     * Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45
+     * m/s^2 in the command and gauss in the response.
      */
     float low_limit;
     /**
      * Upper limit of the magnetic field magnitude error. Unit: gauss. Required for write.
-     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
-     * command and gauss in the response.
+     * Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45
+     * m/s^2 in the command and gauss in the response.
      */
     float high_limit;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for write.
-     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
-     * command and gauss in the response.
+     * Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45
+     * m/s^2 in the command and gauss in the response.
      */
     float low_limit_uncertainty;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for write.
-     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
-     * command and gauss in the response.
+     * Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45
+     * m/s^2 in the command and gauss in the response.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: gauss. Range: at least 0. Required for write. Uncertain:
-     * The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and
-     * gauss in the response.
+     * The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the
+     * command and gauss in the response.
      */
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE 0x0D45
-/** Its descriptor. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x45
-/** Its name in the specification. */
-#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_NAME "filter.mag_magnitude_error_adaptive_measurement"
+MIP_FIELD(mip_filter_mag_magnitude_adaptive, 0x45);
+MIP_FILL(mip_filter_mag_magnitude_adaptive, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_mag_magnitude_adaptive, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_mag_magnitude_adaptive, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_mag_magnitude_adaptive, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_magnitude_adaptive_decode(
-    struct mip_filter_mag_magnitude_adaptive *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_mag_magnitude_adaptive_codec, 0x45, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
-    const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - adaptive_measurement: Kind of adaptation. A value of enum
- *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
- *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
- *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
- * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
- *   write.
- * - low_limit: Lower limit of the magnetic field magnitude error. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
- *   command and gauss in the response.
- * - high_limit: Upper limit of the magnetic field magnitude error. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
- *   command and gauss in the response.
- * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
- *   states m/s^2 in the command and gauss in the response.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
- *   states m/s^2 in the command and gauss in the response.
- * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required for
- *   write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
- *   the command and gauss in the response.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
     struct mip_filter_mag_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency,
@@ -4568,45 +2600,12 @@ static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_magnitude_adaptive *
-mip_filter_mag_magnitude_adaptive_read(struct mip_filter_mag_magnitude_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_magnitude_adaptive *
-mip_filter_mag_magnitude_adaptive_save(struct mip_filter_mag_magnitude_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_magnitude_adaptive *
-mip_filter_mag_magnitude_adaptive_load(struct mip_filter_mag_magnitude_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_magnitude_adaptive *
-mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
  * Full name: filter.mag_magnitude_error_adaptive_measurement_response.
  *
- * Response to mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Response to mip_filter_mag_magnitude_adaptive. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -4616,59 +2615,51 @@ struct mip_filter_mag_magnitude_adaptive_response {
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
-     * Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-     * response.
+     * Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is
+     * inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss
+     * in the response.
      */
     float low_limit;
     /**
-     * Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-     * response.
+     * Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is
+     * inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss
+     * in the response.
      */
     float high_limit;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-     * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-     * response.
+     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit
+     * gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command
+     * and gauss in the response.
      */
     float low_limit_uncertainty;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-     * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-     * response.
+     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit
+     * gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command
+     * and gauss in the response.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-     * response.
+     * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is
+     * inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss
+     * in the response.
      */
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB4
-/** Its descriptor. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB4
-/** Its name in the specification. */
-#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
-    "filter.mag_magnitude_error_adaptive_measurement_response"
+MIP_FIELD(mip_filter_mag_magnitude_adaptive_response, 0xB4);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode(
-    struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_mag_magnitude_adaptive_response_codec, 0xB4, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode(
-    const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_magnitude_adaptive_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_mag_magnitude_adaptive *
+mip_filter_mag_magnitude_adaptive_write_from(
+    struct mip_filter_mag_magnitude_adaptive *command,
+    const struct mip_filter_mag_magnitude_adaptive_response *response) {
+    return mip_filter_mag_magnitude_adaptive_write(
+        command, (enum mip_filter_adaptive_measurement_selector)response->adaptive_measurement,
+        response->frequency, response->low_limit, response->high_limit,
+        response->low_limit_uncertainty, response->high_limit_uncertainty,
+        response->minimum_uncertainty);
 }
 
 /**
@@ -4679,10 +2670,10 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_e
  * Full name: filter.mag_dip_angle_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_mag_dip_angle_adaptive_response. Probably changes mip_filter_data_attitude_quaternion,
+ * mip_filter_mag_dip_angle_adaptive_response. Probably affects mip_filter_data_attitude_quaternion,
  * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
- * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * It has no effect while mip_filter_accel_magnitude_adaptive or mip_filter_mag_magnitude_adaptive
  * is set to `auto`.
@@ -4693,10 +2684,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_e
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
 struct mip_filter_mag_dip_angle_adaptive {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4705,59 +2693,31 @@ struct mip_filter_mag_dip_angle_adaptive {
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write. */
     float frequency;
     /**
-     * Upper limit of the dip angle error. Unit: rad. Required for write. Uncertain: The unit. The
-     * SDK states m/s^2; rad is inferred from the quantity.
+     * Upper limit of the dip angle error. Unit: rad. Range: at least 0. Required for write.
+     * Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2.
      */
     float high_limit;
     /**
      * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for write.
-     * Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
+     * Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: rad. Range: at least 0. Required for write. Uncertain: The
-     * unit. The SDK states m/s^2; rad is inferred from the quantity.
+     * unit rad is inferred from the quantity; the SDK states m/s^2.
      */
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE 0x0D46
-/** Its descriptor. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_DESCRIPTOR 0x46
-/** Its name in the specification. */
-#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_NAME "filter.mag_dip_angle_error_adaptive_measurement"
+MIP_FIELD(mip_filter_mag_dip_angle_adaptive, 0x46);
+MIP_FILL(mip_filter_mag_dip_angle_adaptive, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_mag_dip_angle_adaptive, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_mag_dip_angle_adaptive, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_mag_dip_angle_adaptive, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_dip_angle_adaptive_decode(
-    struct mip_filter_mag_dip_angle_adaptive *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_mag_dip_angle_adaptive_codec, 0x46, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
-    const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: True if the adaptation is on. Required for write.
- * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
- *   write.
- * - high_limit: Upper limit of the dip angle error. Unit: rad. Required for write. Uncertain: The
- *   unit. The SDK states m/s^2; rad is inferred from the quantity.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
- *   quantity.
- * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
- *   write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
     struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
     float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
@@ -4771,45 +2731,12 @@ static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_dip_angle_adaptive *
-mip_filter_mag_dip_angle_adaptive_read(struct mip_filter_mag_dip_angle_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_dip_angle_adaptive *
-mip_filter_mag_dip_angle_adaptive_save(struct mip_filter_mag_dip_angle_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_dip_angle_adaptive *
-mip_filter_mag_dip_angle_adaptive_load(struct mip_filter_mag_dip_angle_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_mag_dip_angle_adaptive *
-mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adaptive *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
  * Full name: filter.mag_dip_angle_error_adaptive_measurement_response.
  *
- * Response to mip_filter_mag_dip_angle_adaptive. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Response to mip_filter_mag_dip_angle_adaptive. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -4819,44 +2746,34 @@ struct mip_filter_mag_dip_angle_adaptive_response {
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
-     * Upper limit of the dip angle error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad
-     * is inferred from the quantity.
+     * Upper limit of the dip angle error. Unit: rad. Range: at least 0. Uncertain: The unit rad is
+     * inferred from the quantity; the SDK states m/s^2.
      */
     float high_limit;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The
-     * SDK states m/s^2; rad is inferred from the quantity.
+     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit rad
+     * is inferred from the quantity; the SDK states m/s^2.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK
-     * states m/s^2; rad is inferred from the quantity.
+     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit rad is
+     * inferred from the quantity; the SDK states m/s^2.
      */
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE 0x0DB5
-/** Its descriptor. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB5
-/** Its name in the specification. */
-#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_NAME \
-    "filter.mag_dip_angle_error_adaptive_measurement_response"
+MIP_FIELD(mip_filter_mag_dip_angle_adaptive_response, 0xB5);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode(
-    struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_mag_dip_angle_adaptive_response_codec, 0xB5, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
-    const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_mag_dip_angle_adaptive *
+mip_filter_mag_dip_angle_adaptive_write_from(
+    struct mip_filter_mag_dip_angle_adaptive *command,
+    const struct mip_filter_mag_dip_angle_adaptive_response *response) {
+    return mip_filter_mag_dip_angle_adaptive_write(
+        command, response->enable, response->frequency, response->high_limit,
+        response->high_limit_uncertainty, response->minimum_uncertainty);
 }
 
 /**
@@ -4865,8 +2782,8 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_e
  * Selects the source that aids the altitude in addition to GNSS.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_altitude_aiding_response.
- * Probably changes mip_filter_data_llh_position and mip_filter_data_llh_position_uncertainty.
- * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Probably affects mip_filter_data_llh_position and mip_filter_data_llh_position_uncertainty. Known
+ * only from the MicroStrain MIP SDK. Requires a pressure sensor.
  *
  * GNSS remains the main source of altitude; the aid improves it and bridges outages.
  *
@@ -4875,10 +2792,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_e
  * - mip-sdk-4: Altitude aiding (0x0D,0x47)
  */
 struct mip_filter_altitude_aiding {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4888,34 +2802,15 @@ struct mip_filter_altitude_aiding {
     uint8_t selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ALTITUDE_AIDING 0x0D47
-/** Its descriptor. */
 #define MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR 0x47
-/** Its name in the specification. */
-#define MIP_FILTER_ALTITUDE_AIDING_NAME "filter.altitude_aiding"
+MIP_FIELD(mip_filter_altitude_aiding, 0x47);
+MIP_FILL(mip_filter_altitude_aiding, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_altitude_aiding, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_altitude_aiding, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_altitude_aiding, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_altitude_aiding_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_altitude_aiding_codec, 0x47, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_encode(
-    const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - selector: Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required for
- *   write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_write(
     struct mip_filter_altitude_aiding *command, enum mip_filter_altitude_aiding_source selector) {
     memset(command, 0, sizeof(*command));
@@ -4924,43 +2819,10 @@ static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_writ
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_altitude_aiding *
-mip_filter_altitude_aiding_read(struct mip_filter_altitude_aiding *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_altitude_aiding *
-mip_filter_altitude_aiding_save(struct mip_filter_altitude_aiding *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_altitude_aiding *
-mip_filter_altitude_aiding_load(struct mip_filter_altitude_aiding *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_altitude_aiding *
-mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
- * Response to mip_filter_altitude_aiding. Supported by 3DM-GX5-45. Known only from the MicroStrain
- * MIP SDK.
+ * Response to mip_filter_altitude_aiding. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Altitude aiding (0x0D,0x47)
  */
@@ -4969,27 +2831,16 @@ struct mip_filter_altitude_aiding_response {
     uint8_t selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE 0x0DB7
-/** Its descriptor. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR 0xB7
-/** Its name in the specification. */
-#define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_NAME "filter.altitude_aiding_response"
+MIP_FIELD(mip_filter_altitude_aiding_response, 0xB7);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_altitude_aiding_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_altitude_aiding_response_decode(
-    struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_altitude_aiding_response_codec, 0xB7, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
-    const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_altitude_aiding_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_altitude_aiding *
+mip_filter_altitude_aiding_write_from(struct mip_filter_altitude_aiding *command,
+                                      const struct mip_filter_altitude_aiding_response *response) {
+    return mip_filter_altitude_aiding_write(
+        command, (enum mip_filter_altitude_aiding_source)response->selector);
 }
 
 /**
@@ -4998,17 +2849,14 @@ MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
  * Selects the source that aids pitch and roll while the motion is gentle.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_pitch_roll_aiding_response.
- * Probably changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
+ * Probably affects mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
  * mip_filter_data_euler_angles, mip_filter_data_euler_angles_uncertainty and
- * mip_filter_data_quaternion_attitude_uncertainty. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_data_quaternion_attitude_uncertainty.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
 struct mip_filter_pitch_roll_aiding {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5019,34 +2867,15 @@ struct mip_filter_pitch_roll_aiding {
     uint8_t aiding;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_PITCH_ROLL_AIDING 0x0D4B
-/** Its descriptor. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_DESCRIPTOR 0x4B
-/** Its name in the specification. */
-#define MIP_FILTER_PITCH_ROLL_AIDING_NAME "filter.pitch_roll_aiding"
+MIP_FIELD(mip_filter_pitch_roll_aiding, 0x4B);
+MIP_FILL(mip_filter_pitch_roll_aiding, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_pitch_roll_aiding, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_pitch_roll_aiding, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_pitch_roll_aiding, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_pitch_roll_aiding_decode(
-    struct mip_filter_pitch_roll_aiding *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_pitch_roll_aiding_codec, 0x4B, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_encode(
-    const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - aiding: Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required for
- *   write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_write(
     struct mip_filter_pitch_roll_aiding *command, enum mip_filter_pitch_roll_aiding_source aiding) {
     memset(command, 0, sizeof(*command));
@@ -5055,42 +2884,10 @@ static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_pitch_roll_aiding *
-mip_filter_pitch_roll_aiding_read(struct mip_filter_pitch_roll_aiding *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_pitch_roll_aiding *
-mip_filter_pitch_roll_aiding_save(struct mip_filter_pitch_roll_aiding *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_pitch_roll_aiding *
-mip_filter_pitch_roll_aiding_load(struct mip_filter_pitch_roll_aiding *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_pitch_roll_aiding *
-mip_filter_pitch_roll_aiding_default(struct mip_filter_pitch_roll_aiding *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
- * Response to mip_filter_pitch_roll_aiding. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_pitch_roll_aiding.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -5099,27 +2896,16 @@ struct mip_filter_pitch_roll_aiding_response {
     uint8_t aiding;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE 0x0DBB
-/** Its descriptor. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_DESCRIPTOR 0xBB
-/** Its name in the specification. */
-#define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_NAME "filter.pitch_roll_aiding_response"
+MIP_FIELD(mip_filter_pitch_roll_aiding_response, 0xBB);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_pitch_roll_aiding_response_decode(
-    struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_pitch_roll_aiding_response_codec, 0xBB, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode(
-    const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_pitch_roll_aiding_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_write_from(
+    struct mip_filter_pitch_roll_aiding *command,
+    const struct mip_filter_pitch_roll_aiding_response *response) {
+    return mip_filter_pitch_roll_aiding_write(
+        command, (enum mip_filter_pitch_roll_aiding_source)response->aiding);
 }
 
 /**
@@ -5128,20 +2914,16 @@ MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode
  * Selects the source of the local inclination (dip angle) of the magnetic field.
  *
  * Also called `inclination_source`. Functions: write, read, save, load and default. Response:
- * mip_filter_magnetic_inclination_source_response. Probably changes
+ * mip_filter_magnetic_inclination_source_response. Probably affects
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
- * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
- * MIP SDK.
+ * mip_filter_data_euler_angles. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * Without a good inclination source, keep automatic magnetometer calibration off.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
 struct mip_filter_magnetic_inclination_source {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5151,47 +2933,24 @@ struct mip_filter_magnetic_inclination_source {
      */
     uint8_t source;
     /**
-     * Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to
-     * 1.5707963267948966. Required for write. Uncertain: Whether it may be left out if `source` is
-     * not manual, as the manuals state for mip_filter_magnetic_declination_source. The SDK always
-     * sends it.
+     * Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad.
+     * Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points
+     * down. Required for write. Uncertain: The sign is the usual one; no source states it.
+     * Uncertain: It can possibly be omitted if `source` is not manual, as with
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float inclination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE 0x0D4C
-/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_DESCRIPTOR 0x4C
-/** Its name in the specification. */
-#define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_NAME "filter.magnetic_inclination_source"
+MIP_FIELD(mip_filter_magnetic_inclination_source, 0x4C);
+MIP_FILL(mip_filter_magnetic_inclination_source, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_magnetic_inclination_source, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_magnetic_inclination_source, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_magnetic_inclination_source, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_magnetic_inclination_source_decode(
-    struct mip_filter_magnetic_inclination_source *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_magnetic_inclination_source_codec, 0x4C, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_encode(
-    const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
- *   for write.
- * - inclination: Inclination; used only if `source` is manual. Unit: rad. Range:
- *   -1.5707963267948966 to 1.5707963267948966. Required for write. Uncertain: Whether it may be
- *   left out if `source` is not manual, as the manuals state for
- *   mip_filter_magnetic_declination_source. The SDK always sends it.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -5200,42 +2959,6 @@ mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclinat
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->source = (uint8_t)source;
     command->inclination = inclination;
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_inclination_source *
-mip_filter_magnetic_inclination_source_read(
-    struct mip_filter_magnetic_inclination_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_inclination_source *
-mip_filter_magnetic_inclination_source_save(
-    struct mip_filter_magnetic_inclination_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_inclination_source *
-mip_filter_magnetic_inclination_source_load(
-    struct mip_filter_magnetic_inclination_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_inclination_source *
-mip_filter_magnetic_inclination_source_default(
-    struct mip_filter_magnetic_inclination_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -5251,36 +2974,26 @@ struct mip_filter_magnetic_inclination_source_response {
     /** Source of the inclination. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
     /**
-     * Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to
-     * 1.5707963267948966. Uncertain: Whether it may be left out if `source` is not manual, as the
-     * manuals state for mip_filter_magnetic_declination_source. The SDK always sends it.
+     * Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad.
+     * Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points
+     * down. Uncertain: The sign is the usual one; no source states it. Uncertain: It can possibly
+     * be omitted if `source` is not manual, as with mip_filter_magnetic_declination_source. The SDK
+     * always sends it.
      */
     float inclination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE 0x0DBC
-/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xBC
-/** Its name in the specification. */
-#define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_NAME \
-    "filter.magnetic_inclination_source_response"
+MIP_FIELD(mip_filter_magnetic_inclination_source_response, 0xBC);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_magnetic_inclination_source_response_decode(
-    struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_magnetic_inclination_source_response_codec, 0xBC, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_response_encode(
-    const struct mip_filter_magnetic_inclination_source_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_magnetic_inclination_source_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_magnetic_inclination_source *
+mip_filter_magnetic_inclination_source_write_from(
+    struct mip_filter_magnetic_inclination_source *command,
+    const struct mip_filter_magnetic_inclination_source_response *response) {
+    return mip_filter_magnetic_inclination_source_write(
+        command, (enum mip_filter_mag_parameter_source)response->source, response->inclination);
 }
 
 /**
@@ -5289,10 +3002,9 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_respo
  * Selects the source of the local magnitude of the magnetic field.
  *
  * Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
- * Response: mip_filter_magnetic_magnitude_source_response. Probably changes
+ * Response: mip_filter_magnetic_magnitude_source_response. Probably affects
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
- * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
- * MIP SDK.
+ * mip_filter_data_euler_angles. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
@@ -5301,10 +3013,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_respo
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
 struct mip_filter_magnetic_magnitude_source {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5314,44 +3023,21 @@ struct mip_filter_magnetic_magnitude_source {
     uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required for
-     * write. Uncertain: Whether it may be left out if `source` is not manual, as the manuals state
-     * for mip_filter_magnetic_declination_source. The SDK always sends it.
+     * write. Uncertain: It can possibly be omitted if `source` is not manual, as with
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float magnitude;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE 0x0D4D
-/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_DESCRIPTOR 0x4D
-/** Its name in the specification. */
-#define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_NAME "filter.magnetic_magnitude_source"
+MIP_FIELD(mip_filter_magnetic_magnitude_source, 0x4D);
+MIP_FILL(mip_filter_magnetic_magnitude_source, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_magnetic_magnitude_source, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_magnetic_magnitude_source, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_magnetic_magnitude_source, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_magnetic_magnitude_source_decode(
-    struct mip_filter_magnetic_magnitude_source *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_magnetic_magnitude_source_codec, 0x4D, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_encode(
-    const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
- *   write.
- * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required
- *   for write. Uncertain: Whether it may be left out if `source` is not manual, as the manuals
- *   state for mip_filter_magnetic_declination_source. The SDK always sends it.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
                                            enum mip_filter_mag_parameter_source source,
@@ -5360,38 +3046,6 @@ mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->source = (uint8_t)source;
     command->magnitude = magnitude;
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_magnitude_source *
-mip_filter_magnetic_magnitude_source_read(struct mip_filter_magnetic_magnitude_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_magnitude_source *
-mip_filter_magnetic_magnitude_source_save(struct mip_filter_magnetic_magnitude_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_magnitude_source *
-mip_filter_magnetic_magnitude_source_load(struct mip_filter_magnetic_magnitude_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_magnetic_magnitude_source *
-mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitude_source *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -5407,36 +3061,24 @@ struct mip_filter_magnetic_magnitude_source_response {
     /** Source of the magnitude. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
     /**
-     * Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain:
-     * Whether it may be left out if `source` is not manual, as the manuals state for
+     * Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain: It can
+     * possibly be omitted if `source` is not manual, as with
      * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float magnitude;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE 0x0DBD
-/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR 0xBD
-/** Its name in the specification. */
-#define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_NAME \
-    "filter.magnetic_magnitude_source_response"
+MIP_FIELD(mip_filter_magnetic_magnitude_source_response, 0xBD);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_magnetic_magnitude_source_response_decode(
-    struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_magnetic_magnitude_source_response_codec, 0xBD, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_response_encode(
-    const struct mip_filter_magnetic_magnitude_source_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_magnetic_magnitude_source_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_magnetic_magnitude_source *
+mip_filter_magnetic_magnitude_source_write_from(
+    struct mip_filter_magnetic_magnitude_source *command,
+    const struct mip_filter_magnetic_magnitude_source_response *response) {
+    return mip_filter_magnetic_magnitude_source_write(
+        command, (enum mip_filter_mag_parameter_source)response->source, response->magnitude);
 }
 
 /**
@@ -5445,12 +3087,12 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
  * Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_sensor_to_vehicle_rotation_dcm_response. Changes mip_sensor_scaled_accel,
+ * mip_filter_sensor_to_vehicle_rotation_dcm_response. Affects mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
- * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Not listed in any
- * device profile. Known only from the MicroStrain MIP SDK.
+ * mip_filter_data_gravity_vector. Probably affects mip_filter_data_comp_accel. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_transform_dcm accepts.
  *
@@ -5461,10 +3103,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
 struct mip_filter_sensor_to_vehicle_rotation_dcm {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5475,77 +3114,21 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm {
     float dcm[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM 0x0D4E
-/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR 0x4E
-/** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
+MIP_FIELD(mip_filter_sensor_to_vehicle_rotation_dcm, 0x4E);
+MIP_FILL(mip_filter_sensor_to_vehicle_rotation_dcm, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_sensor_to_vehicle_rotation_dcm, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_sensor_to_vehicle_rotation_dcm, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_sensor_to_vehicle_rotation_dcm, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, 0x4E, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
- *   Unit: 1. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
 mip_filter_sensor_to_vehicle_rotation_dcm_write(
     struct mip_filter_sensor_to_vehicle_rotation_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(command->dcm, dcm, sizeof(command->dcm));
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
-mip_filter_sensor_to_vehicle_rotation_dcm_read(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
-mip_filter_sensor_to_vehicle_rotation_dcm_save(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
-mip_filter_sensor_to_vehicle_rotation_dcm_load(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
-mip_filter_sensor_to_vehicle_rotation_dcm_default(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -5564,30 +3147,16 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
     float dcm[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE 0x0DBE
-/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR 0xBE
-/** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_NAME \
-    "filter.sensor_to_vehicle_rotation_dcm_response"
+MIP_FIELD(mip_filter_sensor_to_vehicle_rotation_dcm_response, 0xBE);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, 0xBE, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_write_from(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command,
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *response) {
+    return mip_filter_sensor_to_vehicle_rotation_dcm_write(command, response->dcm);
 }
 
 /**
@@ -5598,12 +3167,12 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_re
  * Full name: filter.sensor_to_vehicle_rotation_quaternion.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_sensor_to_vehicle_quaternion_response. Changes mip_sensor_scaled_accel,
+ * mip_filter_sensor_to_vehicle_quaternion_response. Affects mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
- * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Not listed in any
- * device profile. Known only from the MicroStrain MIP SDK.
+ * mip_filter_data_gravity_vector. Probably affects mip_filter_data_comp_accel. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_transform_quaternion accepts.
  *
@@ -5612,10 +3181,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_re
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
 struct mip_filter_sensor_to_vehicle_quaternion {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5626,77 +3192,21 @@ struct mip_filter_sensor_to_vehicle_quaternion {
     float q[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION 0x0D4F
-/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x4F
-/** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_NAME "filter.sensor_to_vehicle_rotation_quaternion"
+MIP_FIELD(mip_filter_sensor_to_vehicle_quaternion, 0x4F);
+MIP_FILL(mip_filter_sensor_to_vehicle_quaternion, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_sensor_to_vehicle_quaternion, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_sensor_to_vehicle_quaternion, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_sensor_to_vehicle_quaternion, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
-    struct mip_filter_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_quaternion_codec, 0x4F, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
-    const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - q: Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
- *   1.001. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_write(
     struct mip_filter_sensor_to_vehicle_quaternion *command, const float q[4]) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(command->q, q, sizeof(command->q));
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_quaternion *
-mip_filter_sensor_to_vehicle_quaternion_read(
-    struct mip_filter_sensor_to_vehicle_quaternion *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_quaternion *
-mip_filter_sensor_to_vehicle_quaternion_save(
-    struct mip_filter_sensor_to_vehicle_quaternion *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_quaternion *
-mip_filter_sensor_to_vehicle_quaternion_load(
-    struct mip_filter_sensor_to_vehicle_quaternion *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_quaternion *
-mip_filter_sensor_to_vehicle_quaternion_default(
-    struct mip_filter_sensor_to_vehicle_quaternion *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -5717,29 +3227,16 @@ struct mip_filter_sensor_to_vehicle_quaternion_response {
     float q[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE 0x0DBF
-/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
-/** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
-    "filter.sensor_to_vehicle_rotation_quaternion_response"
+MIP_FIELD(mip_filter_sensor_to_vehicle_quaternion_response, 0xBF);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode(
-    struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_quaternion_response_codec, 0xBF, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
-    const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_sensor_to_vehicle_quaternion *
+mip_filter_sensor_to_vehicle_quaternion_write_from(
+    struct mip_filter_sensor_to_vehicle_quaternion *command,
+    const struct mip_filter_sensor_to_vehicle_quaternion_response *response) {
+    return mip_filter_sensor_to_vehicle_quaternion_write(command, response->q);
 }
 
 /**
@@ -5748,17 +3245,13 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_resp
  * Enables or disables one source of aiding measurements.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_aiding_measurement_enable_response. Changes
- * mip_filter_data_aiding_measurement_summary. Probably changes MIP_FILTER_DATA_SET. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * mip_filter_aiding_measurement_enable_response. Affects
+ * mip_filter_data_aiding_measurement_summary. Probably affects MIP_FILTER_DATA_SET.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5782,48 +3275,11 @@ struct mip_filter_aiding_measurement_enable {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE 0x0D50
-/** Its descriptor. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_DESCRIPTOR 0x50
-/** Its name in the specification. */
-#define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_NAME "filter.aiding_measurement_enable"
+MIP_FIELD(mip_filter_aiding_measurement_enable, 0x50);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_aiding_measurement_enable_decode(
-    struct mip_filter_aiding_measurement_enable *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_aiding_measurement_enable_codec, 0x50, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_encode(
-    const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
- *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
- *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL.
- * - enable: True if the filter uses the source. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
                                            uint16_t aiding_source, mip_bool enable) {
@@ -5834,24 +3290,7 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
- *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
- *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -5861,24 +3300,7 @@ mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_e
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
- *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
- *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -5888,24 +3310,7 @@ mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_e
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
- *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
- *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -5915,24 +3320,7 @@ mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_e
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
- *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
- *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measurement_enable *command,
                                              uint16_t aiding_source) {
@@ -5945,8 +3333,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Response to mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS.
+ * Response to mip_filter_aiding_measurement_enable.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -5957,29 +3344,17 @@ struct mip_filter_aiding_measurement_enable_response {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE 0x0DD0
-/** Its descriptor. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_DESCRIPTOR 0xD0
-/** Its name in the specification. */
-#define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_NAME \
-    "filter.aiding_measurement_enable_response"
+MIP_FIELD(mip_filter_aiding_measurement_enable_response, 0xD0);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_aiding_measurement_enable_response_decode(
-    struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_aiding_measurement_enable_response_codec, 0xD0, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_response_encode(
-    const struct mip_filter_aiding_measurement_enable_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_aiding_measurement_enable_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_aiding_measurement_enable *
+mip_filter_aiding_measurement_enable_write_from(
+    struct mip_filter_aiding_measurement_enable *command,
+    const struct mip_filter_aiding_measurement_enable_response *response) {
+    return mip_filter_aiding_measurement_enable_write(command, response->aiding_source,
+                                                      response->enable);
 }
 
 /**
@@ -5988,19 +3363,15 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_respons
  * Sets the assumptions about the motion that the filter uses in place of measurements.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_kinematic_constraint_response. Probably changes mip_filter_data_ned_velocity,
+ * mip_filter_kinematic_constraint_response. Probably affects mip_filter_data_ned_velocity,
  * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
- * and mip_filter_data_euler_angles. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK. Uncertain: Whether there are further values. The SDK uses plain numbers and
- * lists the values in comments.
+ * and mip_filter_data_euler_angles. Known only from the MicroStrain MIP SDK. Uncertain: There may
+ * be further values, because the SDK uses plain numbers and lists values in comments only.
  *
  * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6021,40 +3392,15 @@ struct mip_filter_kinematic_constraint {
     uint8_t angular_constraint;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT 0x0D51
-/** Its descriptor. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR 0x51
-/** Its name in the specification. */
-#define MIP_FILTER_KINEMATIC_CONSTRAINT_NAME "filter.kinematic_constraint"
+MIP_FIELD(mip_filter_kinematic_constraint, 0x51);
+MIP_FILL(mip_filter_kinematic_constraint, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_kinematic_constraint, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_kinematic_constraint, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_kinematic_constraint, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_kinematic_constraint_decode(
-    struct mip_filter_kinematic_constraint *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_kinematic_constraint_codec, 0x51, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_encode(
-    const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - accel_constraint: Assumption about the acceleration. A value of enum
- *   mip_filter_accel_constraint. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for write.
- * - velocity_constraint: Assumption about the velocity. A value of enum
- *   mip_filter_velocity_constraint. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
- *   write.
- * - angular_constraint: Assumption about the angular rate. A value of enum
- *   mip_filter_angular_constraint. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *command,
                                       enum mip_filter_accel_constraint accel_constraint,
@@ -6065,38 +3411,6 @@ mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *co
     command->accel_constraint = (uint8_t)accel_constraint;
     command->velocity_constraint = (uint8_t)velocity_constraint;
     command->angular_constraint = (uint8_t)angular_constraint;
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_kinematic_constraint *
-mip_filter_kinematic_constraint_read(struct mip_filter_kinematic_constraint *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_kinematic_constraint *
-mip_filter_kinematic_constraint_save(struct mip_filter_kinematic_constraint *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_kinematic_constraint *
-mip_filter_kinematic_constraint_load(struct mip_filter_kinematic_constraint *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_kinematic_constraint *
-mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -6125,27 +3439,18 @@ struct mip_filter_kinematic_constraint_response {
     uint8_t angular_constraint;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE 0x0DD1
-/** Its descriptor. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR 0xD1
-/** Its name in the specification. */
-#define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_NAME "filter.kinematic_constraint_response"
+MIP_FIELD(mip_filter_kinematic_constraint_response, 0xD1);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_kinematic_constraint_response_decode(
-    struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_kinematic_constraint_response_codec, 0xD1, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_encode(
-    const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_kinematic_constraint_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_kinematic_constraint *mip_filter_kinematic_constraint_write_from(
+    struct mip_filter_kinematic_constraint *command,
+    const struct mip_filter_kinematic_constraint_response *response) {
+    return mip_filter_kinematic_constraint_write(
+        command, (enum mip_filter_accel_constraint)response->accel_constraint,
+        (enum mip_filter_velocity_constraint)response->velocity_constraint,
+        (enum mip_filter_angular_constraint)response->angular_constraint);
 }
 
 /**
@@ -6154,11 +3459,13 @@ MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_enc
  * Sets the sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: write, read, save, load and default.
- * Response: mip_filter_initialization_config_response. Probably changes mip_filter_data_status,
+ * Response: mip_filter_initialization_config_response. Probably affects mip_filter_data_status,
  * mip_filter_data_llh_position, mip_filter_data_ecef_position, mip_filter_data_ned_velocity,
  * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
- * and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
- * 3DM-GQ7-GNSS/INS.
+ * and mip_filter_data_euler_angles.
+ *
+ * The initial angles are in degrees, unlike those of mip_filter_set_initial_attitude, which are in
+ * radians.
  *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.
@@ -6170,10 +3477,7 @@ MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_enc
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_initialization_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6195,11 +3499,14 @@ struct mip_filter_initialization_config {
      * MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and MIP_FILTER_HEADING_ALIGNMENT_MAG.
      */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Initial heading that your program provides. Unit: deg. Required for write. */
+    /**
+     * Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from
+     * above. Required for write.
+     */
     float initial_heading;
-    /** Initial pitch that your program provides. Unit: deg. Required for write. */
+    /** Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up. Required for write. */
     float initial_pitch;
-    /** Initial roll that your program provides. Unit: deg. Required for write. */
+    /** Initial roll angle. Unit: deg. Frame: ned. Positive: right side down. Required for write. */
     float initial_roll;
     /**
      * Initial position that your program provides. Elements: x, y, z. Required for write. If
@@ -6222,56 +3529,15 @@ struct mip_filter_initialization_config {
     uint8_t reference_frame_selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_INITIALIZATION_CONFIG 0x0D52
-/** Its descriptor. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_DESCRIPTOR 0x52
-/** Its name in the specification. */
-#define MIP_FILTER_INITIALIZATION_CONFIG_NAME "filter.initialization_config"
+MIP_FIELD(mip_filter_initialization_config, 0x52);
+MIP_FILL(mip_filter_initialization_config, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_initialization_config, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_initialization_config, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_initialization_config, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_initialization_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_initialization_config_decode(
-    struct mip_filter_initialization_config *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_initialization_config_codec, 0x52, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_initialization_config_encode(
-    const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_initialization_config_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
- *   it can. Range: 0 to 1. Required for write.
- * - initial_condition_source: Initial conditions that your program provides instead of the device.
- *   A value of enum mip_filter_initial_condition_source. Required for write.
- * - auto_heading_alignment_selector: Methods that may be used to determine the initial heading.
- *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
- *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
- *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
- *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
- *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
- * - initial_heading: Initial heading that your program provides. Unit: deg. Required for write.
- * - initial_pitch: Initial pitch that your program provides. Unit: deg. Required for write.
- * - initial_roll: Initial roll that your program provides. Unit: deg. Required for write.
- * - initial_position: Initial position that your program provides. Elements: x, y, z. Required for
- *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
- *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
- *   height; unit deg, deg, m; frame llh.
- * - initial_velocity: Initial velocity that your program provides. Elements: x, y, z. Unit: m/s.
- *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef.
- *   If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down;
- *   frame ned.
- * - reference_frame_selector: Frame of the initial position and velocity. A value of enum
- *   mip_filter_reference_frame. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_initialization_config *mip_filter_initialization_config_write(
     struct mip_filter_initialization_config *command, uint8_t wait_for_run_command,
     enum mip_filter_initial_condition_source initial_condition_source,
@@ -6292,44 +3558,11 @@ static inline struct mip_filter_initialization_config *mip_filter_initialization
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_initialization_config *
-mip_filter_initialization_config_read(struct mip_filter_initialization_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_initialization_config *
-mip_filter_initialization_config_save(struct mip_filter_initialization_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_initialization_config *
-mip_filter_initialization_config_load(struct mip_filter_initialization_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_initialization_config *
-mip_filter_initialization_config_default(struct mip_filter_initialization_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
  * Also called `initialization_configuration_response`. Response to
- * mip_filter_initialization_config. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
- * 3DM-GQ7-GNSS/INS.
+ * mip_filter_initialization_config.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -6346,11 +3579,14 @@ struct mip_filter_initialization_config_response {
     uint8_t initial_condition_source;
     /** Methods that may be used to determine the initial heading. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Initial heading that your program provides. Unit: deg. */
+    /**
+     * Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from
+     * above.
+     */
     float initial_heading;
-    /** Initial pitch that your program provides. Unit: deg. */
+    /** Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up. */
     float initial_pitch;
-    /** Initial roll that your program provides. Unit: deg. */
+    /** Initial roll angle. Unit: deg. Frame: ned. Positive: right side down. */
     float initial_roll;
     /**
      * Initial position that your program provides. Elements: x, y, z. If reference_frame_selector
@@ -6370,27 +3606,21 @@ struct mip_filter_initialization_config_response {
     uint8_t reference_frame_selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE 0x0DD2
-/** Its descriptor. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_DESCRIPTOR 0xD2
-/** Its name in the specification. */
-#define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_NAME "filter.initialization_config_response"
+MIP_FIELD(mip_filter_initialization_config_response, 0xD2);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_initialization_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_initialization_config_response_decode(
-    struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_initialization_config_response_codec, 0xD2, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_encode(
-    const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_initialization_config_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_initialization_config *mip_filter_initialization_config_write_from(
+    struct mip_filter_initialization_config *command,
+    const struct mip_filter_initialization_config_response *response) {
+    return mip_filter_initialization_config_write(
+        command, response->wait_for_run_command,
+        (enum mip_filter_initial_condition_source)response->initial_condition_source,
+        response->auto_heading_alignment_selector, response->initial_heading,
+        response->initial_pitch, response->initial_roll, response->initial_position,
+        response->initial_velocity,
+        (enum mip_filter_reference_frame)response->reference_frame_selector);
 }
 
 /**
@@ -6399,16 +3629,12 @@ MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_en
  * Sets how the filter adapts to measurements that do not fit its model.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_adaptive_filter_options_response. Probably changes MIP_FILTER_DATA_SET. Supported by
- * 3DM-CV7-GNSS/INS.
+ * mip_filter_adaptive_filter_options_response. Probably affects MIP_FILTER_DATA_SET.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
 struct mip_filter_adaptive_filter_options {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6425,38 +3651,15 @@ struct mip_filter_adaptive_filter_options {
     uint16_t time_limit;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS 0x0D53
-/** Its descriptor. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_DESCRIPTOR 0x53
-/** Its name in the specification. */
-#define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_NAME "filter.adaptive_filter_options"
+MIP_FIELD(mip_filter_adaptive_filter_options, 0x53);
+MIP_FILL(mip_filter_adaptive_filter_options, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_adaptive_filter_options, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_adaptive_filter_options, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_adaptive_filter_options, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_adaptive_filter_options_decode(
-    struct mip_filter_adaptive_filter_options *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_adaptive_filter_options_codec, 0x53, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_encode(
-    const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
- *   Required for write. On the 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
- *   MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
- * - time_limit: Longest time for which measurements are rejected before the filter recovers. Unit:
- *   ms. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_filter_options_write(
     struct mip_filter_adaptive_filter_options *command, enum mip_filter_adaptive_level level,
     uint16_t time_limit) {
@@ -6467,42 +3670,10 @@ static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_fil
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_adaptive_filter_options *
-mip_filter_adaptive_filter_options_read(struct mip_filter_adaptive_filter_options *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_adaptive_filter_options *
-mip_filter_adaptive_filter_options_save(struct mip_filter_adaptive_filter_options *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_adaptive_filter_options *
-mip_filter_adaptive_filter_options_load(struct mip_filter_adaptive_filter_options *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_adaptive_filter_options *
-mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_options *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Response to mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_filter_adaptive_filter_options.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -6513,27 +3684,17 @@ struct mip_filter_adaptive_filter_options_response {
     uint16_t time_limit;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE 0x0DD3
-/** Its descriptor. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_DESCRIPTOR 0xD3
-/** Its name in the specification. */
-#define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_NAME "filter.adaptive_filter_options_response"
+MIP_FIELD(mip_filter_adaptive_filter_options_response, 0xD3);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_adaptive_filter_options_response_decode(
-    struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_adaptive_filter_options_response_codec, 0xD3, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_encode(
-    const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_adaptive_filter_options_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_adaptive_filter_options *
+mip_filter_adaptive_filter_options_write_from(
+    struct mip_filter_adaptive_filter_options *command,
+    const struct mip_filter_adaptive_filter_options_response *response) {
+    return mip_filter_adaptive_filter_options_write(
+        command, (enum mip_filter_adaptive_level)response->level, response->time_limit);
 }
 
 /**
@@ -6542,61 +3703,33 @@ MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_
  * Sets the position of the antenna of one receiver on devices with several antennas.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_multi_antenna_offset_response. Probably changes mip_filter_data_llh_position,
+ * mip_filter_multi_antenna_offset_response. Probably affects mip_filter_data_llh_position,
  * mip_filter_data_ecef_position, mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_multi_antenna_offset_correction and mip_filter_data_gnss_dual_antenna_status.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Requires a receiver.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_multi_antenna_offset {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+     * Lever arm from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
      * magnitude at most 10. Required for write.
      */
     float antenna_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET 0x0D54
-/** Its descriptor. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_DESCRIPTOR 0x54
-/** Its name in the specification. */
-#define MIP_FILTER_MULTI_ANTENNA_OFFSET_NAME "filter.multi_antenna_offset"
+MIP_FIELD(mip_filter_multi_antenna_offset, 0x54);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_multi_antenna_offset_decode(
-    struct mip_filter_multi_antenna_offset *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_multi_antenna_offset_codec, 0x54, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_encode(
-    const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - receiver_id: Number of the receiver, from 1. Range: at least 1.
- * - antenna_offset: Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame:
- *   vehicle. Range: magnitude at most 10. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_multi_antenna_offset *
 mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *command,
                                       uint8_t receiver_id, const float antenna_offset[3]) {
@@ -6607,11 +3740,7 @@ mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *co
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - receiver_id: Number of the receiver, from 1. Range: at least 1.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_read(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -6620,11 +3749,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - receiver_id: Number of the receiver, from 1. Range: at least 1.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_save(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -6633,11 +3758,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - receiver_id: Number of the receiver, from 1. Range: at least 1.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_load(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -6646,11 +3767,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - receiver_id: Number of the receiver, from 1. Range: at least 1.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_default(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -6662,7 +3779,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
- * Response to mip_filter_multi_antenna_offset. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_filter_multi_antenna_offset.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -6670,33 +3787,22 @@ struct mip_filter_multi_antenna_offset_response {
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+     * Lever arm from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
      * magnitude at most 10.
      */
     float antenna_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE 0x0DD4
-/** Its descriptor. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0xD4
-/** Its name in the specification. */
-#define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_NAME "filter.multi_antenna_offset_response"
+MIP_FIELD(mip_filter_multi_antenna_offset_response, 0xD4);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_multi_antenna_offset_response_decode(
-    struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_multi_antenna_offset_response_codec, 0xD4, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_encode(
-    const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_multi_antenna_offset_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_write_from(
+    struct mip_filter_multi_antenna_offset *command,
+    const struct mip_filter_multi_antenna_offset_response *response) {
+    return mip_filter_multi_antenna_offset_write(command, response->receiver_id,
+                                                 response->antenna_offset);
 }
 
 /**
@@ -6705,16 +3811,12 @@ MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_enc
  * Sets the reference point of the relative position that the filter reports.
  *
  * Also called `rel_pos_configuration`. Functions: write, read, save, load and default. Response:
- * mip_filter_relative_position_config_response. Changes mip_filter_data_ned_relative_position.
- * Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_relative_position_config_response. Affects mip_filter_data_ned_relative_position.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
 struct mip_filter_relative_position_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6734,41 +3836,15 @@ struct mip_filter_relative_position_config {
     double reference_coordinates[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG 0x0D55
-/** Its descriptor. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_DESCRIPTOR 0x55
-/** Its name in the specification. */
-#define MIP_FILTER_RELATIVE_POSITION_CONFIG_NAME "filter.relative_position_config"
+MIP_FIELD(mip_filter_relative_position_config, 0x55);
+MIP_FILL(mip_filter_relative_position_config, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_relative_position_config, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_relative_position_config, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_relative_position_config, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_relative_position_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_relative_position_config_decode(
-    struct mip_filter_relative_position_config *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_relative_position_config_codec, 0x55, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_relative_position_config_encode(
-    const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the reference point. A value of enum mip_filter_relative_position_source.
- *   Required for write.
- * - reference_frame_selector: Frame of the coordinates. A value of enum mip_filter_reference_frame.
- *   Required for write.
- * - reference_coordinates: Reference point. Elements: x, y, z. Required for write. If
- *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
- *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
- *   height; unit deg, deg, m; frame llh.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_write(struct mip_filter_relative_position_config *command,
                                           enum mip_filter_relative_position_source source,
@@ -6783,43 +3859,10 @@ mip_filter_relative_position_config_write(struct mip_filter_relative_position_co
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_relative_position_config *
-mip_filter_relative_position_config_read(struct mip_filter_relative_position_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_relative_position_config *
-mip_filter_relative_position_config_save(struct mip_filter_relative_position_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_relative_position_config *
-mip_filter_relative_position_config_load(struct mip_filter_relative_position_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_relative_position_config *
-mip_filter_relative_position_config_default(struct mip_filter_relative_position_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
  * Also called `rel_pos_configuration_response`. Response to mip_filter_relative_position_config.
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -6837,27 +3880,19 @@ struct mip_filter_relative_position_config_response {
     double reference_coordinates[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE 0x0DD5
-/** Its descriptor. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_DESCRIPTOR 0xD5
-/** Its name in the specification. */
-#define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_NAME "filter.relative_position_config_response"
+MIP_FIELD(mip_filter_relative_position_config_response, 0xD5);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_relative_position_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_relative_position_config_response_decode(
-    struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_relative_position_config_response_codec, 0xD5, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response_encode(
-    const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_relative_position_config_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_relative_position_config *
+mip_filter_relative_position_config_write_from(
+    struct mip_filter_relative_position_config *command,
+    const struct mip_filter_relative_position_config_response *response) {
+    return mip_filter_relative_position_config_write(
+        command, (enum mip_filter_relative_position_source)response->source,
+        (enum mip_filter_reference_frame)response->reference_frame_selector,
+        response->reference_coordinates);
 }
 
 /**
@@ -6866,9 +3901,9 @@ MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response
  * Moves the point to which the position and the velocity of the filter refer.
  *
  * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Response:
- * mip_filter_reference_point_lever_arm_response. Changes mip_filter_data_llh_position,
+ * mip_filter_reference_point_lever_arm_response. Affects mip_filter_data_llh_position,
  * mip_filter_data_ecef_position, mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
- * mip_filter_data_ned_relative_position. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_data_ned_relative_position.
  *
  * The shift in position depends on the attitude; the shift in velocity also depends on the angular
  * rate.
@@ -6876,10 +3911,7 @@ MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6888,43 +3920,21 @@ struct mip_filter_reference_point_lever_arm {
      */
     uint8_t reference_point;
     /**
-     * Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+     * Lever arm from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
      * magnitude at most 10. Required for write.
      */
     float lever_arm_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM 0x0D56
-/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR 0x56
-/** Its name in the specification. */
-#define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_NAME "filter.reference_point_lever_arm"
+MIP_FIELD(mip_filter_reference_point_lever_arm, 0x56);
+MIP_FILL(mip_filter_reference_point_lever_arm, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_reference_point_lever_arm, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_reference_point_lever_arm, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_reference_point_lever_arm, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_reference_point_lever_arm_decode(
-    struct mip_filter_reference_point_lever_arm *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_reference_point_lever_arm_codec, 0x56, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_encode(
-    const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
- *   Required for write.
- * - lever_arm_offset: Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame:
- *   vehicle. Range: magnitude at most 10. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lever_arm *command,
                                            enum mip_filter_reference_point reference_point,
@@ -6936,79 +3946,35 @@ mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lev
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_reference_point_lever_arm *
-mip_filter_reference_point_lever_arm_read(struct mip_filter_reference_point_lever_arm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_reference_point_lever_arm *
-mip_filter_reference_point_lever_arm_save(struct mip_filter_reference_point_lever_arm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_reference_point_lever_arm *
-mip_filter_reference_point_lever_arm_load(struct mip_filter_reference_point_lever_arm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_reference_point_lever_arm *
-mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_lever_arm *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Reference point lever arm response: response (0x0D,0xD6).
  *
  * Also called `ref_point_lever_arm_response`. Response to mip_filter_reference_point_lever_arm.
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm_response {
-    /** Point whose lever arm follows. A value of enum mip_filter_reference_point. */
+    /** Point to which the lever arm leads. A value of enum mip_filter_reference_point. */
     uint8_t reference_point;
     /**
-     * Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+     * Lever arm from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
      * magnitude at most 10.
      */
     float lever_arm_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE 0x0DD6
-/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR 0xD6
-/** Its name in the specification. */
-#define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_NAME \
-    "filter.reference_point_lever_arm_response"
+MIP_FIELD(mip_filter_reference_point_lever_arm_response, 0xD6);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_reference_point_lever_arm_response_decode(
-    struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_reference_point_lever_arm_response_codec, 0xD6, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_response_encode(
-    const struct mip_filter_reference_point_lever_arm_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_reference_point_lever_arm_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_reference_point_lever_arm *
+mip_filter_reference_point_lever_arm_write_from(
+    struct mip_filter_reference_point_lever_arm *command,
+    const struct mip_filter_reference_point_lever_arm_response *response) {
+    return mip_filter_reference_point_lever_arm_write(
+        command, (enum mip_filter_reference_point)response->reference_point,
+        response->lever_arm_offset);
 }
 
 /**
@@ -7016,8 +3982,8 @@ MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_respons
  *
  * Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
- * names a response, `filter.speed_measurement_response`, but has no layout of it.
+ * Known only from the MicroStrain MIP SDK. Uncertain: The SDK names a response,
+ * `filter.speed_measurement_response`, but has no layout of it.
  *
  * Do not use it together with the device's odometer.
  *
@@ -7029,46 +3995,21 @@ struct mip_filter_speed_measurement {
     /** Send 1. Reserved: send 1. */
     uint8_t source;
     /**
-     * GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
-     * SDK states none.
+     * GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit is
+     * inferred; the SDK states none.
      */
     float tow;
-    /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
+    /** Speed along the x axis of the vehicle. Unit: m/s. Frame: vehicle. Positive: forward. */
     float speed;
     /** Standard deviation of the speed. Unit: m/s. Range: at least 0. */
     float speed_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SPEED_MEASUREMENT 0x0D60
-/** Its descriptor. */
 #define MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR 0x60
-/** Its name in the specification. */
-#define MIP_FILTER_SPEED_MEASUREMENT_NAME "filter.speed_measurement"
+MIP_FIELD(mip_filter_speed_measurement, 0x60);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_speed_measurement_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_speed_measurement_decode(
-    struct mip_filter_speed_measurement *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_speed_measurement_codec, 0x60, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode(
-    const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_speed_measurement_codec, value, builder);
-}
-
-/**
- * Speed measurement. Fills the structure and returns its address.
- *
- * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
- *   SDK states none.
- * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
- * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_make(
     struct mip_filter_speed_measurement *command, float tow, float speed, float speed_uncertainty) {
     memset(command, 0, sizeof(*command));
@@ -7086,58 +4027,32 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
  * odometer.
  *
  * Functions: write, read, save, load and default. Response: mip_filter_speed_lever_arm_response.
- * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
- * mip_filter_data_odometer_scale_factor_error. Supported by 3DM-CV7-GNSS/INS.
+ * Probably affects mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
+ * mip_filter_data_odometer_scale_factor_error.
  *
  * It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_speed_lever_arm {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Reserved: send 1. */
     uint8_t source;
     /**
-     * Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
+     * Lever arm from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
      * vehicle. Required for write.
      */
     float lever_arm_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SPEED_LEVER_ARM 0x0D61
-/** Its descriptor. */
 #define MIP_FILTER_SPEED_LEVER_ARM_DESCRIPTOR 0x61
-/** Its name in the specification. */
-#define MIP_FILTER_SPEED_LEVER_ARM_NAME "filter.speed_lever_arm"
+MIP_FIELD(mip_filter_speed_lever_arm, 0x61);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_speed_lever_arm_codec, 0x61, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_encode(
-    const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - lever_arm_offset: Vector from the sensor to the point of measurement. Elements: x, y, z. Unit:
- *   m. Frame: vehicle. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_write(
     struct mip_filter_speed_lever_arm *command, const float lever_arm_offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -7147,7 +4062,7 @@ static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_writ
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -7156,7 +4071,7 @@ mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
     return command;
 }
 
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_save(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -7165,7 +4080,7 @@ mip_filter_speed_lever_arm_save(struct mip_filter_speed_lever_arm *command) {
     return command;
 }
 
-/** Load the saved setting. Fills the structure and returns its address. */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_load(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -7174,7 +4089,7 @@ mip_filter_speed_lever_arm_load(struct mip_filter_speed_lever_arm *command) {
     return command;
 }
 
-/** Load the factory default setting. Fills the structure and returns its address. */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_default(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -7186,7 +4101,7 @@ mip_filter_speed_lever_arm_default(struct mip_filter_speed_lever_arm *command) {
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
- * Response to mip_filter_speed_lever_arm. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_filter_speed_lever_arm.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
@@ -7194,33 +4109,21 @@ struct mip_filter_speed_lever_arm_response {
     /** Reserved. */
     uint8_t source;
     /**
-     * Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
+     * Lever arm from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
      * vehicle.
      */
     float lever_arm_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE 0x0DE1
-/** Its descriptor. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR 0xE1
-/** Its name in the specification. */
-#define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_NAME "filter.speed_lever_arm_response"
+MIP_FIELD(mip_filter_speed_lever_arm_response, 0xE1);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_speed_lever_arm_response_decode(
-    struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_speed_lever_arm_response_codec, 0xE1, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
-    const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_speed_lever_arm_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_speed_lever_arm *
+mip_filter_speed_lever_arm_write_from(struct mip_filter_speed_lever_arm *command,
+                                      const struct mip_filter_speed_lever_arm_response *response) {
+    return mip_filter_speed_lever_arm_write(command, response->lever_arm_offset);
 }
 
 /**
@@ -7229,20 +4132,16 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
  * Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_vertical_gyro_constraint_control_response. Probably changes
+ * mip_filter_vertical_gyro_constraint_control_response. Probably affects
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
- * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
- * MIP SDK.
+ * mip_filter_data_euler_angles. Known only from the MicroStrain MIP SDK.
  *
  * It assumes that the linear acceleration is zero.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
 struct mip_filter_vertical_gyro_constraint_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7250,76 +4149,21 @@ struct mip_filter_vertical_gyro_constraint_control {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL 0x0D62
-/** Its descriptor. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR 0x62
-/** Its name in the specification. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_NAME "filter.vertical_gyro_constraint_control"
+MIP_FIELD(mip_filter_vertical_gyro_constraint_control, 0x62);
+MIP_FILL(mip_filter_vertical_gyro_constraint_control, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_vertical_gyro_constraint_control, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_vertical_gyro_constraint_control, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_vertical_gyro_constraint_control, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_vertical_gyro_constraint_control_decode(
-    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_vertical_gyro_constraint_control_codec, 0x62, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_encode(
-    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_vertical_gyro_constraint_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_vertical_gyro_constraint_control *
 mip_filter_vertical_gyro_constraint_control_write(
     struct mip_filter_vertical_gyro_constraint_control *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->enable = enable;
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_vertical_gyro_constraint_control *
-mip_filter_vertical_gyro_constraint_control_read(
-    struct mip_filter_vertical_gyro_constraint_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_vertical_gyro_constraint_control *
-mip_filter_vertical_gyro_constraint_control_save(
-    struct mip_filter_vertical_gyro_constraint_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_vertical_gyro_constraint_control *
-mip_filter_vertical_gyro_constraint_control_load(
-    struct mip_filter_vertical_gyro_constraint_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_vertical_gyro_constraint_control *
-mip_filter_vertical_gyro_constraint_control_default(
-    struct mip_filter_vertical_gyro_constraint_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -7335,30 +4179,16 @@ struct mip_filter_vertical_gyro_constraint_control_response {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE 0x0DE2
-/** Its descriptor. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE2
-/** Its name in the specification. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_NAME \
-    "filter.vertical_gyro_constraint_control_response"
+MIP_FIELD(mip_filter_vertical_gyro_constraint_control_response, 0xE2);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
-    struct mip_filter_vertical_gyro_constraint_control_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_vertical_gyro_constraint_control_response_codec, 0xE2, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
-    const struct mip_filter_vertical_gyro_constraint_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_vertical_gyro_constraint_control_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_write_from(
+    struct mip_filter_vertical_gyro_constraint_control *command,
+    const struct mip_filter_vertical_gyro_constraint_control_response *response) {
+    return mip_filter_vertical_gyro_constraint_control_write(command, response->enable);
 }
 
 /**
@@ -7367,9 +4197,9 @@ MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_
  * Sets whether the filter assumes that the vehicle moves only along its x axis.
  *
  * Functions: write, read, save, load and default. Response:
- * mip_filter_wheeled_vehicle_constraint_control_response. Probably changes
+ * mip_filter_wheeled_vehicle_constraint_control_response. Probably affects
  * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion,
- * mip_filter_data_attitude_dcm and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_data_attitude_dcm and mip_filter_data_euler_angles.
  *
  * It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
  * use it for vehicles that move sideways, such as aircraft.
@@ -7377,10 +4207,7 @@ MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
 struct mip_filter_wheeled_vehicle_constraint_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7388,36 +4215,15 @@ struct mip_filter_wheeled_vehicle_constraint_control {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL 0x0D63
-/** Its descriptor. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR 0x63
-/** Its name in the specification. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_NAME \
-    "filter.wheeled_vehicle_constraint_control"
+MIP_FIELD(mip_filter_wheeled_vehicle_constraint_control, 0x63);
+MIP_FILL(mip_filter_wheeled_vehicle_constraint_control, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_wheeled_vehicle_constraint_control, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_wheeled_vehicle_constraint_control, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_wheeled_vehicle_constraint_control, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_control_codec, 0x63, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_wheeled_vehicle_constraint_control *
 mip_filter_wheeled_vehicle_constraint_control_write(
     struct mip_filter_wheeled_vehicle_constraint_control *command, uint8_t enable) {
@@ -7427,46 +4233,10 @@ mip_filter_wheeled_vehicle_constraint_control_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_wheeled_vehicle_constraint_control *
-mip_filter_wheeled_vehicle_constraint_control_read(
-    struct mip_filter_wheeled_vehicle_constraint_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_wheeled_vehicle_constraint_control *
-mip_filter_wheeled_vehicle_constraint_control_save(
-    struct mip_filter_wheeled_vehicle_constraint_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_wheeled_vehicle_constraint_control *
-mip_filter_wheeled_vehicle_constraint_control_load(
-    struct mip_filter_wheeled_vehicle_constraint_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_wheeled_vehicle_constraint_control *
-mip_filter_wheeled_vehicle_constraint_control_default(
-    struct mip_filter_wheeled_vehicle_constraint_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * Response to mip_filter_wheeled_vehicle_constraint_control. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_filter_wheeled_vehicle_constraint_control.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -7475,31 +4245,16 @@ struct mip_filter_wheeled_vehicle_constraint_control_response {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE 0x0DE3
-/** Its descriptor. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE3
-/** Its name in the specification. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_NAME \
-    "filter.wheeled_vehicle_constraint_control_response"
+MIP_FIELD(mip_filter_wheeled_vehicle_constraint_control_response, 0xE3);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_control_response_codec, 0xE3,
-                           value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_response_codec, value,
-                      builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_write_from(
+    struct mip_filter_wheeled_vehicle_constraint_control *command,
+    const struct mip_filter_wheeled_vehicle_constraint_control_response *response) {
+    return mip_filter_wheeled_vehicle_constraint_control_write(command, response->enable);
 }
 
 /**
@@ -7508,19 +4263,15 @@ MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_contro
  * Enables antenna offset calibration.
  *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Response:
- * mip_filter_gnss_antenna_calibration_control_response. Changes
- * mip_filter_data_multi_antenna_offset_correction. Probably changes
- * mip_filter_data_multi_antenna_offset_uncertainty. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * mip_filter_gnss_antenna_calibration_control_response. Affects
+ * mip_filter_data_multi_antenna_offset_correction. Probably affects
+ * mip_filter_data_multi_antenna_offset_uncertainty. Requires a receiver.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
 struct mip_filter_gnss_antenna_calibration_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7533,36 +4284,15 @@ struct mip_filter_gnss_antenna_calibration_control {
     float max_offset;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL 0x0D64
-/** Its descriptor. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR 0x64
-/** Its name in the specification. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_NAME "filter.gnss_antenna_calibration_control"
+MIP_FIELD(mip_filter_gnss_antenna_calibration_control, 0x64);
+MIP_FILL(mip_filter_gnss_antenna_calibration_control, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_filter_gnss_antenna_calibration_control, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_filter_gnss_antenna_calibration_control, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_filter_gnss_antenna_calibration_control, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gnss_antenna_calibration_control_decode(
-    struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gnss_antenna_calibration_control_codec, 0x64, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_control_encode(
-    const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gnss_antenna_calibration_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0.
- *   Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_filter_gnss_antenna_calibration_control *
 mip_filter_gnss_antenna_calibration_control_write(
     struct mip_filter_gnss_antenna_calibration_control *command, uint8_t enable, float max_offset) {
@@ -7573,47 +4303,11 @@ mip_filter_gnss_antenna_calibration_control_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_antenna_calibration_control *
-mip_filter_gnss_antenna_calibration_control_read(
-    struct mip_filter_gnss_antenna_calibration_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_antenna_calibration_control *
-mip_filter_gnss_antenna_calibration_control_save(
-    struct mip_filter_gnss_antenna_calibration_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_antenna_calibration_control *
-mip_filter_gnss_antenna_calibration_control_load(
-    struct mip_filter_gnss_antenna_calibration_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_antenna_calibration_control *
-mip_filter_gnss_antenna_calibration_control_default(
-    struct mip_filter_gnss_antenna_calibration_control *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
  * Also called `gnss_antenna_cal_control_response`. Response to
- * mip_filter_gnss_antenna_calibration_control. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * mip_filter_gnss_antenna_calibration_control.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -7625,30 +4319,17 @@ struct mip_filter_gnss_antenna_calibration_control_response {
     float max_offset;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE 0x0DE4
-/** Its descriptor. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR 0xE4
-/** Its name in the specification. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_NAME \
-    "filter.gnss_antenna_calibration_control_response"
+MIP_FIELD(mip_filter_gnss_antenna_calibration_control_response, 0xE4);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
-    struct mip_filter_gnss_antenna_calibration_control_response *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gnss_antenna_calibration_control_response_codec, 0xE4, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
-    const struct mip_filter_gnss_antenna_calibration_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gnss_antenna_calibration_control_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_write_from(
+    struct mip_filter_gnss_antenna_calibration_control *command,
+    const struct mip_filter_gnss_antenna_calibration_control_response *response) {
+    return mip_filter_gnss_antenna_calibration_control_write(command, response->enable,
+                                                             response->max_offset);
 }
 
 /** @} */

@@ -19,15 +19,9 @@ extern "C" {
 /** @addtogroup mip_filter Filter commands (0x0D)
  * @{ */
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_reset_command;
+MIP_COMMAND_REPLIES(mip_filter_reset);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_reset_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Reset navigation filter.
- */
+/** Reset navigation filter: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_reset(struct mip_client *client,
                                               struct mip_request *request,
                                               struct mip_builder *packet, uint32_t now) {
@@ -35,19 +29,15 @@ static inline mip_error mip_send_filter_reset(struct mip_client *client,
                            now);
 }
 
-/** Reset navigation filter. See mip_device_call. */
+/** Reset navigation filter. */
 static inline struct mip_result mip_call_filter_reset(struct mip_device *device) {
     return mip_device_send(device, &mip_filter_reset_exchange,
                            MIP_NO_DATA(mip_filter_reset_exchange), 0);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_set_initial_attitude_command;
+MIP_COMMAND_REPLIES(mip_filter_set_initial_attitude);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Set initial attitude. */
+/** Set initial attitude: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_set_initial_attitude(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_set_initial_attitude *command, uint32_t now) {
@@ -56,14 +46,13 @@ static inline mip_error mip_send_filter_set_initial_attitude(
 }
 
 /**
- * Set initial attitude. See mip_device_call.
+ * Set initial attitude.
  *
- * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
- *   Positive: right side down.
+ * - roll: Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down.
  * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
  *   Positive: nose up.
- * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793. Positive: clockwise seen from above.
+ * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen
+ *   from above.
  */
 static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_device *device,
                                                                      float roll, float pitch,
@@ -75,22 +64,15 @@ static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_
     return mip_device_send(device, &mip_filter_set_initial_attitude_exchange, data, 12);
 }
 
-/**
- * Set initial attitude: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Set initial attitude, with these values, including optional parameters. */
 static inline struct mip_result mip_call_filter_set_initial_attitude_with(
     struct mip_device *device, const struct mip_filter_set_initial_attitude *command) {
     return mip_device_call(device, &mip_filter_set_initial_attitude_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_set_initial_heading_command;
+MIP_COMMAND_REPLIES(mip_filter_set_initial_heading);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_set_initial_heading_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Set initial heading. */
+/** Set initial heading: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_set_initial_heading(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_set_initial_heading *command, uint32_t now) {
@@ -99,10 +81,10 @@ static inline mip_error mip_send_filter_set_initial_heading(
 }
 
 /**
- * Set initial heading. See mip_device_call.
+ * Set initial heading.
  *
- * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793. Positive: clockwise seen from above.
+ * - heading: Initial heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen
+ *   from above.
  */
 static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_device *device,
                                                                     float heading) {
@@ -111,25 +93,15 @@ static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_d
     return mip_device_send(device, &mip_filter_set_initial_heading_exchange, data, 4);
 }
 
-/**
- * Set initial heading: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Set initial heading, with these values, including optional parameters. */
 static inline struct mip_result mip_call_filter_set_initial_heading_with(
     struct mip_device *device, const struct mip_filter_set_initial_heading *command) {
     return mip_device_call(device, &mip_filter_set_initial_heading_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_set_initial_attitude_from_imu_command;
+MIP_COMMAND_REPLIES(mip_filter_set_initial_attitude_from_imu);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Set initial attitude from
- * IMU.
- */
+/** Set initial attitude from IMU: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_set_initial_attitude_from_imu(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_set_initial_attitude_from_imu *command, uint32_t now) {
@@ -139,10 +111,11 @@ static inline mip_error mip_send_filter_set_initial_attitude_from_imu(
 }
 
 /**
- * Set initial attitude from IMU. See mip_device_call.
+ * Set initial attitude from IMU.
  *
- * - declination: Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
- *   3.141592653589793.
+ * - declination: Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi.
+ *   Positive: magnetic north is east of true north. Uncertain: The sign is the usual one; no source
+ *   states it.
  */
 static inline struct mip_result
 mip_call_filter_set_initial_attitude_from_imu(struct mip_device *device, float declination) {
@@ -151,57 +124,43 @@ mip_call_filter_set_initial_attitude_from_imu(struct mip_device *device, float d
     return mip_device_send(device, &mip_filter_set_initial_attitude_from_imu_exchange, data, 4);
 }
 
-/**
- * Set initial attitude from IMU: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
+/** Set initial attitude from IMU, with these values, including optional parameters. */
 static inline struct mip_result mip_call_filter_set_initial_attitude_from_imu_with(
     struct mip_device *device, const struct mip_filter_set_initial_attitude_from_imu *command) {
     return mip_device_call(device, &mip_filter_set_initial_attitude_from_imu_command, command, NULL,
                            NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_run_command;
+MIP_COMMAND_REPLIES(mip_filter_run);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_run_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Run navigation filter.
- */
+/** Run navigation filter: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_run(struct mip_client *client, struct mip_request *request,
                                             struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_filter_run_command, NULL, NULL, NULL, now);
 }
 
-/** Run navigation filter. See mip_device_call. */
+/** Run navigation filter. */
 static inline struct mip_result mip_call_filter_run(struct mip_device *device) {
     return mip_device_send(device, &mip_filter_run_exchange, MIP_NO_DATA(mip_filter_run_exchange),
                            0);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_vehicle_dynamics_mode_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Vehicle dynamics mode. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_vehicle_dynamics_mode(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_vehicle_dynamics_mode *command,
-    struct mip_filter_vehicle_dynamics_mode_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_vehicle_dynamics_mode_command,
-                           command, &mip_filter_vehicle_dynamics_mode_response_codec, response,
-                           now);
-}
+MIP_COMMAND_REPLIES(mip_filter_vehicle_dynamics_mode);
+MIP_SEND(mip_send_filter_vehicle_dynamics_mode, mip_filter_vehicle_dynamics_mode,
+         mip_filter_vehicle_dynamics_mode_response);
+MIP_CALL_FOR(mip_call_filter_vehicle_dynamics_mode_read, mip_filter_vehicle_dynamics_mode,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_vehicle_dynamics_mode_response);
+MIP_CALL(mip_call_filter_vehicle_dynamics_mode_save, mip_filter_vehicle_dynamics_mode,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_vehicle_dynamics_mode_load, mip_filter_vehicle_dynamics_mode,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_vehicle_dynamics_mode_default, mip_filter_vehicle_dynamics_mode,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_vehicle_dynamics_mode_with, mip_filter_vehicle_dynamics_mode,
+              mip_filter_vehicle_dynamics_mode_response);
 
 /**
- * Vehicle dynamics mode: write. Apply the new setting. See mip_device_call.
+ * Vehicle dynamics mode: write.
  *
  * - mode: Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
  *   3DM-GX3-45: only MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
@@ -209,85 +168,36 @@ static inline mip_error mip_send_filter_vehicle_dynamics_mode(
  */
 static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_write(
     struct mip_device *device, enum mip_filter_dynamics_mode mode) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)mode);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)mode};
     return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 2);
 }
 
-/** Vehicle dynamics mode: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_read(
-    struct mip_device *device, struct mip_filter_vehicle_dynamics_mode_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1,
-                              &mip_filter_vehicle_dynamics_mode_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_sensor_to_vehicle_rotation_euler);
+MIP_SEND(mip_send_filter_sensor_to_vehicle_rotation_euler,
+         mip_filter_sensor_to_vehicle_rotation_euler,
+         mip_filter_sensor_to_vehicle_rotation_euler_response);
+MIP_CALL_FOR(mip_call_filter_sensor_to_vehicle_rotation_euler_read,
+             mip_filter_sensor_to_vehicle_rotation_euler, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_sensor_to_vehicle_rotation_euler_response);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_rotation_euler_save,
+         mip_filter_sensor_to_vehicle_rotation_euler, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_rotation_euler_load,
+         mip_filter_sensor_to_vehicle_rotation_euler, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_rotation_euler_default,
+         mip_filter_sensor_to_vehicle_rotation_euler, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_sensor_to_vehicle_rotation_euler_with,
+              mip_filter_sensor_to_vehicle_rotation_euler,
+              mip_filter_sensor_to_vehicle_rotation_euler_response);
 
 /**
- * Vehicle dynamics mode: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_vehicle_dynamics_mode_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1);
-}
-
-/** Vehicle dynamics mode: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_vehicle_dynamics_mode_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1);
-}
-
-/** Vehicle dynamics mode: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_vehicle_dynamics_mode_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1);
-}
-
-/**
- * Vehicle dynamics mode: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_with(
-    struct mip_device *device, const struct mip_filter_vehicle_dynamics_mode *command,
-    struct mip_filter_vehicle_dynamics_mode_response *response) {
-    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command, command,
-                           &mip_filter_vehicle_dynamics_mode_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_euler_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_euler_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor to vehicle frame
- * transformation. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_filter_sensor_to_vehicle_rotation_euler(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *command,
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_sensor_to_vehicle_rotation_euler_command, command,
-        &mip_filter_sensor_to_vehicle_rotation_euler_response_codec, response, now);
-}
-
-/**
- * Sensor to vehicle frame transformation: write. Apply the new setting. See mip_device_call.
+ * Sensor to vehicle frame transformation: write.
  *
- * - roll: Roll angle. Unit: rad. Required for write.
- * - pitch: Pitch angle. Unit: rad. Required for write.
- * - yaw: Yaw angle. Unit: rad. Required for write.
+ * - roll: Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive:
+ *   right side down. Required for write.
+ * - pitch: Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive:
+ *   nose up. Required for write.
+ * - yaw: Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive:
+ *   clockwise seen from above. Required for write.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler_write(
     struct mip_device *device, float roll, float pitch, float yaw) {
@@ -299,82 +209,22 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler
     return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 13);
 }
 
-/**
- * Sensor to vehicle frame transformation: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler_read(
-    struct mip_device *device,
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data,
-                              1, &mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
-                              response);
-}
+MIP_COMMAND_REPLIES(mip_filter_sensor_to_vehicle_offset);
+MIP_SEND(mip_send_filter_sensor_to_vehicle_offset, mip_filter_sensor_to_vehicle_offset,
+         mip_filter_sensor_to_vehicle_offset_response);
+MIP_CALL_FOR(mip_call_filter_sensor_to_vehicle_offset_read, mip_filter_sensor_to_vehicle_offset,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_sensor_to_vehicle_offset_response);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_offset_save, mip_filter_sensor_to_vehicle_offset,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_offset_load, mip_filter_sensor_to_vehicle_offset,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_offset_default, mip_filter_sensor_to_vehicle_offset,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_sensor_to_vehicle_offset_with, mip_filter_sensor_to_vehicle_offset,
+              mip_filter_sensor_to_vehicle_offset_response);
 
 /**
- * Sensor to vehicle frame transformation: save. Save the current setting to non-volatile memory.
- * See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_rotation_euler_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1);
-}
-
-/** Sensor to vehicle frame transformation: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_rotation_euler_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1);
-}
-
-/**
- * Sensor to vehicle frame transformation: default. Load the factory default setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_rotation_euler_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1);
-}
-
-/**
- * Sensor to vehicle frame transformation: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler_with(
-    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_rotation_euler *command,
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *response) {
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_rotation_euler_command, command,
-                           &mip_filter_sensor_to_vehicle_rotation_euler_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_offset_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor to vehicle offset.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_sensor_to_vehicle_offset(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_sensor_to_vehicle_offset *command,
-    struct mip_filter_sensor_to_vehicle_offset_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_sensor_to_vehicle_offset_command,
-                           command, &mip_filter_sensor_to_vehicle_offset_response_codec, response,
-                           now);
-}
-
-/**
- * Sensor to vehicle offset: write. Apply the new setting. See mip_device_call.
+ * Sensor to vehicle offset: write.
  *
  * - offset: Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m.
  *   Frame: sensor. Range: magnitude at most 10. Required for write.
@@ -389,79 +239,27 @@ mip_call_filter_sensor_to_vehicle_offset_write(struct mip_device *device, const 
     return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 13);
 }
 
-/**
- * Sensor to vehicle offset: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_read(
-    struct mip_device *device, struct mip_filter_sensor_to_vehicle_offset_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1,
-                              &mip_filter_sensor_to_vehicle_offset_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_antenna_offset);
+MIP_SEND(mip_send_filter_antenna_offset, mip_filter_antenna_offset,
+         mip_filter_antenna_offset_response);
+MIP_CALL_FOR(mip_call_filter_antenna_offset_read, mip_filter_antenna_offset,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_antenna_offset_response);
+MIP_CALL(mip_call_filter_antenna_offset_save, mip_filter_antenna_offset,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_antenna_offset_load, mip_filter_antenna_offset,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_antenna_offset_default, mip_filter_antenna_offset,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_antenna_offset_with, mip_filter_antenna_offset,
+              mip_filter_antenna_offset_response);
 
 /**
- * Sensor to vehicle offset: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_offset_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1);
-}
-
-/** Sensor to vehicle offset: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_offset_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1);
-}
-
-/** Sensor to vehicle offset: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_offset_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1);
-}
-
-/**
- * Sensor to vehicle offset: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_with(
-    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_offset *command,
-    struct mip_filter_sensor_to_vehicle_offset_response *response) {
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command, command,
-                           &mip_filter_sensor_to_vehicle_offset_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_antenna_offset_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_antenna_offset_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS antenna offset. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_antenna_offset(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_antenna_offset *command,
-    struct mip_filter_antenna_offset_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_antenna_offset_command, command,
-                           &mip_filter_antenna_offset_response_codec, response, now);
-}
-
-/**
- * GNSS antenna offset: write. Apply the new setting. See mip_device_call.
+ * GNSS antenna offset: write.
  *
  * - offset: Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z.
- *   Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45:
- *   frame sensor.
+ *   Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-CX5-45:
+ *   frame sensor (inferred: the manual of the 3DM-GX5-45 states it). On the 3DM-GX5-45: frame
+ *   sensor.
  */
 static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_device *device,
                                                                      const float offset[3]) {
@@ -473,75 +271,28 @@ static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_
     return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 13);
 }
 
-/** GNSS antenna offset: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_antenna_offset_read(
-    struct mip_device *device, struct mip_filter_antenna_offset_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_antenna_offset_exchange, data, 1,
-                              &mip_filter_antenna_offset_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_estimation_control);
+MIP_SEND(mip_send_filter_estimation_control, mip_filter_estimation_control,
+         mip_filter_estimation_control_response);
+MIP_CALL_FOR(mip_call_filter_estimation_control_read, mip_filter_estimation_control,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_estimation_control_response);
+MIP_CALL(mip_call_filter_estimation_control_save, mip_filter_estimation_control,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_estimation_control_load, mip_filter_estimation_control,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_estimation_control_default, mip_filter_estimation_control,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_estimation_control_with, mip_filter_estimation_control,
+              mip_filter_estimation_control_response);
 
 /**
- * GNSS antenna offset: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_antenna_offset_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1);
-}
-
-/** GNSS antenna offset: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_antenna_offset_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1);
-}
-
-/** GNSS antenna offset: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_antenna_offset_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1);
-}
-
-/**
- * GNSS antenna offset: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_antenna_offset_with(
-    struct mip_device *device, const struct mip_filter_antenna_offset *command,
-    struct mip_filter_antenna_offset_response *response) {
-    return mip_device_call(device, &mip_filter_antenna_offset_command, command,
-                           &mip_filter_antenna_offset_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_estimation_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_estimation_control_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Estimation control flags.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_estimation_control(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_estimation_control *command,
-    struct mip_filter_estimation_control_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_estimation_control_command, command,
-                           &mip_filter_estimation_control_response_codec, response, now);
-}
-
-/**
- * Estimation control flags: write. Apply the new setting. See mip_device_call.
+ * Estimation control flags: write.
  *
  * - flags: States to estimate. Required for write. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
- *   3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+ *   3DM-GX4-15, -25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the 3DM-CV5-25,
+ *   3DM-CX5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
  *   MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
- *   the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
  *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
  *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
  *   and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
@@ -554,136 +305,37 @@ static inline struct mip_result mip_call_filter_estimation_control_write(
     return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 3);
 }
 
-/**
- * Estimation control flags: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_estimation_control_read(
-    struct mip_device *device, struct mip_filter_estimation_control_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_estimation_control_exchange, data, 1,
-                              &mip_filter_estimation_control_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_gnss_source);
+MIP_SEND(mip_send_filter_gnss_source, mip_filter_gnss_source, mip_filter_gnss_source_response);
+MIP_CALL_FOR(mip_call_filter_gnss_source_read, mip_filter_gnss_source, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_gnss_source_response);
+MIP_CALL(mip_call_filter_gnss_source_save, mip_filter_gnss_source, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_gnss_source_load, mip_filter_gnss_source, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_gnss_source_default, mip_filter_gnss_source,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_gnss_source_with, mip_filter_gnss_source,
+              mip_filter_gnss_source_response);
 
 /**
- * Estimation control flags: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_estimation_control_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1);
-}
-
-/** Estimation control flags: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_estimation_control_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1);
-}
-
-/** Estimation control flags: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_estimation_control_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1);
-}
-
-/**
- * Estimation control flags: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_estimation_control_with(
-    struct mip_device *device, const struct mip_filter_estimation_control *command,
-    struct mip_filter_estimation_control_response *response) {
-    return mip_device_call(device, &mip_filter_estimation_control_command, command,
-                           &mip_filter_estimation_control_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_gnss_source_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_gnss_source_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS aiding source. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_gnss_source(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_gnss_source *command, struct mip_filter_gnss_source_response *response,
-    uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_gnss_source_command, command,
-                           &mip_filter_gnss_source_response_codec, response, now);
-}
-
-/**
- * GNSS aiding source: write. Apply the new setting. See mip_device_call.
+ * GNSS aiding source: write.
  *
  * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
- *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
+ *   write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
+ *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45,
+ *   3DM-RQ1-45-LT and -45-ST: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL,
+ *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL and MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_1. On the
+ *   3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
  *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
  */
 static inline struct mip_result mip_call_filter_gnss_source_write(
     struct mip_device *device, enum mip_filter_gnss_aiding_source source) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)source);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)source};
     return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 2);
 }
 
-/** GNSS aiding source: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gnss_source_read(
-    struct mip_device *device, struct mip_filter_gnss_source_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_gnss_source_exchange, data, 1,
-                              &mip_filter_gnss_source_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_external_gnss_update);
 
-/**
- * GNSS aiding source: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_gnss_source_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1);
-}
-
-/** GNSS aiding source: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gnss_source_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1);
-}
-
-/** GNSS aiding source: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gnss_source_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1);
-}
-
-/**
- * GNSS aiding source: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_gnss_source_with(
-    struct mip_device *device, const struct mip_filter_gnss_source *command,
-    struct mip_filter_gnss_source_response *response) {
-    return mip_device_call(device, &mip_filter_gnss_source_command, command,
-                           &mip_filter_gnss_source_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_external_gnss_update_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_external_gnss_update_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. External GNSS update. */
+/** External GNSS update: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_external_gnss_update(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_external_gnss_update *command, uint32_t now) {
@@ -692,7 +344,7 @@ static inline mip_error mip_send_filter_external_gnss_update(
 }
 
 /**
- * External GNSS update. See mip_device_call.
+ * External GNSS update.
  *
  * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
@@ -716,10 +368,10 @@ static inline struct mip_result mip_call_filter_external_gnss_update(
     mip_put_double(data + 18, &longitude);
     mip_put_double(data + 26, &height);
     for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 46 + 4 * i, &position_uncertainty[i]);
+        mip_put_float(data + 34 + 4 * i, &velocity[i]);
     }
     for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 34 + 4 * i, &velocity[i]);
+        mip_put_float(data + 46 + 4 * i, &position_uncertainty[i]);
     }
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 58 + 4 * i, &velocity_uncertainty[i]);
@@ -727,24 +379,15 @@ static inline struct mip_result mip_call_filter_external_gnss_update(
     return mip_device_send(device, &mip_filter_external_gnss_update_exchange, data, 70);
 }
 
-/**
- * External GNSS update: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** External GNSS update, with these values, including optional parameters. */
 static inline struct mip_result mip_call_filter_external_gnss_update_with(
     struct mip_device *device, const struct mip_filter_external_gnss_update *command) {
     return mip_device_call(device, &mip_filter_external_gnss_update_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_external_heading_update_command;
+MIP_COMMAND_REPLIES(mip_filter_external_heading_update);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_external_heading_update_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. External heading update.
- */
+/** External heading update: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_external_heading_update(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_external_heading_update *command, uint32_t now) {
@@ -753,10 +396,10 @@ static inline mip_error mip_send_filter_external_heading_update(
 }
 
 /**
- * External heading update. See mip_device_call.
+ * External heading update.
  *
- * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+ * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to
+ *   pi. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device rejects values out of range. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -771,36 +414,29 @@ static inline struct mip_result mip_call_filter_external_heading_update(
     return mip_device_send(device, &mip_filter_external_heading_update_exchange, data, 9);
 }
 
-/**
- * External heading update: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** External heading update, with these values, including optional parameters. */
 static inline struct mip_result mip_call_filter_external_heading_update_with(
     struct mip_device *device, const struct mip_filter_external_heading_update *command) {
     return mip_device_call(device, &mip_filter_external_heading_update_command, command, NULL,
                            NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_heading_source_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_heading_source_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Heading update control.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_heading_source(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_heading_source *command,
-    struct mip_filter_heading_source_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_heading_source_command, command,
-                           &mip_filter_heading_source_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_filter_heading_source);
+MIP_SEND(mip_send_filter_heading_source, mip_filter_heading_source,
+         mip_filter_heading_source_response);
+MIP_CALL_FOR(mip_call_filter_heading_source_read, mip_filter_heading_source,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_heading_source_response);
+MIP_CALL(mip_call_filter_heading_source_save, mip_filter_heading_source,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_heading_source_load, mip_filter_heading_source,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_heading_source_default, mip_filter_heading_source,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_heading_source_with, mip_filter_heading_source,
+              mip_filter_heading_source_response);
 
 /**
- * Heading update control: write. Apply the new setting. See mip_device_call.
+ * Heading update control: write.
  *
  * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
  *   write. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE
@@ -809,162 +445,55 @@ static inline mip_error mip_send_filter_heading_source(
  *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
  *   only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
  *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
- *   On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+ *   On the 3DM-RQ1-45-LT and -45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
  *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
  */
 static inline struct mip_result mip_call_filter_heading_source_write(
     struct mip_device *device, enum mip_filter_heading_update_source source) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)source);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)source};
     return mip_device_send(device, &mip_filter_heading_source_exchange, data, 2);
 }
 
-/** Heading update control: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_heading_source_read(
-    struct mip_device *device, struct mip_filter_heading_source_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_heading_source_exchange, data, 1,
-                              &mip_filter_heading_source_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_auto_initialization_control);
+MIP_SEND(mip_send_filter_auto_initialization_control, mip_filter_auto_initialization_control,
+         mip_filter_auto_initialization_control_response);
+MIP_CALL_FOR(mip_call_filter_auto_initialization_control_read,
+             mip_filter_auto_initialization_control, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_auto_initialization_control_response);
+MIP_CALL(mip_call_filter_auto_initialization_control_save, mip_filter_auto_initialization_control,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_auto_initialization_control_load, mip_filter_auto_initialization_control,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_auto_initialization_control_default,
+         mip_filter_auto_initialization_control, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_auto_initialization_control_with,
+              mip_filter_auto_initialization_control,
+              mip_filter_auto_initialization_control_response);
 
 /**
- * Heading update control: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_heading_source_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1);
-}
-
-/** Heading update control: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_heading_source_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1);
-}
-
-/** Heading update control: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_heading_source_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1);
-}
-
-/**
- * Heading update control: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_heading_source_with(
-    struct mip_device *device, const struct mip_filter_heading_source *command,
-    struct mip_filter_heading_source_response *response) {
-    return mip_device_call(device, &mip_filter_heading_source_command, command,
-                           &mip_filter_heading_source_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_auto_initialization_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_auto_initialization_control_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Automatic initialization.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_auto_initialization_control(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_auto_initialization_control *command,
-    struct mip_filter_auto_initialization_control_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_auto_initialization_control_command,
-                           command, &mip_filter_auto_initialization_control_response_codec,
-                           response, now);
-}
-
-/**
- * Automatic initialization: write. Apply the new setting. See mip_device_call.
+ * Automatic initialization: write.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  */
 static inline struct mip_result
 mip_call_filter_auto_initialization_control_write(struct mip_device *device, uint8_t enable) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)enable);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)enable};
     return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 2);
 }
 
-/**
- * Automatic initialization: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_auto_initialization_control_read(
-    struct mip_device *device, struct mip_filter_auto_initialization_control_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_auto_initialization_control_exchange, data, 1,
-                              &mip_filter_auto_initialization_control_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_accel_noise);
+MIP_SEND(mip_send_filter_accel_noise, mip_filter_accel_noise, mip_filter_accel_noise_response);
+MIP_CALL_FOR(mip_call_filter_accel_noise_read, mip_filter_accel_noise, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_accel_noise_response);
+MIP_CALL(mip_call_filter_accel_noise_save, mip_filter_accel_noise, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_accel_noise_load, mip_filter_accel_noise, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_accel_noise_default, mip_filter_accel_noise,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_accel_noise_with, mip_filter_accel_noise,
+              mip_filter_accel_noise_response);
 
 /**
- * Automatic initialization: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_auto_initialization_control_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1);
-}
-
-/** Automatic initialization: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_auto_initialization_control_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1);
-}
-
-/** Automatic initialization: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_auto_initialization_control_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1);
-}
-
-/**
- * Automatic initialization: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_auto_initialization_control_with(
-    struct mip_device *device, const struct mip_filter_auto_initialization_control *command,
-    struct mip_filter_auto_initialization_control_response *response) {
-    return mip_device_call(device, &mip_filter_auto_initialization_control_command, command,
-                           &mip_filter_auto_initialization_control_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_accel_noise_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_accel_noise_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Accelerometer noise. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_accel_noise(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_accel_noise *command, struct mip_filter_accel_noise_response *response,
-    uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_accel_noise_command, command,
-                           &mip_filter_accel_noise_response_codec, response, now);
-}
-
-/**
- * Accelerometer noise: write. Apply the new setting. See mip_device_call.
+ * Accelerometer noise: write.
  *
  * - noise: Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
  *   Required for write.
@@ -979,71 +508,18 @@ static inline struct mip_result mip_call_filter_accel_noise_write(struct mip_dev
     return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 13);
 }
 
-/** Accelerometer noise: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_accel_noise_read(
-    struct mip_device *device, struct mip_filter_accel_noise_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_accel_noise_exchange, data, 1,
-                              &mip_filter_accel_noise_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_gyro_noise);
+MIP_SEND(mip_send_filter_gyro_noise, mip_filter_gyro_noise, mip_filter_gyro_noise_response);
+MIP_CALL_FOR(mip_call_filter_gyro_noise_read, mip_filter_gyro_noise, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_gyro_noise_response);
+MIP_CALL(mip_call_filter_gyro_noise_save, mip_filter_gyro_noise, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_gyro_noise_load, mip_filter_gyro_noise, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_gyro_noise_default, mip_filter_gyro_noise, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_gyro_noise_with, mip_filter_gyro_noise,
+              mip_filter_gyro_noise_response);
 
 /**
- * Accelerometer noise: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_accel_noise_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1);
-}
-
-/** Accelerometer noise: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_accel_noise_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1);
-}
-
-/** Accelerometer noise: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_accel_noise_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1);
-}
-
-/**
- * Accelerometer noise: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_accel_noise_with(
-    struct mip_device *device, const struct mip_filter_accel_noise *command,
-    struct mip_filter_accel_noise_response *response) {
-    return mip_device_call(device, &mip_filter_accel_noise_command, command,
-                           &mip_filter_accel_noise_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_gyro_noise_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_gyro_noise_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Gyroscope noise. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_gyro_noise(struct mip_client *client,
-                                                   struct mip_request *request,
-                                                   struct mip_builder *packet,
-                                                   const struct mip_filter_gyro_noise *command,
-                                                   struct mip_filter_gyro_noise_response *response,
-                                                   uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_gyro_noise_command, command,
-                           &mip_filter_gyro_noise_response_codec, response, now);
-}
-
-/**
- * Gyroscope noise: write. Apply the new setting. See mip_device_call.
+ * Gyroscope noise: write.
  *
  * - noise: Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0.
  *   Required for write.
@@ -1058,67 +534,22 @@ static inline struct mip_result mip_call_filter_gyro_noise_write(struct mip_devi
     return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 13);
 }
 
-/** Gyroscope noise: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gyro_noise_read(
-    struct mip_device *device, struct mip_filter_gyro_noise_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_gyro_noise_exchange, data, 1,
-                              &mip_filter_gyro_noise_response_codec, response);
-}
-
-/** Gyroscope noise: save. Save the current setting to non-volatile memory. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gyro_noise_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1);
-}
-
-/** Gyroscope noise: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gyro_noise_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1);
-}
-
-/** Gyroscope noise: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gyro_noise_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1);
-}
+MIP_COMMAND_REPLIES(mip_filter_accel_bias_model);
+MIP_SEND(mip_send_filter_accel_bias_model, mip_filter_accel_bias_model,
+         mip_filter_accel_bias_model_response);
+MIP_CALL_FOR(mip_call_filter_accel_bias_model_read, mip_filter_accel_bias_model,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_accel_bias_model_response);
+MIP_CALL(mip_call_filter_accel_bias_model_save, mip_filter_accel_bias_model,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_accel_bias_model_load, mip_filter_accel_bias_model,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_accel_bias_model_default, mip_filter_accel_bias_model,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_accel_bias_model_with, mip_filter_accel_bias_model,
+              mip_filter_accel_bias_model_response);
 
 /**
- * Gyroscope noise: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_gyro_noise_with(
-    struct mip_device *device, const struct mip_filter_gyro_noise *command,
-    struct mip_filter_gyro_noise_response *response) {
-    return mip_device_call(device, &mip_filter_gyro_noise_command, command,
-                           &mip_filter_gyro_noise_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_accel_bias_model_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_accel_bias_model_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Accelerometer bias model.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_accel_bias_model(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_accel_bias_model *command,
-    struct mip_filter_accel_bias_model_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_accel_bias_model_command, command,
-                           &mip_filter_accel_bias_model_response_codec, response, now);
-}
-
-/**
- * Accelerometer bias model: write. Apply the new setting. See mip_device_call.
+ * Accelerometer bias model: write.
  *
  * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
  *   write.
@@ -1139,73 +570,22 @@ static inline struct mip_result mip_call_filter_accel_bias_model_write(struct mi
     return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 25);
 }
 
-/**
- * Accelerometer bias model: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_accel_bias_model_read(
-    struct mip_device *device, struct mip_filter_accel_bias_model_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_accel_bias_model_exchange, data, 1,
-                              &mip_filter_accel_bias_model_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_gyro_bias_model);
+MIP_SEND(mip_send_filter_gyro_bias_model, mip_filter_gyro_bias_model,
+         mip_filter_gyro_bias_model_response);
+MIP_CALL_FOR(mip_call_filter_gyro_bias_model_read, mip_filter_gyro_bias_model,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_gyro_bias_model_response);
+MIP_CALL(mip_call_filter_gyro_bias_model_save, mip_filter_gyro_bias_model,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_gyro_bias_model_load, mip_filter_gyro_bias_model,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_gyro_bias_model_default, mip_filter_gyro_bias_model,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_gyro_bias_model_with, mip_filter_gyro_bias_model,
+              mip_filter_gyro_bias_model_response);
 
 /**
- * Accelerometer bias model: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_accel_bias_model_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1);
-}
-
-/** Accelerometer bias model: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_accel_bias_model_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1);
-}
-
-/** Accelerometer bias model: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_accel_bias_model_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1);
-}
-
-/**
- * Accelerometer bias model: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_accel_bias_model_with(
-    struct mip_device *device, const struct mip_filter_accel_bias_model *command,
-    struct mip_filter_accel_bias_model_response *response) {
-    return mip_device_call(device, &mip_filter_accel_bias_model_command, command,
-                           &mip_filter_accel_bias_model_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_gyro_bias_model_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_gyro_bias_model_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Gyroscope bias model. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_gyro_bias_model(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_gyro_bias_model *command,
-    struct mip_filter_gyro_bias_model_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_gyro_bias_model_command, command,
-                           &mip_filter_gyro_bias_model_response_codec, response, now);
-}
-
-/**
- * Gyroscope bias model: write. Apply the new setting. See mip_device_call.
+ * Gyroscope bias model: write.
  *
  * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
  *   write.
@@ -1226,71 +606,17 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_write(struct mip
     return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 25);
 }
 
-/** Gyroscope bias model: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gyro_bias_model_read(
-    struct mip_device *device, struct mip_filter_gyro_bias_model_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_gyro_bias_model_exchange, data, 1,
-                              &mip_filter_gyro_bias_model_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_auto_zupt);
+MIP_SEND(mip_send_filter_auto_zupt, mip_filter_auto_zupt, mip_filter_auto_zupt_response);
+MIP_CALL_FOR(mip_call_filter_auto_zupt_read, mip_filter_auto_zupt, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_auto_zupt_response);
+MIP_CALL(mip_call_filter_auto_zupt_save, mip_filter_auto_zupt, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_auto_zupt_load, mip_filter_auto_zupt, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_auto_zupt_default, mip_filter_auto_zupt, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_auto_zupt_with, mip_filter_auto_zupt, mip_filter_auto_zupt_response);
 
 /**
- * Gyroscope bias model: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_gyro_bias_model_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1);
-}
-
-/** Gyroscope bias model: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gyro_bias_model_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1);
-}
-
-/** Gyroscope bias model: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gyro_bias_model_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1);
-}
-
-/**
- * Gyroscope bias model: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_gyro_bias_model_with(
-    struct mip_device *device, const struct mip_filter_gyro_bias_model *command,
-    struct mip_filter_gyro_bias_model_response *response) {
-    return mip_device_call(device, &mip_filter_gyro_bias_model_command, command,
-                           &mip_filter_gyro_bias_model_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_auto_zupt_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_auto_zupt_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Automatic zero velocity
- * update. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_auto_zupt(struct mip_client *client,
-                                                  struct mip_request *request,
-                                                  struct mip_builder *packet,
-                                                  const struct mip_filter_auto_zupt *command,
-                                                  struct mip_filter_auto_zupt_response *response,
-                                                  uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_auto_zupt_command, command,
-                           &mip_filter_auto_zupt_response_codec, response, now);
-}
-
-/**
- * Automatic zero velocity update: write. Apply the new setting. See mip_device_call.
+ * Automatic zero velocity update: write.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  * - threshold: Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for
@@ -1305,65 +631,9 @@ static inline struct mip_result mip_call_filter_auto_zupt_write(struct mip_devic
     return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 6);
 }
 
-/**
- * Automatic zero velocity update: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_auto_zupt_read(
-    struct mip_device *device, struct mip_filter_auto_zupt_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_auto_zupt_exchange, data, 1,
-                              &mip_filter_auto_zupt_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_external_heading_update_with_time);
 
-/**
- * Automatic zero velocity update: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_auto_zupt_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1);
-}
-
-/** Automatic zero velocity update: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_auto_zupt_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1);
-}
-
-/**
- * Automatic zero velocity update: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_auto_zupt_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1);
-}
-
-/**
- * Automatic zero velocity update: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_auto_zupt_with(
-    struct mip_device *device, const struct mip_filter_auto_zupt *command,
-    struct mip_filter_auto_zupt_response *response) {
-    return mip_device_call(device, &mip_filter_auto_zupt_command, command,
-                           &mip_filter_auto_zupt_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_external_heading_update_with_time_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_external_heading_update_with_time_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. External heading update
- * with time.
- */
+/** External heading update with time: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_external_heading_update_with_time(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_external_heading_update_with_time *command, uint32_t now) {
@@ -1373,12 +643,12 @@ static inline mip_error mip_send_filter_external_heading_update_with_time(
 }
 
 /**
- * External heading update with time. See mip_device_call.
+ * External heading update with time.
  *
  * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+ * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to
+ *   pi. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device rejects values out of range. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -1396,36 +666,29 @@ static inline struct mip_result mip_call_filter_external_heading_update_with_tim
                            19);
 }
 
-/**
- * External heading update with time: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
+/** External heading update with time, with these values, including optional parameters. */
 static inline struct mip_result mip_call_filter_external_heading_update_with_time_with(
     struct mip_device *device, const struct mip_filter_external_heading_update_with_time *command) {
     return mip_device_call(device, &mip_filter_external_heading_update_with_time_command, command,
                            NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_auto_angular_zupt_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_auto_angular_zupt_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Zero angular rate update.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_auto_angular_zupt(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_auto_angular_zupt *command,
-    struct mip_filter_auto_angular_zupt_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_auto_angular_zupt_command, command,
-                           &mip_filter_auto_angular_zupt_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_filter_auto_angular_zupt);
+MIP_SEND(mip_send_filter_auto_angular_zupt, mip_filter_auto_angular_zupt,
+         mip_filter_auto_angular_zupt_response);
+MIP_CALL_FOR(mip_call_filter_auto_angular_zupt_read, mip_filter_auto_angular_zupt,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_auto_angular_zupt_response);
+MIP_CALL(mip_call_filter_auto_angular_zupt_save, mip_filter_auto_angular_zupt,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_auto_angular_zupt_load, mip_filter_auto_angular_zupt,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_auto_angular_zupt_default, mip_filter_auto_angular_zupt,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_auto_angular_zupt_with, mip_filter_auto_angular_zupt,
+              mip_filter_auto_angular_zupt_response);
 
 /**
- * Zero angular rate update: write. Apply the new setting. See mip_device_call.
+ * Zero angular rate update: write.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  * - threshold: Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0.
@@ -1441,136 +704,34 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_write(struct m
     return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 6);
 }
 
-/**
- * Zero angular rate update: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_auto_angular_zupt_read(
-    struct mip_device *device, struct mip_filter_auto_angular_zupt_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_auto_angular_zupt_exchange, data, 1,
-                              &mip_filter_auto_angular_zupt_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_tare_orientation);
+MIP_SEND(mip_send_filter_tare_orientation, mip_filter_tare_orientation,
+         mip_filter_tare_orientation_response);
+MIP_CALL_FOR(mip_call_filter_tare_orientation_read, mip_filter_tare_orientation,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_tare_orientation_response);
+MIP_CALL(mip_call_filter_tare_orientation_save, mip_filter_tare_orientation,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_tare_orientation_load, mip_filter_tare_orientation,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_tare_orientation_default, mip_filter_tare_orientation,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_tare_orientation_with, mip_filter_tare_orientation,
+              mip_filter_tare_orientation_response);
 
 /**
- * Zero angular rate update: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_auto_angular_zupt_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1);
-}
-
-/** Zero angular rate update: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_auto_angular_zupt_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1);
-}
-
-/** Zero angular rate update: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_auto_angular_zupt_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1);
-}
-
-/**
- * Zero angular rate update: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_auto_angular_zupt_with(
-    struct mip_device *device, const struct mip_filter_auto_angular_zupt *command,
-    struct mip_filter_auto_angular_zupt_response *response) {
-    return mip_device_call(device, &mip_filter_auto_angular_zupt_command, command,
-                           &mip_filter_auto_angular_zupt_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_tare_orientation_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_tare_orientation_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Tare orientation. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_tare_orientation(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_tare_orientation *command,
-    struct mip_filter_tare_orientation_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_tare_orientation_command, command,
-                           &mip_filter_tare_orientation_response_codec, response, now);
-}
-
-/**
- * Tare orientation: write. Apply the new setting. See mip_device_call.
+ * Tare orientation: write.
  *
  * - axes: Axes to tare; 0 resets all axes. Required for write.
  */
 static inline struct mip_result mip_call_filter_tare_orientation_write(struct mip_device *device,
                                                                        mip_filter_tare_axes axes) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)axes);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)axes};
     return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 2);
 }
 
-/** Tare orientation: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_tare_orientation_read(
-    struct mip_device *device, struct mip_filter_tare_orientation_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_tare_orientation_exchange, data, 1,
-                              &mip_filter_tare_orientation_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_commanded_zupt);
 
-/** Tare orientation: save. Save the current setting to non-volatile memory. See mip_device_call. */
-static inline struct mip_result mip_call_filter_tare_orientation_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1);
-}
-
-/** Tare orientation: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_tare_orientation_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1);
-}
-
-/** Tare orientation: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_tare_orientation_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1);
-}
-
-/**
- * Tare orientation: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_tare_orientation_with(
-    struct mip_device *device, const struct mip_filter_tare_orientation *command,
-    struct mip_filter_tare_orientation_response *response) {
-    return mip_device_call(device, &mip_filter_tare_orientation_command, command,
-                           &mip_filter_tare_orientation_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_commanded_zupt_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_commanded_zupt_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Commanded zero velocity
- * update.
- */
+/** Commanded zero velocity update: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_commanded_zupt(struct mip_client *client,
                                                        struct mip_request *request,
                                                        struct mip_builder *packet, uint32_t now) {
@@ -1578,22 +739,15 @@ static inline mip_error mip_send_filter_commanded_zupt(struct mip_client *client
                            NULL, now);
 }
 
-/** Commanded zero velocity update. See mip_device_call. */
+/** Commanded zero velocity update. */
 static inline struct mip_result mip_call_filter_commanded_zupt(struct mip_device *device) {
     return mip_device_send(device, &mip_filter_commanded_zupt_exchange,
                            MIP_NO_DATA(mip_filter_commanded_zupt_exchange), 0);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_commanded_angular_zupt_command;
+MIP_COMMAND_REPLIES(mip_filter_commanded_angular_zupt);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_commanded_angular_zupt_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Commanded zero angular
- * rate update.
- */
+/** Commanded zero angular rate update: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_commanded_angular_zupt(struct mip_client *client,
                                                                struct mip_request *request,
                                                                struct mip_builder *packet,
@@ -1602,40 +756,36 @@ static inline mip_error mip_send_filter_commanded_angular_zupt(struct mip_client
                            NULL, NULL, NULL, now);
 }
 
-/** Commanded zero angular rate update. See mip_device_call. */
+/** Commanded zero angular rate update. */
 static inline struct mip_result mip_call_filter_commanded_angular_zupt(struct mip_device *device) {
     return mip_device_send(device, &mip_filter_commanded_angular_zupt_exchange,
                            MIP_NO_DATA(mip_filter_commanded_angular_zupt_exchange), 0);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_reference_position_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_reference_position_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Set reference position.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_reference_position(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_reference_position *command,
-    struct mip_filter_reference_position_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_reference_position_command, command,
-                           &mip_filter_reference_position_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_filter_reference_position);
+MIP_SEND(mip_send_filter_reference_position, mip_filter_reference_position,
+         mip_filter_reference_position_response);
+MIP_CALL_FOR(mip_call_filter_reference_position_read, mip_filter_reference_position,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_reference_position_response);
+MIP_CALL(mip_call_filter_reference_position_save, mip_filter_reference_position,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_reference_position_load, mip_filter_reference_position,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_reference_position_default, mip_filter_reference_position,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_reference_position_with, mip_filter_reference_position,
+              mip_filter_reference_position_response);
 
 /**
- * Set reference position: write. Apply the new setting. See mip_device_call.
+ * Set reference position: write.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required
  *   for write.
  * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  *   Required for write.
- * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
- *   it counts from the ellipsoid or from sea level. The manual does not state it; its glossary
+ * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: The
+ *   reference, ellipsoid or sea level, is inferred. The manual does not state it; its glossary
  *   counts altitudes from sea level.
  */
 static inline struct mip_result mip_call_filter_reference_position_write(
@@ -1649,60 +799,14 @@ static inline struct mip_result mip_call_filter_reference_position_write(
     return mip_device_send(device, &mip_filter_reference_position_exchange, data, 26);
 }
 
-/** Set reference position: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_reference_position_read(
-    struct mip_device *device, struct mip_filter_reference_position_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_reference_position_exchange, data, 1,
-                              &mip_filter_reference_position_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_mag_capture_auto_calibration);
+MIP_CALL(mip_call_filter_mag_capture_auto_calibration_write,
+         mip_filter_mag_capture_auto_calibration, MIP_FUNCTION_SELECTOR_WRITE);
+MIP_CALL(mip_call_filter_mag_capture_auto_calibration_save, mip_filter_mag_capture_auto_calibration,
+         MIP_FUNCTION_SELECTOR_SAVE);
 
 /**
- * Set reference position: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_reference_position_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1);
-}
-
-/** Set reference position: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_reference_position_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1);
-}
-
-/** Set reference position: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_reference_position_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1);
-}
-
-/**
- * Set reference position: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_reference_position_with(
-    struct mip_device *device, const struct mip_filter_reference_position *command,
-    struct mip_filter_reference_position_response *response) {
-    return mip_device_call(device, &mip_filter_reference_position_command, command,
-                           &mip_filter_reference_position_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_mag_capture_auto_calibration_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Capture automatic
- * magnetometer calibration.
+ * Capture automatic magnetometer calibration: adds the command to a packet. See mip_client_send.
  */
 static inline mip_error mip_send_filter_mag_capture_auto_calibration(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1712,57 +816,27 @@ static inline mip_error mip_send_filter_mag_capture_auto_calibration(
                            now);
 }
 
-/**
- * Capture automatic magnetometer calibration: write. Apply the new setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_mag_capture_auto_calibration_write(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    return mip_device_send(device, &mip_filter_mag_capture_auto_calibration_exchange, data, 1);
-}
-
-/**
- * Capture automatic magnetometer calibration: save. Save the current setting to non-volatile
- * memory. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_mag_capture_auto_calibration_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_mag_capture_auto_calibration_exchange, data, 1);
-}
-
-/**
- * Capture automatic magnetometer calibration: calls the command with these values, including
- * optional parameters. See mip_device_call.
- */
+/** Capture automatic magnetometer calibration, with these values, including optional parameters. */
 static inline struct mip_result mip_call_filter_mag_capture_auto_calibration_with(
     struct mip_device *device, const struct mip_filter_mag_capture_auto_calibration *command) {
     return mip_device_call(device, &mip_filter_mag_capture_auto_calibration_command, command, NULL,
                            NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_gravity_noise_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_gravity_noise_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Gravity noise. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_gravity_noise(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_gravity_noise *command,
-    struct mip_filter_gravity_noise_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_gravity_noise_command, command,
-                           &mip_filter_gravity_noise_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_filter_gravity_noise);
+MIP_SEND(mip_send_filter_gravity_noise, mip_filter_gravity_noise,
+         mip_filter_gravity_noise_response);
+MIP_CALL_FOR(mip_call_filter_gravity_noise_read, mip_filter_gravity_noise,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_gravity_noise_response);
+MIP_CALL(mip_call_filter_gravity_noise_save, mip_filter_gravity_noise, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_gravity_noise_load, mip_filter_gravity_noise, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_gravity_noise_default, mip_filter_gravity_noise,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_gravity_noise_with, mip_filter_gravity_noise,
+              mip_filter_gravity_noise_response);
 
 /**
- * Gravity noise: write. Apply the new setting. See mip_device_call.
+ * Gravity noise: write.
  *
  * - noise: Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required
  *   for write.
@@ -1777,68 +851,22 @@ static inline struct mip_result mip_call_filter_gravity_noise_write(struct mip_d
     return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 13);
 }
 
-/** Gravity noise: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gravity_noise_read(
-    struct mip_device *device, struct mip_filter_gravity_noise_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_gravity_noise_exchange, data, 1,
-                              &mip_filter_gravity_noise_response_codec, response);
-}
-
-/** Gravity noise: save. Save the current setting to non-volatile memory. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gravity_noise_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1);
-}
-
-/** Gravity noise: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gravity_noise_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1);
-}
-
-/** Gravity noise: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_gravity_noise_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1);
-}
+MIP_COMMAND_REPLIES(mip_filter_pressure_altitude_noise);
+MIP_SEND(mip_send_filter_pressure_altitude_noise, mip_filter_pressure_altitude_noise,
+         mip_filter_pressure_altitude_noise_response);
+MIP_CALL_FOR(mip_call_filter_pressure_altitude_noise_read, mip_filter_pressure_altitude_noise,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_pressure_altitude_noise_response);
+MIP_CALL(mip_call_filter_pressure_altitude_noise_save, mip_filter_pressure_altitude_noise,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_pressure_altitude_noise_load, mip_filter_pressure_altitude_noise,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_pressure_altitude_noise_default, mip_filter_pressure_altitude_noise,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_pressure_altitude_noise_with, mip_filter_pressure_altitude_noise,
+              mip_filter_pressure_altitude_noise_response);
 
 /**
- * Gravity noise: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_gravity_noise_with(
-    struct mip_device *device, const struct mip_filter_gravity_noise *command,
-    struct mip_filter_gravity_noise_response *response) {
-    return mip_device_call(device, &mip_filter_gravity_noise_command, command,
-                           &mip_filter_gravity_noise_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_pressure_altitude_noise_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_pressure_altitude_noise_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Pressure altitude noise.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_pressure_altitude_noise(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_pressure_altitude_noise *command,
-    struct mip_filter_pressure_altitude_noise_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_pressure_altitude_noise_command,
-                           command, &mip_filter_pressure_altitude_noise_response_codec, response,
-                           now);
-}
-
-/**
- * Pressure altitude noise: write. Apply the new setting. See mip_device_call.
+ * Pressure altitude noise: write.
  *
  * - noise: Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0.
  *   Required for write.
@@ -1851,74 +879,22 @@ mip_call_filter_pressure_altitude_noise_write(struct mip_device *device, float n
     return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 5);
 }
 
-/** Pressure altitude noise: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_pressure_altitude_noise_read(
-    struct mip_device *device, struct mip_filter_pressure_altitude_noise_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_pressure_altitude_noise_exchange, data, 1,
-                              &mip_filter_pressure_altitude_noise_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_hard_iron_offset_noise);
+MIP_SEND(mip_send_filter_hard_iron_offset_noise, mip_filter_hard_iron_offset_noise,
+         mip_filter_hard_iron_offset_noise_response);
+MIP_CALL_FOR(mip_call_filter_hard_iron_offset_noise_read, mip_filter_hard_iron_offset_noise,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_hard_iron_offset_noise_response);
+MIP_CALL(mip_call_filter_hard_iron_offset_noise_save, mip_filter_hard_iron_offset_noise,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_hard_iron_offset_noise_load, mip_filter_hard_iron_offset_noise,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_hard_iron_offset_noise_default, mip_filter_hard_iron_offset_noise,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_hard_iron_offset_noise_with, mip_filter_hard_iron_offset_noise,
+              mip_filter_hard_iron_offset_noise_response);
 
 /**
- * Pressure altitude noise: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_pressure_altitude_noise_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1);
-}
-
-/** Pressure altitude noise: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_pressure_altitude_noise_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1);
-}
-
-/** Pressure altitude noise: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_pressure_altitude_noise_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1);
-}
-
-/**
- * Pressure altitude noise: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_pressure_altitude_noise_with(
-    struct mip_device *device, const struct mip_filter_pressure_altitude_noise *command,
-    struct mip_filter_pressure_altitude_noise_response *response) {
-    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command, command,
-                           &mip_filter_pressure_altitude_noise_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_hard_iron_offset_noise_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Hard iron offset noise.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_hard_iron_offset_noise(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_hard_iron_offset_noise *command,
-    struct mip_filter_hard_iron_offset_noise_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_hard_iron_offset_noise_command,
-                           command, &mip_filter_hard_iron_offset_noise_response_codec, response,
-                           now);
-}
-
-/**
- * Hard iron offset noise: write. Apply the new setting. See mip_device_call.
+ * Hard iron offset noise: write.
  *
  * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
  *   Required for write.
@@ -1933,74 +909,22 @@ mip_call_filter_hard_iron_offset_noise_write(struct mip_device *device, const fl
     return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 13);
 }
 
-/** Hard iron offset noise: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_hard_iron_offset_noise_read(
-    struct mip_device *device, struct mip_filter_hard_iron_offset_noise_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1,
-                              &mip_filter_hard_iron_offset_noise_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_soft_iron_matrix_noise);
+MIP_SEND(mip_send_filter_soft_iron_matrix_noise, mip_filter_soft_iron_matrix_noise,
+         mip_filter_soft_iron_matrix_noise_response);
+MIP_CALL_FOR(mip_call_filter_soft_iron_matrix_noise_read, mip_filter_soft_iron_matrix_noise,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_soft_iron_matrix_noise_response);
+MIP_CALL(mip_call_filter_soft_iron_matrix_noise_save, mip_filter_soft_iron_matrix_noise,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_soft_iron_matrix_noise_load, mip_filter_soft_iron_matrix_noise,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_soft_iron_matrix_noise_default, mip_filter_soft_iron_matrix_noise,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_soft_iron_matrix_noise_with, mip_filter_soft_iron_matrix_noise,
+              mip_filter_soft_iron_matrix_noise_response);
 
 /**
- * Hard iron offset noise: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_hard_iron_offset_noise_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1);
-}
-
-/** Hard iron offset noise: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_hard_iron_offset_noise_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1);
-}
-
-/** Hard iron offset noise: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_hard_iron_offset_noise_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1);
-}
-
-/**
- * Hard iron offset noise: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_hard_iron_offset_noise_with(
-    struct mip_device *device, const struct mip_filter_hard_iron_offset_noise *command,
-    struct mip_filter_hard_iron_offset_noise_response *response) {
-    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command, command,
-                           &mip_filter_hard_iron_offset_noise_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_soft_iron_matrix_noise_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Soft iron matrix noise.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_soft_iron_matrix_noise(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_soft_iron_matrix_noise *command,
-    struct mip_filter_soft_iron_matrix_noise_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_soft_iron_matrix_noise_command,
-                           command, &mip_filter_soft_iron_matrix_noise_response_codec, response,
-                           now);
-}
-
-/**
- * Soft iron matrix noise: write. Apply the new setting. See mip_device_call.
+ * Soft iron matrix noise: write.
  *
  * - noise: Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
  *   Unit: 1. Range: greater than 0. Required for write.
@@ -2015,77 +939,25 @@ mip_call_filter_soft_iron_matrix_noise_write(struct mip_device *device, const fl
     return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 37);
 }
 
-/** Soft iron matrix noise: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_read(
-    struct mip_device *device, struct mip_filter_soft_iron_matrix_noise_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1,
-                              &mip_filter_soft_iron_matrix_noise_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_enable_measurements);
+MIP_SEND(mip_send_filter_enable_measurements, mip_filter_enable_measurements,
+         mip_filter_enable_measurements_response);
+MIP_CALL_FOR(mip_call_filter_enable_measurements_read, mip_filter_enable_measurements,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_enable_measurements_response);
+MIP_CALL(mip_call_filter_enable_measurements_save, mip_filter_enable_measurements,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_enable_measurements_load, mip_filter_enable_measurements,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_enable_measurements_default, mip_filter_enable_measurements,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_enable_measurements_with, mip_filter_enable_measurements,
+              mip_filter_enable_measurements_response);
 
 /**
- * Soft iron matrix noise: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_soft_iron_matrix_noise_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1);
-}
-
-/** Soft iron matrix noise: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_soft_iron_matrix_noise_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1);
-}
-
-/** Soft iron matrix noise: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_soft_iron_matrix_noise_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1);
-}
-
-/**
- * Soft iron matrix noise: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_with(
-    struct mip_device *device, const struct mip_filter_soft_iron_matrix_noise *command,
-    struct mip_filter_soft_iron_matrix_noise_response *response) {
-    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command, command,
-                           &mip_filter_soft_iron_matrix_noise_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_enable_measurements_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_enable_measurements_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Enable or disable
- * measurements. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_filter_enable_measurements(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_enable_measurements *command,
-    struct mip_filter_enable_measurements_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_enable_measurements_command,
-                           command, &mip_filter_enable_measurements_response_codec, response, now);
-}
-
-/**
- * Enable or disable measurements: write. Apply the new setting. See mip_device_call.
+ * Enable or disable measurements: write.
  *
- * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
- *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
+ * - control: Measurements to use. Required for write. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15:
+ *   only MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
  */
 static inline struct mip_result mip_call_filter_enable_measurements_write(
     struct mip_device *device, mip_filter_measurement_flags control) {
@@ -2095,80 +967,17 @@ static inline struct mip_result mip_call_filter_enable_measurements_write(
     return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 3);
 }
 
-/**
- * Enable or disable measurements: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_enable_measurements_read(
-    struct mip_device *device, struct mip_filter_enable_measurements_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_enable_measurements_exchange, data, 1,
-                              &mip_filter_enable_measurements_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_mag_noise);
+MIP_SEND(mip_send_filter_mag_noise, mip_filter_mag_noise, mip_filter_mag_noise_response);
+MIP_CALL_FOR(mip_call_filter_mag_noise_read, mip_filter_mag_noise, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_mag_noise_response);
+MIP_CALL(mip_call_filter_mag_noise_save, mip_filter_mag_noise, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_mag_noise_load, mip_filter_mag_noise, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_mag_noise_default, mip_filter_mag_noise, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_mag_noise_with, mip_filter_mag_noise, mip_filter_mag_noise_response);
 
 /**
- * Enable or disable measurements: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_enable_measurements_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1);
-}
-
-/** Enable or disable measurements: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_enable_measurements_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1);
-}
-
-/**
- * Enable or disable measurements: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_enable_measurements_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1);
-}
-
-/**
- * Enable or disable measurements: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_enable_measurements_with(
-    struct mip_device *device, const struct mip_filter_enable_measurements *command,
-    struct mip_filter_enable_measurements_response *response) {
-    return mip_device_call(device, &mip_filter_enable_measurements_command, command,
-                           &mip_filter_enable_measurements_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_mag_noise_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_mag_noise_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer noise. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_mag_noise(struct mip_client *client,
-                                                  struct mip_request *request,
-                                                  struct mip_builder *packet,
-                                                  const struct mip_filter_mag_noise *command,
-                                                  struct mip_filter_mag_noise_response *response,
-                                                  uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_mag_noise_command, command,
-                           &mip_filter_mag_noise_response_codec, response, now);
-}
-
-/**
- * Magnetometer noise: write. Apply the new setting. See mip_device_call.
+ * Magnetometer noise: write.
  *
  * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
  *   Required for write.
@@ -2183,80 +992,34 @@ static inline struct mip_result mip_call_filter_mag_noise_write(struct mip_devic
     return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 13);
 }
 
-/** Magnetometer noise: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_mag_noise_read(
-    struct mip_device *device, struct mip_filter_mag_noise_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_mag_noise_exchange, data, 1,
-                              &mip_filter_mag_noise_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_magnetic_declination_source);
+MIP_SEND(mip_send_filter_magnetic_declination_source, mip_filter_magnetic_declination_source,
+         mip_filter_magnetic_declination_source_response);
+MIP_CALL_FOR(mip_call_filter_magnetic_declination_source_read,
+             mip_filter_magnetic_declination_source, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_magnetic_declination_source_response);
+MIP_CALL(mip_call_filter_magnetic_declination_source_save, mip_filter_magnetic_declination_source,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_magnetic_declination_source_load, mip_filter_magnetic_declination_source,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_magnetic_declination_source_default,
+         mip_filter_magnetic_declination_source, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_magnetic_declination_source_with,
+              mip_filter_magnetic_declination_source,
+              mip_filter_magnetic_declination_source_response);
 
 /**
- * Magnetometer noise: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_mag_noise_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1);
-}
-
-/** Magnetometer noise: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_mag_noise_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1);
-}
-
-/** Magnetometer noise: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_mag_noise_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1);
-}
-
-/**
- * Magnetometer noise: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_mag_noise_with(
-    struct mip_device *device, const struct mip_filter_mag_noise *command,
-    struct mip_filter_mag_noise_response *response) {
-    return mip_device_call(device, &mip_filter_mag_noise_command, command,
-                           &mip_filter_mag_noise_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_magnetic_declination_source_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_magnetic_declination_source_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetic declination
- * source. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_magnetic_declination_source(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_magnetic_declination_source *command,
-    struct mip_filter_magnetic_declination_source_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_magnetic_declination_source_command,
-                           command, &mip_filter_magnetic_declination_source_response_codec,
-                           response, now);
-}
-
-/**
- * Magnetic declination source: write. Apply the new setting. See mip_device_call.
+ * Magnetic declination source: write.
  *
  * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
- *   for write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
- *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
- *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
- *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
- * - declination: Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793
- *   to 3.141592653589793. Required for write. Uncertain: Whether it may be omitted if `source` is
- *   not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state one
- *   length, with the value. Sending it always fits both.
+ *   for write. On the 3DM-CX7-AHRS and 3DM-GV7-AHRS: only MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and
+ *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
+ * - declination: Angle from true north to magnetic north; used only if `source` is manual. Unit:
+ *   rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Required for
+ *   write. Uncertain: The sign is the usual one; no source states it. Uncertain: The manuals, that
+ *   of the 3DM-GQ7 included, require it only if `source` is manual, but state one length, with the
+ *   value. Always send it.
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float declination) {
@@ -2267,193 +1030,74 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_writ
     return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 6);
 }
 
-/**
- * Magnetic declination source: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_magnetic_declination_source_read(
-    struct mip_device *device, struct mip_filter_magnetic_declination_source_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_magnetic_declination_source_exchange, data, 1,
-                              &mip_filter_magnetic_declination_source_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_accel_magnitude_adaptive);
+MIP_SEND(mip_send_filter_accel_magnitude_adaptive, mip_filter_accel_magnitude_adaptive,
+         mip_filter_accel_magnitude_adaptive_response);
+MIP_CALL_FOR(mip_call_filter_accel_magnitude_adaptive_read, mip_filter_accel_magnitude_adaptive,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_accel_magnitude_adaptive_response);
+MIP_CALL(mip_call_filter_accel_magnitude_adaptive_save, mip_filter_accel_magnitude_adaptive,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_accel_magnitude_adaptive_load, mip_filter_accel_magnitude_adaptive,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_accel_magnitude_adaptive_default, mip_filter_accel_magnitude_adaptive,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_accel_magnitude_adaptive_with, mip_filter_accel_magnitude_adaptive,
+              mip_filter_accel_magnitude_adaptive_response);
 
 /**
- * Magnetic declination source: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_magnetic_declination_source_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1);
-}
-
-/** Magnetic declination source: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_magnetic_declination_source_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1);
-}
-
-/** Magnetic declination source: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_magnetic_declination_source_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1);
-}
-
-/**
- * Magnetic declination source: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_magnetic_declination_source_with(
-    struct mip_device *device, const struct mip_filter_magnetic_declination_source *command,
-    struct mip_filter_magnetic_declination_source_response *response) {
-    return mip_device_call(device, &mip_filter_magnetic_declination_source_command, command,
-                           &mip_filter_magnetic_declination_source_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_accel_magnitude_adaptive_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Gravity magnitude error
- * adaptive measurement. If the command requests the response, it is stored in `response`, which may
- * be NULL.
- */
-static inline mip_error mip_send_filter_accel_magnitude_adaptive(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_accel_magnitude_adaptive *command,
-    struct mip_filter_accel_magnitude_adaptive_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_accel_magnitude_adaptive_command,
-                           command, &mip_filter_accel_magnitude_adaptive_response_codec, response,
-                           now);
-}
-
-/**
- * Gravity magnitude error adaptive measurement: write. Apply the new setting. See mip_device_call.
+ * Gravity magnitude error adaptive measurement: write.
  *
  * - adaptive_measurement: Kind of adaptation. A value of enum
  *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   3DM-GX4-15, -25, -45, 3DM-RQ1-45-LT and -45-ST: only
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
  */
 static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_write(
     struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)adaptive_measurement);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)adaptive_measurement};
     return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 2);
 }
 
-/**
- * Gravity magnitude error adaptive measurement: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_read(
-    struct mip_device *device, struct mip_filter_accel_magnitude_adaptive_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1,
-                              &mip_filter_accel_magnitude_adaptive_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_mag_magnitude_adaptive);
+MIP_SEND(mip_send_filter_mag_magnitude_adaptive, mip_filter_mag_magnitude_adaptive,
+         mip_filter_mag_magnitude_adaptive_response);
+MIP_CALL_FOR(mip_call_filter_mag_magnitude_adaptive_read, mip_filter_mag_magnitude_adaptive,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_mag_magnitude_adaptive_response);
+MIP_CALL(mip_call_filter_mag_magnitude_adaptive_save, mip_filter_mag_magnitude_adaptive,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_mag_magnitude_adaptive_load, mip_filter_mag_magnitude_adaptive,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_mag_magnitude_adaptive_default, mip_filter_mag_magnitude_adaptive,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_mag_magnitude_adaptive_with, mip_filter_mag_magnitude_adaptive,
+              mip_filter_mag_magnitude_adaptive_response);
 
 /**
- * Gravity magnitude error adaptive measurement: save. Save the current setting to non-volatile
- * memory. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_accel_magnitude_adaptive_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1);
-}
-
-/**
- * Gravity magnitude error adaptive measurement: load. Load the saved setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_accel_magnitude_adaptive_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1);
-}
-
-/**
- * Gravity magnitude error adaptive measurement: default. Load the factory default setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_accel_magnitude_adaptive_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1);
-}
-
-/**
- * Gravity magnitude error adaptive measurement: calls the command with these values, including
- * optional parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_with(
-    struct mip_device *device, const struct mip_filter_accel_magnitude_adaptive *command,
-    struct mip_filter_accel_magnitude_adaptive_response *response) {
-    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command, command,
-                           &mip_filter_accel_magnitude_adaptive_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_mag_magnitude_adaptive_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer magnitude
- * error adaptive measurement. If the command requests the response, it is stored in `response`,
- * which may be NULL.
- */
-static inline mip_error mip_send_filter_mag_magnitude_adaptive(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_mag_magnitude_adaptive *command,
-    struct mip_filter_mag_magnitude_adaptive_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_mag_magnitude_adaptive_command,
-                           command, &mip_filter_mag_magnitude_adaptive_response_codec, response,
-                           now);
-}
-
-/**
- * Magnetometer magnitude error adaptive measurement: write. Apply the new setting. See
- * mip_device_call.
+ * Magnetometer magnitude error adaptive measurement: write.
  *
  * - adaptive_measurement: Kind of adaptation. A value of enum
  *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   3DM-GX4-25, -45, 3DM-RQ1-45-LT and -45-ST: only
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
  * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
  * - low_limit: Lower limit of the magnetic field magnitude error. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
- *   command and gauss in the response.
+ *   Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2
+ *   in the command and gauss in the response.
  * - high_limit: Upper limit of the magnetic field magnitude error. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
- *   command and gauss in the response.
+ *   Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2
+ *   in the command and gauss in the response.
  * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
- *   states m/s^2 in the command and gauss in the response.
+ *   Required for write. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of
+ *   the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
  * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
- *   states m/s^2 in the command and gauss in the response.
+ *   Required for write. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of
+ *   the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
  * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required for
- *   write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
- *   the command and gauss in the response.
+ *   write. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the
+ *   3DM-GX5-45 m/s^2 in the command and gauss in the response.
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
     struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement,
@@ -2471,96 +1115,33 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
     return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 26);
 }
 
-/**
- * Magnetometer magnitude error adaptive measurement: read. Return the current setting in a
- * response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_read(
-    struct mip_device *device, struct mip_filter_mag_magnitude_adaptive_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1,
-                              &mip_filter_mag_magnitude_adaptive_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_mag_dip_angle_adaptive);
+MIP_SEND(mip_send_filter_mag_dip_angle_adaptive, mip_filter_mag_dip_angle_adaptive,
+         mip_filter_mag_dip_angle_adaptive_response);
+MIP_CALL_FOR(mip_call_filter_mag_dip_angle_adaptive_read, mip_filter_mag_dip_angle_adaptive,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_mag_dip_angle_adaptive_response);
+MIP_CALL(mip_call_filter_mag_dip_angle_adaptive_save, mip_filter_mag_dip_angle_adaptive,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_mag_dip_angle_adaptive_load, mip_filter_mag_dip_angle_adaptive,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_mag_dip_angle_adaptive_default, mip_filter_mag_dip_angle_adaptive,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_mag_dip_angle_adaptive_with, mip_filter_mag_dip_angle_adaptive,
+              mip_filter_mag_dip_angle_adaptive_response);
 
 /**
- * Magnetometer magnitude error adaptive measurement: save. Save the current setting to non-volatile
- * memory. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_mag_magnitude_adaptive_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1);
-}
-
-/**
- * Magnetometer magnitude error adaptive measurement: load. Load the saved setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_mag_magnitude_adaptive_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1);
-}
-
-/**
- * Magnetometer magnitude error adaptive measurement: default. Load the factory default setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_mag_magnitude_adaptive_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1);
-}
-
-/**
- * Magnetometer magnitude error adaptive measurement: calls the command with these values, including
- * optional parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_with(
-    struct mip_device *device, const struct mip_filter_mag_magnitude_adaptive *command,
-    struct mip_filter_mag_magnitude_adaptive_response *response) {
-    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command, command,
-                           &mip_filter_mag_magnitude_adaptive_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_mag_dip_angle_adaptive_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer dip angle
- * error adaptive measurement. If the command requests the response, it is stored in `response`,
- * which may be NULL.
- */
-static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_mag_dip_angle_adaptive *command,
-    struct mip_filter_mag_dip_angle_adaptive_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_mag_dip_angle_adaptive_command,
-                           command, &mip_filter_mag_dip_angle_adaptive_response_codec, response,
-                           now);
-}
-
-/**
- * Magnetometer dip angle error adaptive measurement: write. Apply the new setting. See
- * mip_device_call.
+ * Magnetometer dip angle error adaptive measurement: write.
  *
  * - enable: True if the adaptation is on. Required for write.
  * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
- * - high_limit: Upper limit of the dip angle error. Unit: rad. Required for write. Uncertain: The
- *   unit. The SDK states m/s^2; rad is inferred from the quantity.
+ * - high_limit: Upper limit of the dip angle error. Unit: rad. Range: at least 0. Required for
+ *   write. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2.
  * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
- *   quantity.
+ *   Required for write. Uncertain: The unit rad is inferred from the quantity; the SDK states
+ *   m/s^2.
  * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
- *   write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
+ *   write. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2.
  */
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
     struct mip_device *device, mip_bool enable, float frequency, float high_limit,
@@ -2575,239 +1156,83 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
     return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 18);
 }
 
-/**
- * Magnetometer dip angle error adaptive measurement: read. Return the current setting in a
- * response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_read(
-    struct mip_device *device, struct mip_filter_mag_dip_angle_adaptive_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1,
-                              &mip_filter_mag_dip_angle_adaptive_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_altitude_aiding);
+MIP_SEND(mip_send_filter_altitude_aiding, mip_filter_altitude_aiding,
+         mip_filter_altitude_aiding_response);
+MIP_CALL_FOR(mip_call_filter_altitude_aiding_read, mip_filter_altitude_aiding,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_altitude_aiding_response);
+MIP_CALL(mip_call_filter_altitude_aiding_save, mip_filter_altitude_aiding,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_altitude_aiding_load, mip_filter_altitude_aiding,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_altitude_aiding_default, mip_filter_altitude_aiding,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_altitude_aiding_with, mip_filter_altitude_aiding,
+              mip_filter_altitude_aiding_response);
 
 /**
- * Magnetometer dip angle error adaptive measurement: save. Save the current setting to non-volatile
- * memory. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_mag_dip_angle_adaptive_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1);
-}
-
-/**
- * Magnetometer dip angle error adaptive measurement: load. Load the saved setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_mag_dip_angle_adaptive_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1);
-}
-
-/**
- * Magnetometer dip angle error adaptive measurement: default. Load the factory default setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_mag_dip_angle_adaptive_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1);
-}
-
-/**
- * Magnetometer dip angle error adaptive measurement: calls the command with these values, including
- * optional parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_with(
-    struct mip_device *device, const struct mip_filter_mag_dip_angle_adaptive *command,
-    struct mip_filter_mag_dip_angle_adaptive_response *response) {
-    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command, command,
-                           &mip_filter_mag_dip_angle_adaptive_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_altitude_aiding_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_altitude_aiding_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Altitude aiding. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_altitude_aiding(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_altitude_aiding *command,
-    struct mip_filter_altitude_aiding_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_altitude_aiding_command, command,
-                           &mip_filter_altitude_aiding_response_codec, response, now);
-}
-
-/**
- * Altitude aiding: write. Apply the new setting. See mip_device_call.
+ * Altitude aiding: write.
  *
  * - selector: Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required for
  *   write.
  */
 static inline struct mip_result mip_call_filter_altitude_aiding_write(
     struct mip_device *device, enum mip_filter_altitude_aiding_source selector) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)selector);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)selector};
     return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 2);
 }
 
-/** Altitude aiding: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_altitude_aiding_read(
-    struct mip_device *device, struct mip_filter_altitude_aiding_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_altitude_aiding_exchange, data, 1,
-                              &mip_filter_altitude_aiding_response_codec, response);
-}
-
-/** Altitude aiding: save. Save the current setting to non-volatile memory. See mip_device_call. */
-static inline struct mip_result mip_call_filter_altitude_aiding_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1);
-}
-
-/** Altitude aiding: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_altitude_aiding_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1);
-}
-
-/** Altitude aiding: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_altitude_aiding_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1);
-}
+MIP_COMMAND_REPLIES(mip_filter_pitch_roll_aiding);
+MIP_SEND(mip_send_filter_pitch_roll_aiding, mip_filter_pitch_roll_aiding,
+         mip_filter_pitch_roll_aiding_response);
+MIP_CALL_FOR(mip_call_filter_pitch_roll_aiding_read, mip_filter_pitch_roll_aiding,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_pitch_roll_aiding_response);
+MIP_CALL(mip_call_filter_pitch_roll_aiding_save, mip_filter_pitch_roll_aiding,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_pitch_roll_aiding_load, mip_filter_pitch_roll_aiding,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_pitch_roll_aiding_default, mip_filter_pitch_roll_aiding,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_pitch_roll_aiding_with, mip_filter_pitch_roll_aiding,
+              mip_filter_pitch_roll_aiding_response);
 
 /**
- * Altitude aiding: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_altitude_aiding_with(
-    struct mip_device *device, const struct mip_filter_altitude_aiding *command,
-    struct mip_filter_altitude_aiding_response *response) {
-    return mip_device_call(device, &mip_filter_altitude_aiding_command, command,
-                           &mip_filter_altitude_aiding_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_pitch_roll_aiding_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_pitch_roll_aiding_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Pitch and roll aiding. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_pitch_roll_aiding(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_pitch_roll_aiding *command,
-    struct mip_filter_pitch_roll_aiding_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_pitch_roll_aiding_command, command,
-                           &mip_filter_pitch_roll_aiding_response_codec, response, now);
-}
-
-/**
- * Pitch and roll aiding: write. Apply the new setting. See mip_device_call.
+ * Pitch and roll aiding: write.
  *
  * - aiding: Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required for
  *   write.
  */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_write(
     struct mip_device *device, enum mip_filter_pitch_roll_aiding_source aiding) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)aiding);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)aiding};
     return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 2);
 }
 
-/** Pitch and roll aiding: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_pitch_roll_aiding_read(
-    struct mip_device *device, struct mip_filter_pitch_roll_aiding_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_pitch_roll_aiding_exchange, data, 1,
-                              &mip_filter_pitch_roll_aiding_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_magnetic_inclination_source);
+MIP_SEND(mip_send_filter_magnetic_inclination_source, mip_filter_magnetic_inclination_source,
+         mip_filter_magnetic_inclination_source_response);
+MIP_CALL_FOR(mip_call_filter_magnetic_inclination_source_read,
+             mip_filter_magnetic_inclination_source, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_magnetic_inclination_source_response);
+MIP_CALL(mip_call_filter_magnetic_inclination_source_save, mip_filter_magnetic_inclination_source,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_magnetic_inclination_source_load, mip_filter_magnetic_inclination_source,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_magnetic_inclination_source_default,
+         mip_filter_magnetic_inclination_source, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_magnetic_inclination_source_with,
+              mip_filter_magnetic_inclination_source,
+              mip_filter_magnetic_inclination_source_response);
 
 /**
- * Pitch and roll aiding: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_pitch_roll_aiding_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1);
-}
-
-/** Pitch and roll aiding: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_pitch_roll_aiding_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1);
-}
-
-/** Pitch and roll aiding: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_pitch_roll_aiding_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1);
-}
-
-/**
- * Pitch and roll aiding: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_pitch_roll_aiding_with(
-    struct mip_device *device, const struct mip_filter_pitch_roll_aiding *command,
-    struct mip_filter_pitch_roll_aiding_response *response) {
-    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command, command,
-                           &mip_filter_pitch_roll_aiding_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_magnetic_inclination_source_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_magnetic_inclination_source_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetic inclination
- * source. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_magnetic_inclination_source(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_magnetic_inclination_source *command,
-    struct mip_filter_magnetic_inclination_source_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_magnetic_inclination_source_command,
-                           command, &mip_filter_magnetic_inclination_source_response_codec,
-                           response, now);
-}
-
-/**
- * Magnetic inclination source: write. Apply the new setting. See mip_device_call.
+ * Magnetic inclination source: write.
  *
  * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
  *   for write.
- * - inclination: Inclination; used only if `source` is manual. Unit: rad. Range:
- *   -1.5707963267948966 to 1.5707963267948966. Required for write. Uncertain: Whether it may be
- *   left out if `source` is not manual, as the manuals state for
+ * - inclination: Angle of the field below the horizontal plane; used only if `source` is manual.
+ *   Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field
+ *   points down. Required for write. Uncertain: The sign is the usual one; no source states it.
+ *   Uncertain: It can possibly be omitted if `source` is not manual, as with
  *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_write(
@@ -2819,82 +1244,28 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_writ
     return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 6);
 }
 
-/**
- * Magnetic inclination source: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_magnetic_inclination_source_read(
-    struct mip_device *device, struct mip_filter_magnetic_inclination_source_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_magnetic_inclination_source_exchange, data, 1,
-                              &mip_filter_magnetic_inclination_source_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_magnetic_magnitude_source);
+MIP_SEND(mip_send_filter_magnetic_magnitude_source, mip_filter_magnetic_magnitude_source,
+         mip_filter_magnetic_magnitude_source_response);
+MIP_CALL_FOR(mip_call_filter_magnetic_magnitude_source_read, mip_filter_magnetic_magnitude_source,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_magnetic_magnitude_source_response);
+MIP_CALL(mip_call_filter_magnetic_magnitude_source_save, mip_filter_magnetic_magnitude_source,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_magnetic_magnitude_source_load, mip_filter_magnetic_magnitude_source,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_magnetic_magnitude_source_default, mip_filter_magnetic_magnitude_source,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_magnetic_magnitude_source_with, mip_filter_magnetic_magnitude_source,
+              mip_filter_magnetic_magnitude_source_response);
 
 /**
- * Magnetic inclination source: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_magnetic_inclination_source_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1);
-}
-
-/** Magnetic inclination source: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_magnetic_inclination_source_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1);
-}
-
-/** Magnetic inclination source: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_magnetic_inclination_source_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1);
-}
-
-/**
- * Magnetic inclination source: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_magnetic_inclination_source_with(
-    struct mip_device *device, const struct mip_filter_magnetic_inclination_source *command,
-    struct mip_filter_magnetic_inclination_source_response *response) {
-    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command, command,
-                           &mip_filter_magnetic_inclination_source_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_magnetic_magnitude_source_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetic field magnitude
- * source. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_magnetic_magnitude_source(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_magnetic_magnitude_source *command,
-    struct mip_filter_magnetic_magnitude_source_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_magnetic_magnitude_source_command,
-                           command, &mip_filter_magnetic_magnitude_source_response_codec, response,
-                           now);
-}
-
-/**
- * Magnetic field magnitude source: write. Apply the new setting. See mip_device_call.
+ * Magnetic field magnitude source: write.
  *
  * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
  *   write.
  * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required
- *   for write. Uncertain: Whether it may be left out if `source` is not manual, as the manuals
- *   state for mip_filter_magnetic_declination_source. The SDK always sends it.
+ *   for write. Uncertain: It can possibly be omitted if `source` is not manual, as with
+ *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float magnitude) {
@@ -2905,80 +1276,24 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
     return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 6);
 }
 
-/**
- * Magnetic field magnitude source: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_magnetic_magnitude_source_read(
-    struct mip_device *device, struct mip_filter_magnetic_magnitude_source_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1,
-                              &mip_filter_magnetic_magnitude_source_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_sensor_to_vehicle_rotation_dcm);
+MIP_SEND(mip_send_filter_sensor_to_vehicle_rotation_dcm, mip_filter_sensor_to_vehicle_rotation_dcm,
+         mip_filter_sensor_to_vehicle_rotation_dcm_response);
+MIP_CALL_FOR(mip_call_filter_sensor_to_vehicle_rotation_dcm_read,
+             mip_filter_sensor_to_vehicle_rotation_dcm, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_sensor_to_vehicle_rotation_dcm_response);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_rotation_dcm_save,
+         mip_filter_sensor_to_vehicle_rotation_dcm, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_rotation_dcm_load,
+         mip_filter_sensor_to_vehicle_rotation_dcm, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_rotation_dcm_default,
+         mip_filter_sensor_to_vehicle_rotation_dcm, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_sensor_to_vehicle_rotation_dcm_with,
+              mip_filter_sensor_to_vehicle_rotation_dcm,
+              mip_filter_sensor_to_vehicle_rotation_dcm_response);
 
 /**
- * Magnetic field magnitude source: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_magnetic_magnitude_source_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1);
-}
-
-/** Magnetic field magnitude source: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_magnetic_magnitude_source_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1);
-}
-
-/**
- * Magnetic field magnitude source: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_magnetic_magnitude_source_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1);
-}
-
-/**
- * Magnetic field magnitude source: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_magnetic_magnitude_source_with(
-    struct mip_device *device, const struct mip_filter_magnetic_magnitude_source *command,
-    struct mip_filter_magnetic_magnitude_source_response *response) {
-    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command, command,
-                           &mip_filter_magnetic_magnitude_source_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_dcm_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_dcm_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor to vehicle
- * rotation, matrix. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_filter_sensor_to_vehicle_rotation_dcm(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *command,
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_sensor_to_vehicle_rotation_dcm_command, command,
-        &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response, now);
-}
-
-/**
- * Sensor to vehicle rotation, matrix: write. Apply the new setting. See mip_device_call.
+ * Sensor to vehicle rotation, matrix: write.
  *
  * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
  *   Unit: 1. Required for write.
@@ -2993,82 +1308,24 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_w
     return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 37);
 }
 
-/**
- * Sensor to vehicle rotation, matrix: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_read(
-    struct mip_device *device,
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
-                              &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_sensor_to_vehicle_quaternion);
+MIP_SEND(mip_send_filter_sensor_to_vehicle_quaternion, mip_filter_sensor_to_vehicle_quaternion,
+         mip_filter_sensor_to_vehicle_quaternion_response);
+MIP_CALL_FOR(mip_call_filter_sensor_to_vehicle_quaternion_read,
+             mip_filter_sensor_to_vehicle_quaternion, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_sensor_to_vehicle_quaternion_response);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_quaternion_save, mip_filter_sensor_to_vehicle_quaternion,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_quaternion_load, mip_filter_sensor_to_vehicle_quaternion,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_sensor_to_vehicle_quaternion_default,
+         mip_filter_sensor_to_vehicle_quaternion, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_sensor_to_vehicle_quaternion_with,
+              mip_filter_sensor_to_vehicle_quaternion,
+              mip_filter_sensor_to_vehicle_quaternion_response);
 
 /**
- * Sensor to vehicle rotation, matrix: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_rotation_dcm_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1);
-}
-
-/** Sensor to vehicle rotation, matrix: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_rotation_dcm_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1);
-}
-
-/**
- * Sensor to vehicle rotation, matrix: default. Load the factory default setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_rotation_dcm_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1);
-}
-
-/**
- * Sensor to vehicle rotation, matrix: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_with(
-    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_rotation_dcm *command,
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *response) {
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_rotation_dcm_command, command,
-                           &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor to vehicle
- * rotation, quaternion. If the command requests the response, it is stored in `response`, which may
- * be NULL.
- */
-static inline mip_error mip_send_filter_sensor_to_vehicle_quaternion(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_sensor_to_vehicle_quaternion *command,
-    struct mip_filter_sensor_to_vehicle_quaternion_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet,
-                           &mip_filter_sensor_to_vehicle_quaternion_command, command,
-                           &mip_filter_sensor_to_vehicle_quaternion_response_codec, response, now);
-}
-
-/**
- * Sensor to vehicle rotation, quaternion: write. Apply the new setting. See mip_device_call.
+ * Sensor to vehicle rotation, quaternion: write.
  *
  * - q: Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
  *   1.001. Required for write.
@@ -3083,80 +1340,14 @@ mip_call_filter_sensor_to_vehicle_quaternion_write(struct mip_device *device, co
     return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 17);
 }
 
-/**
- * Sensor to vehicle rotation, quaternion: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_read(
-    struct mip_device *device, struct mip_filter_sensor_to_vehicle_quaternion_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1,
-                              &mip_filter_sensor_to_vehicle_quaternion_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_aiding_measurement_enable);
+MIP_SEND(mip_send_filter_aiding_measurement_enable, mip_filter_aiding_measurement_enable,
+         mip_filter_aiding_measurement_enable_response);
+MIP_CALL_WITH(mip_call_filter_aiding_measurement_enable_with, mip_filter_aiding_measurement_enable,
+              mip_filter_aiding_measurement_enable_response);
 
 /**
- * Sensor to vehicle rotation, quaternion: save. Save the current setting to non-volatile memory.
- * See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_quaternion_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1);
-}
-
-/** Sensor to vehicle rotation, quaternion: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1);
-}
-
-/**
- * Sensor to vehicle rotation, quaternion: default. Load the factory default setting. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_quaternion_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1);
-}
-
-/**
- * Sensor to vehicle rotation, quaternion: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_with(
-    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_quaternion *command,
-    struct mip_filter_sensor_to_vehicle_quaternion_response *response) {
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command, command,
-                           &mip_filter_sensor_to_vehicle_quaternion_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_aiding_measurement_enable_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_aiding_measurement_enable_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Aiding measurement
- * control. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_aiding_measurement_enable(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_aiding_measurement_enable *command,
-    struct mip_filter_aiding_measurement_enable_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_aiding_measurement_enable_command,
-                           command, &mip_filter_aiding_measurement_enable_response_codec, response,
-                           now);
-}
-
-/**
- * Aiding measurement control: write. Apply the new setting. See mip_device_call.
+ * Aiding measurement control: write.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
  *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
@@ -3184,7 +1375,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
 }
 
 /**
- * Aiding measurement control: read. Return the current setting in a response. See mip_device_call.
+ * Aiding measurement control: read.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
  *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
@@ -3212,8 +1403,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
 }
 
 /**
- * Aiding measurement control: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
+ * Aiding measurement control: save.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
  *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
@@ -3239,7 +1429,7 @@ mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16
 }
 
 /**
- * Aiding measurement control: load. Load the saved setting. See mip_device_call.
+ * Aiding measurement control: load.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
  *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
@@ -3265,7 +1455,7 @@ mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16
 }
 
 /**
- * Aiding measurement control: default. Load the factory default setting. See mip_device_call.
+ * Aiding measurement control: default.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
  *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
@@ -3290,37 +1480,22 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_defaul
     return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3);
 }
 
-/**
- * Aiding measurement control: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_aiding_measurement_enable_with(
-    struct mip_device *device, const struct mip_filter_aiding_measurement_enable *command,
-    struct mip_filter_aiding_measurement_enable_response *response) {
-    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command, command,
-                           &mip_filter_aiding_measurement_enable_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_kinematic_constraint_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_kinematic_constraint_exchange;
+MIP_COMMAND_REPLIES(mip_filter_kinematic_constraint);
+MIP_SEND(mip_send_filter_kinematic_constraint, mip_filter_kinematic_constraint,
+         mip_filter_kinematic_constraint_response);
+MIP_CALL_FOR(mip_call_filter_kinematic_constraint_read, mip_filter_kinematic_constraint,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_kinematic_constraint_response);
+MIP_CALL(mip_call_filter_kinematic_constraint_save, mip_filter_kinematic_constraint,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_kinematic_constraint_load, mip_filter_kinematic_constraint,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_kinematic_constraint_default, mip_filter_kinematic_constraint,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_kinematic_constraint_with, mip_filter_kinematic_constraint,
+              mip_filter_kinematic_constraint_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Kinematic constraint. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_kinematic_constraint(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_kinematic_constraint *command,
-    struct mip_filter_kinematic_constraint_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_kinematic_constraint_command,
-                           command, &mip_filter_kinematic_constraint_response_codec, response, now);
-}
-
-/**
- * Kinematic constraint: write. Apply the new setting. See mip_device_call.
+ * Kinematic constraint: write.
  *
  * - accel_constraint: Assumption about the acceleration. A value of enum
  *   mip_filter_accel_constraint. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for write.
@@ -3334,82 +1509,27 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_write(
     struct mip_device *device, enum mip_filter_accel_constraint accel_constraint,
     enum mip_filter_velocity_constraint velocity_constraint,
     enum mip_filter_angular_constraint angular_constraint) {
-    uint8_t data[4];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)accel_constraint);
-    mip_put_8(data + 2, (uint8_t)velocity_constraint);
-    mip_put_8(data + 3, (uint8_t)angular_constraint);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)accel_constraint,
+                            (uint8_t)velocity_constraint, (uint8_t)angular_constraint};
     return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 4);
 }
 
-/** Kinematic constraint: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_kinematic_constraint_read(
-    struct mip_device *device, struct mip_filter_kinematic_constraint_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_kinematic_constraint_exchange, data, 1,
-                              &mip_filter_kinematic_constraint_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_initialization_config);
+MIP_SEND(mip_send_filter_initialization_config, mip_filter_initialization_config,
+         mip_filter_initialization_config_response);
+MIP_CALL_FOR(mip_call_filter_initialization_config_read, mip_filter_initialization_config,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_initialization_config_response);
+MIP_CALL(mip_call_filter_initialization_config_save, mip_filter_initialization_config,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_initialization_config_load, mip_filter_initialization_config,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_initialization_config_default, mip_filter_initialization_config,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_initialization_config_with, mip_filter_initialization_config,
+              mip_filter_initialization_config_response);
 
 /**
- * Kinematic constraint: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_kinematic_constraint_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1);
-}
-
-/** Kinematic constraint: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_kinematic_constraint_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1);
-}
-
-/** Kinematic constraint: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_kinematic_constraint_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1);
-}
-
-/**
- * Kinematic constraint: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_kinematic_constraint_with(
-    struct mip_device *device, const struct mip_filter_kinematic_constraint *command,
-    struct mip_filter_kinematic_constraint_response *response) {
-    return mip_device_call(device, &mip_filter_kinematic_constraint_command, command,
-                           &mip_filter_kinematic_constraint_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_initialization_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_initialization_config_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Navigation filter
- * initialization. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_filter_initialization_config(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_initialization_config *command,
-    struct mip_filter_initialization_config_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_initialization_config_command,
-                           command, &mip_filter_initialization_config_response_codec, response,
-                           now);
-}
-
-/**
- * Navigation filter initialization: write. Apply the new setting. See mip_device_call.
+ * Navigation filter initialization: write.
  *
  * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
  *   it can. Range: 0 to 1. Required for write.
@@ -3421,9 +1541,12 @@ static inline mip_error mip_send_filter_initialization_config(
  *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
  *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
  *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
- * - initial_heading: Initial heading that your program provides. Unit: deg. Required for write.
- * - initial_pitch: Initial pitch that your program provides. Unit: deg. Required for write.
- * - initial_roll: Initial roll that your program provides. Unit: deg. Required for write.
+ * - initial_heading: Initial heading relative to true north. Unit: deg. Frame: ned. Positive:
+ *   clockwise seen from above. Required for write.
+ * - initial_pitch: Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up. Required for
+ *   write.
+ * - initial_roll: Initial roll angle. Unit: deg. Frame: ned. Positive: right side down. Required
+ *   for write.
  * - initial_position: Initial position that your program provides. Elements: x, y, z. Required for
  *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
  *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
@@ -3459,79 +1582,22 @@ static inline struct mip_result mip_call_filter_initialization_config_write(
     return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 41);
 }
 
-/**
- * Navigation filter initialization: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_initialization_config_read(
-    struct mip_device *device, struct mip_filter_initialization_config_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_initialization_config_exchange, data, 1,
-                              &mip_filter_initialization_config_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_adaptive_filter_options);
+MIP_SEND(mip_send_filter_adaptive_filter_options, mip_filter_adaptive_filter_options,
+         mip_filter_adaptive_filter_options_response);
+MIP_CALL_FOR(mip_call_filter_adaptive_filter_options_read, mip_filter_adaptive_filter_options,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_adaptive_filter_options_response);
+MIP_CALL(mip_call_filter_adaptive_filter_options_save, mip_filter_adaptive_filter_options,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_adaptive_filter_options_load, mip_filter_adaptive_filter_options,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_adaptive_filter_options_default, mip_filter_adaptive_filter_options,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_adaptive_filter_options_with, mip_filter_adaptive_filter_options,
+              mip_filter_adaptive_filter_options_response);
 
 /**
- * Navigation filter initialization: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_initialization_config_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1);
-}
-
-/** Navigation filter initialization: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_initialization_config_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1);
-}
-
-/**
- * Navigation filter initialization: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_initialization_config_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1);
-}
-
-/**
- * Navigation filter initialization: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_initialization_config_with(
-    struct mip_device *device, const struct mip_filter_initialization_config *command,
-    struct mip_filter_initialization_config_response *response) {
-    return mip_device_call(device, &mip_filter_initialization_config_command, command,
-                           &mip_filter_initialization_config_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_adaptive_filter_options_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_adaptive_filter_options_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Adaptive filter control.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_adaptive_filter_options(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_adaptive_filter_options *command,
-    struct mip_filter_adaptive_filter_options_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_adaptive_filter_options_command,
-                           command, &mip_filter_adaptive_filter_options_response_codec, response,
-                           now);
-}
-
-/**
- * Adaptive filter control: write. Apply the new setting. See mip_device_call.
+ * Adaptive filter control: write.
  *
  * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
  *   Required for write. On the 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
@@ -3548,76 +1614,17 @@ static inline struct mip_result mip_call_filter_adaptive_filter_options_write(
     return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 4);
 }
 
-/** Adaptive filter control: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_filter_adaptive_filter_options_read(
-    struct mip_device *device, struct mip_filter_adaptive_filter_options_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_adaptive_filter_options_exchange, data, 1,
-                              &mip_filter_adaptive_filter_options_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_multi_antenna_offset);
+MIP_SEND(mip_send_filter_multi_antenna_offset, mip_filter_multi_antenna_offset,
+         mip_filter_multi_antenna_offset_response);
+MIP_CALL_WITH(mip_call_filter_multi_antenna_offset_with, mip_filter_multi_antenna_offset,
+              mip_filter_multi_antenna_offset_response);
 
 /**
- * Adaptive filter control: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_adaptive_filter_options_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1);
-}
-
-/** Adaptive filter control: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_adaptive_filter_options_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1);
-}
-
-/** Adaptive filter control: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_adaptive_filter_options_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1);
-}
-
-/**
- * Adaptive filter control: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_adaptive_filter_options_with(
-    struct mip_device *device, const struct mip_filter_adaptive_filter_options *command,
-    struct mip_filter_adaptive_filter_options_response *response) {
-    return mip_device_call(device, &mip_filter_adaptive_filter_options_command, command,
-                           &mip_filter_adaptive_filter_options_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_multi_antenna_offset_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_multi_antenna_offset_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS multi-antenna
- * offset. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_multi_antenna_offset(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_multi_antenna_offset *command,
-    struct mip_filter_multi_antenna_offset_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_multi_antenna_offset_command,
-                           command, &mip_filter_multi_antenna_offset_response_codec, response, now);
-}
-
-/**
- * GNSS multi-antenna offset: write. Apply the new setting. See mip_device_call.
+ * GNSS multi-antenna offset: write.
  *
  * - receiver_id: Number of the receiver, from 1. Range: at least 1.
- * - antenna_offset: Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame:
+ * - antenna_offset: Lever arm from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame:
  *   vehicle. Range: magnitude at most 10. Required for write.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
@@ -3632,93 +1639,67 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
 }
 
 /**
- * GNSS multi-antenna offset: read. Return the current setting in a response. See mip_device_call.
+ * GNSS multi-antenna offset: read.
  *
  * - receiver_id: Number of the receiver, from 1. Range: at least 1.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_read(
     struct mip_device *device, uint8_t receiver_id,
     struct mip_filter_multi_antenna_offset_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)receiver_id);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)receiver_id};
     return mip_device_request(device, &mip_filter_multi_antenna_offset_exchange, data, 2,
                               &mip_filter_multi_antenna_offset_response_codec, response);
 }
 
 /**
- * GNSS multi-antenna offset: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
+ * GNSS multi-antenna offset: save.
  *
  * - receiver_id: Number of the receiver, from 1. Range: at least 1.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_save(struct mip_device *device,
                                                                           uint8_t receiver_id) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)receiver_id);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)receiver_id};
     return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2);
 }
 
 /**
- * GNSS multi-antenna offset: load. Load the saved setting. See mip_device_call.
+ * GNSS multi-antenna offset: load.
  *
  * - receiver_id: Number of the receiver, from 1. Range: at least 1.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_load(struct mip_device *device,
                                                                           uint8_t receiver_id) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)receiver_id);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)receiver_id};
     return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2);
 }
 
 /**
- * GNSS multi-antenna offset: default. Load the factory default setting. See mip_device_call.
+ * GNSS multi-antenna offset: default.
  *
  * - receiver_id: Number of the receiver, from 1. Range: at least 1.
  */
 static inline struct mip_result
 mip_call_filter_multi_antenna_offset_default(struct mip_device *device, uint8_t receiver_id) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)receiver_id);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)receiver_id};
     return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2);
 }
 
-/**
- * GNSS multi-antenna offset: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_multi_antenna_offset_with(
-    struct mip_device *device, const struct mip_filter_multi_antenna_offset *command,
-    struct mip_filter_multi_antenna_offset_response *response) {
-    return mip_device_call(device, &mip_filter_multi_antenna_offset_command, command,
-                           &mip_filter_multi_antenna_offset_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_relative_position_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_relative_position_config_exchange;
+MIP_COMMAND_REPLIES(mip_filter_relative_position_config);
+MIP_SEND(mip_send_filter_relative_position_config, mip_filter_relative_position_config,
+         mip_filter_relative_position_config_response);
+MIP_CALL_FOR(mip_call_filter_relative_position_config_read, mip_filter_relative_position_config,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_relative_position_config_response);
+MIP_CALL(mip_call_filter_relative_position_config_save, mip_filter_relative_position_config,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_relative_position_config_load, mip_filter_relative_position_config,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_relative_position_config_default, mip_filter_relative_position_config,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_relative_position_config_with, mip_filter_relative_position_config,
+              mip_filter_relative_position_config_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Relative position
- * configuration. If the command requests the response, it is stored in `response`, which may be
- * NULL.
- */
-static inline mip_error mip_send_filter_relative_position_config(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_relative_position_config *command,
-    struct mip_filter_relative_position_config_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_relative_position_config_command,
-                           command, &mip_filter_relative_position_config_response_codec, response,
-                           now);
-}
-
-/**
- * Relative position configuration: write. Apply the new setting. See mip_device_call.
+ * Relative position configuration: write.
  *
  * - source: Source of the reference point. A value of enum mip_filter_relative_position_source.
  *   Required for write.
@@ -3743,83 +1724,26 @@ static inline struct mip_result mip_call_filter_relative_position_config_write(
     return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 27);
 }
 
-/**
- * Relative position configuration: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_relative_position_config_read(
-    struct mip_device *device, struct mip_filter_relative_position_config_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_relative_position_config_exchange, data, 1,
-                              &mip_filter_relative_position_config_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_reference_point_lever_arm);
+MIP_SEND(mip_send_filter_reference_point_lever_arm, mip_filter_reference_point_lever_arm,
+         mip_filter_reference_point_lever_arm_response);
+MIP_CALL_FOR(mip_call_filter_reference_point_lever_arm_read, mip_filter_reference_point_lever_arm,
+             MIP_FUNCTION_SELECTOR_READ, mip_filter_reference_point_lever_arm_response);
+MIP_CALL(mip_call_filter_reference_point_lever_arm_save, mip_filter_reference_point_lever_arm,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_reference_point_lever_arm_load, mip_filter_reference_point_lever_arm,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_reference_point_lever_arm_default, mip_filter_reference_point_lever_arm,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_reference_point_lever_arm_with, mip_filter_reference_point_lever_arm,
+              mip_filter_reference_point_lever_arm_response);
 
 /**
- * Relative position configuration: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_relative_position_config_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1);
-}
-
-/** Relative position configuration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_relative_position_config_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1);
-}
-
-/**
- * Relative position configuration: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_relative_position_config_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1);
-}
-
-/**
- * Relative position configuration: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_relative_position_config_with(
-    struct mip_device *device, const struct mip_filter_relative_position_config *command,
-    struct mip_filter_relative_position_config_response *response) {
-    return mip_device_call(device, &mip_filter_relative_position_config_command, command,
-                           &mip_filter_relative_position_config_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_reference_point_lever_arm_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_reference_point_lever_arm_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Reference point lever
- * arm. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_reference_point_lever_arm(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_reference_point_lever_arm *command,
-    struct mip_filter_reference_point_lever_arm_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_reference_point_lever_arm_command,
-                           command, &mip_filter_reference_point_lever_arm_response_codec, response,
-                           now);
-}
-
-/**
- * Reference point lever arm: write. Apply the new setting. See mip_device_call.
+ * Reference point lever arm: write.
  *
  * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
  *   Required for write.
- * - lever_arm_offset: Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame:
+ * - lever_arm_offset: Lever arm from the sensor to the point. Elements: x, y, z. Unit: m. Frame:
  *   vehicle. Range: magnitude at most 10. Required for write.
  */
 static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
@@ -3834,62 +1758,9 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
     return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 14);
 }
 
-/**
- * Reference point lever arm: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_reference_point_lever_arm_read(
-    struct mip_device *device, struct mip_filter_reference_point_lever_arm_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_reference_point_lever_arm_exchange, data, 1,
-                              &mip_filter_reference_point_lever_arm_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_filter_speed_measurement);
 
-/**
- * Reference point lever arm: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_reference_point_lever_arm_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1);
-}
-
-/** Reference point lever arm: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_reference_point_lever_arm_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1);
-}
-
-/** Reference point lever arm: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_reference_point_lever_arm_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1);
-}
-
-/**
- * Reference point lever arm: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_reference_point_lever_arm_with(
-    struct mip_device *device, const struct mip_filter_reference_point_lever_arm *command,
-    struct mip_filter_reference_point_lever_arm_response *response) {
-    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command, command,
-                           &mip_filter_reference_point_lever_arm_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_speed_measurement_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_speed_measurement_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Speed measurement. */
+/** Speed measurement: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_filter_speed_measurement(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_speed_measurement *command, uint32_t now) {
@@ -3898,11 +1769,11 @@ static inline mip_error mip_send_filter_speed_measurement(
 }
 
 /**
- * Speed measurement. See mip_device_call.
+ * Speed measurement.
  *
- * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
- *   SDK states none.
- * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
+ * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit is
+ *   inferred; the SDK states none.
+ * - speed: Speed along the x axis of the vehicle. Unit: m/s. Frame: vehicle. Positive: forward.
  * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
  */
 static inline struct mip_result mip_call_filter_speed_measurement(struct mip_device *device,
@@ -3916,38 +1787,23 @@ static inline struct mip_result mip_call_filter_speed_measurement(struct mip_dev
     return mip_device_send(device, &mip_filter_speed_measurement_exchange, data, 13);
 }
 
-/**
- * Speed measurement: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Speed measurement, with these values, including optional parameters. */
 static inline struct mip_result mip_call_filter_speed_measurement_with(
     struct mip_device *device, const struct mip_filter_speed_measurement *command) {
     return mip_device_call(device, &mip_filter_speed_measurement_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_speed_lever_arm_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_speed_lever_arm_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Speed measurement lever
- * arm. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_speed_lever_arm(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_speed_lever_arm *command,
-    struct mip_filter_speed_lever_arm_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_speed_lever_arm_command, command,
-                           &mip_filter_speed_lever_arm_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_filter_speed_lever_arm);
+MIP_SEND(mip_send_filter_speed_lever_arm, mip_filter_speed_lever_arm,
+         mip_filter_speed_lever_arm_response);
+MIP_CALL_WITH(mip_call_filter_speed_lever_arm_with, mip_filter_speed_lever_arm,
+              mip_filter_speed_lever_arm_response);
 
 /**
- * Speed measurement lever arm: write. Apply the new setting. See mip_device_call.
+ * Speed measurement lever arm: write.
  *
- * - lever_arm_offset: Vector from the sensor to the point of measurement. Elements: x, y, z. Unit:
- *   m. Frame: vehicle. Required for write.
+ * - lever_arm_offset: Lever arm from the sensor to the point of measurement. Elements: x, y, z.
+ *   Unit: m. Frame: vehicle. Required for write.
  */
 static inline struct mip_result
 mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lever_arm_offset[3]) {
@@ -3960,247 +1816,108 @@ mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lev
     return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 14);
 }
 
-/**
- * Speed measurement lever arm: read. Return the current setting in a response. See mip_device_call.
- */
+/** Speed measurement lever arm: read. */
 static inline struct mip_result mip_call_filter_speed_lever_arm_read(
     struct mip_device *device, struct mip_filter_speed_lever_arm_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)1);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)1};
     return mip_device_request(device, &mip_filter_speed_lever_arm_exchange, data, 2,
                               &mip_filter_speed_lever_arm_response_codec, response);
 }
 
-/**
- * Speed measurement lever arm: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
+/** Speed measurement lever arm: save. */
 static inline struct mip_result mip_call_filter_speed_lever_arm_save(struct mip_device *device) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)1);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)1};
     return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2);
 }
 
-/** Speed measurement lever arm: load. Load the saved setting. See mip_device_call. */
+/** Speed measurement lever arm: load. */
 static inline struct mip_result mip_call_filter_speed_lever_arm_load(struct mip_device *device) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)1);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)1};
     return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2);
 }
 
-/** Speed measurement lever arm: default. Load the factory default setting. See mip_device_call. */
+/** Speed measurement lever arm: default. */
 static inline struct mip_result mip_call_filter_speed_lever_arm_default(struct mip_device *device) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)1);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)1};
     return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2);
 }
 
-/**
- * Speed measurement lever arm: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_speed_lever_arm_with(
-    struct mip_device *device, const struct mip_filter_speed_lever_arm *command,
-    struct mip_filter_speed_lever_arm_response *response) {
-    return mip_device_call(device, &mip_filter_speed_lever_arm_command, command,
-                           &mip_filter_speed_lever_arm_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_vertical_gyro_constraint_control_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Vertical gyro constraint.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_vertical_gyro_constraint_control(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_vertical_gyro_constraint_control *command,
-    struct mip_filter_vertical_gyro_constraint_control_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_vertical_gyro_constraint_control_command, command,
-        &mip_filter_vertical_gyro_constraint_control_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_filter_vertical_gyro_constraint_control);
+MIP_SEND(mip_send_filter_vertical_gyro_constraint_control,
+         mip_filter_vertical_gyro_constraint_control,
+         mip_filter_vertical_gyro_constraint_control_response);
+MIP_CALL_FOR(mip_call_filter_vertical_gyro_constraint_control_read,
+             mip_filter_vertical_gyro_constraint_control, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_vertical_gyro_constraint_control_response);
+MIP_CALL(mip_call_filter_vertical_gyro_constraint_control_save,
+         mip_filter_vertical_gyro_constraint_control, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_vertical_gyro_constraint_control_load,
+         mip_filter_vertical_gyro_constraint_control, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_vertical_gyro_constraint_control_default,
+         mip_filter_vertical_gyro_constraint_control, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_vertical_gyro_constraint_control_with,
+              mip_filter_vertical_gyro_constraint_control,
+              mip_filter_vertical_gyro_constraint_control_response);
 
 /**
- * Vertical gyro constraint: write. Apply the new setting. See mip_device_call.
+ * Vertical gyro constraint: write.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  */
 static inline struct mip_result
 mip_call_filter_vertical_gyro_constraint_control_write(struct mip_device *device, uint8_t enable) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)enable);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)enable};
     return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 2);
 }
 
-/**
- * Vertical gyro constraint: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_vertical_gyro_constraint_control_read(
-    struct mip_device *device,
-    struct mip_filter_vertical_gyro_constraint_control_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_vertical_gyro_constraint_control_exchange, data,
-                              1, &mip_filter_vertical_gyro_constraint_control_response_codec,
-                              response);
-}
+MIP_COMMAND_REPLIES(mip_filter_wheeled_vehicle_constraint_control);
+MIP_SEND(mip_send_filter_wheeled_vehicle_constraint_control,
+         mip_filter_wheeled_vehicle_constraint_control,
+         mip_filter_wheeled_vehicle_constraint_control_response);
+MIP_CALL_FOR(mip_call_filter_wheeled_vehicle_constraint_control_read,
+             mip_filter_wheeled_vehicle_constraint_control, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_wheeled_vehicle_constraint_control_response);
+MIP_CALL(mip_call_filter_wheeled_vehicle_constraint_control_save,
+         mip_filter_wheeled_vehicle_constraint_control, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_wheeled_vehicle_constraint_control_load,
+         mip_filter_wheeled_vehicle_constraint_control, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_wheeled_vehicle_constraint_control_default,
+         mip_filter_wheeled_vehicle_constraint_control, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_wheeled_vehicle_constraint_control_with,
+              mip_filter_wheeled_vehicle_constraint_control,
+              mip_filter_wheeled_vehicle_constraint_control_response);
 
 /**
- * Vertical gyro constraint: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_vertical_gyro_constraint_control_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1);
-}
-
-/** Vertical gyro constraint: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_vertical_gyro_constraint_control_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1);
-}
-
-/** Vertical gyro constraint: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_vertical_gyro_constraint_control_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1);
-}
-
-/**
- * Vertical gyro constraint: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_vertical_gyro_constraint_control_with(
-    struct mip_device *device, const struct mip_filter_vertical_gyro_constraint_control *command,
-    struct mip_filter_vertical_gyro_constraint_control_response *response) {
-    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_control_command, command,
-                           &mip_filter_vertical_gyro_constraint_control_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_wheeled_vehicle_constraint_control_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Wheeled vehicle
- * constraint. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_wheeled_vehicle_constraint_control(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_wheeled_vehicle_constraint_control *command,
-    struct mip_filter_wheeled_vehicle_constraint_control_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_wheeled_vehicle_constraint_control_command, command,
-        &mip_filter_wheeled_vehicle_constraint_control_response_codec, response, now);
-}
-
-/**
- * Wheeled vehicle constraint: write. Apply the new setting. See mip_device_call.
+ * Wheeled vehicle constraint: write.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  */
 static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_control_write(
     struct mip_device *device, uint8_t enable) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)enable);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)enable};
     return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
                            2);
 }
 
-/**
- * Wheeled vehicle constraint: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_control_read(
-    struct mip_device *device,
-    struct mip_filter_wheeled_vehicle_constraint_control_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
-                              1, &mip_filter_wheeled_vehicle_constraint_control_response_codec,
-                              response);
-}
+MIP_COMMAND_REPLIES(mip_filter_gnss_antenna_calibration_control);
+MIP_SEND(mip_send_filter_gnss_antenna_calibration_control,
+         mip_filter_gnss_antenna_calibration_control,
+         mip_filter_gnss_antenna_calibration_control_response);
+MIP_CALL_FOR(mip_call_filter_gnss_antenna_calibration_control_read,
+             mip_filter_gnss_antenna_calibration_control, MIP_FUNCTION_SELECTOR_READ,
+             mip_filter_gnss_antenna_calibration_control_response);
+MIP_CALL(mip_call_filter_gnss_antenna_calibration_control_save,
+         mip_filter_gnss_antenna_calibration_control, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_filter_gnss_antenna_calibration_control_load,
+         mip_filter_gnss_antenna_calibration_control, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_filter_gnss_antenna_calibration_control_default,
+         mip_filter_gnss_antenna_calibration_control, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_filter_gnss_antenna_calibration_control_with,
+              mip_filter_gnss_antenna_calibration_control,
+              mip_filter_gnss_antenna_calibration_control_response);
 
 /**
- * Wheeled vehicle constraint: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_wheeled_vehicle_constraint_control_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
-                           1);
-}
-
-/** Wheeled vehicle constraint: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_wheeled_vehicle_constraint_control_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
-                           1);
-}
-
-/** Wheeled vehicle constraint: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_wheeled_vehicle_constraint_control_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
-                           1);
-}
-
-/**
- * Wheeled vehicle constraint: calls the command with these values, including optional parameters.
- * See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_control_with(
-    struct mip_device *device, const struct mip_filter_wheeled_vehicle_constraint_control *command,
-    struct mip_filter_wheeled_vehicle_constraint_control_response *response) {
-    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_control_command, command,
-                           &mip_filter_wheeled_vehicle_constraint_control_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_filter_gnss_antenna_calibration_control_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS antenna offset
- * calibration. If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_filter_gnss_antenna_calibration_control(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_gnss_antenna_calibration_control *command,
-    struct mip_filter_gnss_antenna_calibration_control_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_gnss_antenna_calibration_control_command, command,
-        &mip_filter_gnss_antenna_calibration_control_response_codec, response, now);
-}
-
-/**
- * GNSS antenna offset calibration: write. Apply the new setting. See mip_device_call.
+ * GNSS antenna offset calibration: write.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0.
@@ -4213,60 +1930,6 @@ static inline struct mip_result mip_call_filter_gnss_antenna_calibration_control
     mip_put_8(data + 1, (uint8_t)enable);
     mip_put_float(data + 2, &max_offset);
     return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 6);
-}
-
-/**
- * GNSS antenna offset calibration: read. Return the current setting in a response. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_filter_gnss_antenna_calibration_control_read(
-    struct mip_device *device,
-    struct mip_filter_gnss_antenna_calibration_control_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_filter_gnss_antenna_calibration_control_exchange, data,
-                              1, &mip_filter_gnss_antenna_calibration_control_response_codec,
-                              response);
-}
-
-/**
- * GNSS antenna offset calibration: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_gnss_antenna_calibration_control_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1);
-}
-
-/** GNSS antenna offset calibration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_filter_gnss_antenna_calibration_control_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1);
-}
-
-/**
- * GNSS antenna offset calibration: default. Load the factory default setting. See mip_device_call.
- */
-static inline struct mip_result
-mip_call_filter_gnss_antenna_calibration_control_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1);
-}
-
-/**
- * GNSS antenna offset calibration: calls the command with these values, including optional
- * parameters. See mip_device_call.
- */
-static inline struct mip_result mip_call_filter_gnss_antenna_calibration_control_with(
-    struct mip_device *device, const struct mip_filter_gnss_antenna_calibration_control *command,
-    struct mip_filter_gnss_antenna_calibration_control_response *response) {
-    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_control_command, command,
-                           &mip_filter_gnss_antenna_calibration_control_response_codec, response);
 }
 
 /** @} */

@@ -17,72 +17,173 @@ MIP_COMMAND_OF(mip_filter_set_initial_heading, void)
 MIP_COMMAND_OF(mip_filter_set_initial_attitude_from_imu, void)
 MIP_COMMAND_OF(mip_filter_run, void)
 MIP_COMMAND_OF(mip_filter_vehicle_dynamics_mode, ::mip::filter::vehicle_dynamics_mode_response)
+MIP_CHANGE_OF(mip_filter_vehicle_dynamics_mode, ::mip::filter::vehicle_dynamics_mode_response,
+              mip_filter_vehicle_dynamics_mode_write_from)
 MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_rotation_euler,
                ::mip::filter::sensor_to_vehicle_rotation_euler_response)
+MIP_CHANGE_OF(mip_filter_sensor_to_vehicle_rotation_euler,
+              ::mip::filter::sensor_to_vehicle_rotation_euler_response,
+              mip_filter_sensor_to_vehicle_rotation_euler_write_from)
 MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_offset,
                ::mip::filter::sensor_to_vehicle_offset_response)
+MIP_CHANGE_OF(mip_filter_sensor_to_vehicle_offset, ::mip::filter::sensor_to_vehicle_offset_response,
+              mip_filter_sensor_to_vehicle_offset_write_from)
 MIP_COMMAND_OF(mip_filter_antenna_offset, ::mip::filter::antenna_offset_response)
+MIP_CHANGE_OF(mip_filter_antenna_offset, ::mip::filter::antenna_offset_response,
+              mip_filter_antenna_offset_write_from)
 MIP_COMMAND_OF(mip_filter_estimation_control, ::mip::filter::estimation_control_response)
+MIP_CHANGE_OF(mip_filter_estimation_control, ::mip::filter::estimation_control_response,
+              mip_filter_estimation_control_write_from)
 MIP_COMMAND_OF(mip_filter_gnss_source, ::mip::filter::gnss_source_response)
+MIP_CHANGE_OF(mip_filter_gnss_source, ::mip::filter::gnss_source_response,
+              mip_filter_gnss_source_write_from)
 MIP_COMMAND_OF(mip_filter_external_gnss_update, void)
 MIP_COMMAND_OF(mip_filter_external_heading_update, void)
 MIP_COMMAND_OF(mip_filter_heading_source, ::mip::filter::heading_source_response)
+MIP_CHANGE_OF(mip_filter_heading_source, ::mip::filter::heading_source_response,
+              mip_filter_heading_source_write_from)
 MIP_COMMAND_OF(mip_filter_auto_initialization_control,
                ::mip::filter::auto_initialization_control_response)
+MIP_CHANGE_OF(mip_filter_auto_initialization_control,
+              ::mip::filter::auto_initialization_control_response,
+              mip_filter_auto_initialization_control_write_from)
 MIP_COMMAND_OF(mip_filter_accel_noise, ::mip::filter::accel_noise_response)
+MIP_CHANGE_OF(mip_filter_accel_noise, ::mip::filter::accel_noise_response,
+              mip_filter_accel_noise_write_from)
 MIP_COMMAND_OF(mip_filter_gyro_noise, ::mip::filter::gyro_noise_response)
+MIP_CHANGE_OF(mip_filter_gyro_noise, ::mip::filter::gyro_noise_response,
+              mip_filter_gyro_noise_write_from)
 MIP_COMMAND_OF(mip_filter_accel_bias_model, ::mip::filter::accel_bias_model_response)
+MIP_CHANGE_OF(mip_filter_accel_bias_model, ::mip::filter::accel_bias_model_response,
+              mip_filter_accel_bias_model_write_from)
 MIP_COMMAND_OF(mip_filter_gyro_bias_model, ::mip::filter::gyro_bias_model_response)
+MIP_CHANGE_OF(mip_filter_gyro_bias_model, ::mip::filter::gyro_bias_model_response,
+              mip_filter_gyro_bias_model_write_from)
 MIP_COMMAND_OF(mip_filter_auto_zupt, ::mip::filter::auto_zupt_response)
+MIP_CHANGE_OF(mip_filter_auto_zupt, ::mip::filter::auto_zupt_response,
+              mip_filter_auto_zupt_write_from)
 MIP_COMMAND_OF(mip_filter_external_heading_update_with_time, void)
 MIP_COMMAND_OF(mip_filter_auto_angular_zupt, ::mip::filter::auto_angular_zupt_response)
+MIP_CHANGE_OF(mip_filter_auto_angular_zupt, ::mip::filter::auto_angular_zupt_response,
+              mip_filter_auto_angular_zupt_write_from)
 MIP_COMMAND_OF(mip_filter_tare_orientation, ::mip::filter::tare_orientation_response)
+MIP_CHANGE_OF(mip_filter_tare_orientation, ::mip::filter::tare_orientation_response,
+              mip_filter_tare_orientation_write_from)
 MIP_COMMAND_OF(mip_filter_commanded_zupt, void)
 MIP_COMMAND_OF(mip_filter_commanded_angular_zupt, void)
 MIP_COMMAND_OF(mip_filter_reference_position, ::mip::filter::reference_position_response)
+MIP_CHANGE_OF(mip_filter_reference_position, ::mip::filter::reference_position_response,
+              mip_filter_reference_position_write_from)
 MIP_COMMAND_OF(mip_filter_mag_capture_auto_calibration, void)
 MIP_COMMAND_OF(mip_filter_gravity_noise, ::mip::filter::gravity_noise_response)
+MIP_CHANGE_OF(mip_filter_gravity_noise, ::mip::filter::gravity_noise_response,
+              mip_filter_gravity_noise_write_from)
 MIP_COMMAND_OF(mip_filter_pressure_altitude_noise, ::mip::filter::pressure_altitude_noise_response)
+MIP_CHANGE_OF(mip_filter_pressure_altitude_noise, ::mip::filter::pressure_altitude_noise_response,
+              mip_filter_pressure_altitude_noise_write_from)
 MIP_COMMAND_OF(mip_filter_hard_iron_offset_noise, ::mip::filter::hard_iron_offset_noise_response)
+MIP_CHANGE_OF(mip_filter_hard_iron_offset_noise, ::mip::filter::hard_iron_offset_noise_response,
+              mip_filter_hard_iron_offset_noise_write_from)
 MIP_COMMAND_OF(mip_filter_soft_iron_matrix_noise, ::mip::filter::soft_iron_matrix_noise_response)
+MIP_CHANGE_OF(mip_filter_soft_iron_matrix_noise, ::mip::filter::soft_iron_matrix_noise_response,
+              mip_filter_soft_iron_matrix_noise_write_from)
 MIP_COMMAND_OF(mip_filter_enable_measurements, ::mip::filter::enable_measurements_response)
+MIP_CHANGE_OF(mip_filter_enable_measurements, ::mip::filter::enable_measurements_response,
+              mip_filter_enable_measurements_write_from)
 MIP_COMMAND_OF(mip_filter_mag_noise, ::mip::filter::mag_noise_response)
+MIP_CHANGE_OF(mip_filter_mag_noise, ::mip::filter::mag_noise_response,
+              mip_filter_mag_noise_write_from)
 MIP_COMMAND_OF(mip_filter_magnetic_declination_source,
                ::mip::filter::magnetic_declination_source_response)
+MIP_CHANGE_OF(mip_filter_magnetic_declination_source,
+              ::mip::filter::magnetic_declination_source_response,
+              mip_filter_magnetic_declination_source_write_from)
 MIP_COMMAND_OF(mip_filter_accel_magnitude_adaptive,
                ::mip::filter::accel_magnitude_error_adaptive_measurement_response)
+MIP_CHANGE_OF(mip_filter_accel_magnitude_adaptive,
+              ::mip::filter::accel_magnitude_error_adaptive_measurement_response,
+              mip_filter_accel_magnitude_adaptive_write_from)
 MIP_COMMAND_OF(mip_filter_mag_magnitude_adaptive,
                ::mip::filter::mag_magnitude_error_adaptive_measurement_response)
+MIP_CHANGE_OF(mip_filter_mag_magnitude_adaptive,
+              ::mip::filter::mag_magnitude_error_adaptive_measurement_response,
+              mip_filter_mag_magnitude_adaptive_write_from)
 MIP_COMMAND_OF(mip_filter_mag_dip_angle_adaptive,
                ::mip::filter::mag_dip_angle_error_adaptive_measurement_response)
+MIP_CHANGE_OF(mip_filter_mag_dip_angle_adaptive,
+              ::mip::filter::mag_dip_angle_error_adaptive_measurement_response,
+              mip_filter_mag_dip_angle_adaptive_write_from)
 MIP_COMMAND_OF(mip_filter_altitude_aiding, ::mip::filter::altitude_aiding_response)
+MIP_CHANGE_OF(mip_filter_altitude_aiding, ::mip::filter::altitude_aiding_response,
+              mip_filter_altitude_aiding_write_from)
 MIP_COMMAND_OF(mip_filter_pitch_roll_aiding, ::mip::filter::pitch_roll_aiding_response)
+MIP_CHANGE_OF(mip_filter_pitch_roll_aiding, ::mip::filter::pitch_roll_aiding_response,
+              mip_filter_pitch_roll_aiding_write_from)
 MIP_COMMAND_OF(mip_filter_magnetic_inclination_source,
                ::mip::filter::magnetic_inclination_source_response)
+MIP_CHANGE_OF(mip_filter_magnetic_inclination_source,
+              ::mip::filter::magnetic_inclination_source_response,
+              mip_filter_magnetic_inclination_source_write_from)
 MIP_COMMAND_OF(mip_filter_magnetic_magnitude_source,
                ::mip::filter::magnetic_magnitude_source_response)
+MIP_CHANGE_OF(mip_filter_magnetic_magnitude_source,
+              ::mip::filter::magnetic_magnitude_source_response,
+              mip_filter_magnetic_magnitude_source_write_from)
 MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_rotation_dcm,
                ::mip::filter::sensor_to_vehicle_rotation_dcm_response)
+MIP_CHANGE_OF(mip_filter_sensor_to_vehicle_rotation_dcm,
+              ::mip::filter::sensor_to_vehicle_rotation_dcm_response,
+              mip_filter_sensor_to_vehicle_rotation_dcm_write_from)
 MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_quaternion,
                ::mip::filter::sensor_to_vehicle_rotation_quaternion_response)
+MIP_CHANGE_OF(mip_filter_sensor_to_vehicle_quaternion,
+              ::mip::filter::sensor_to_vehicle_rotation_quaternion_response,
+              mip_filter_sensor_to_vehicle_quaternion_write_from)
 MIP_COMMAND_OF(mip_filter_aiding_measurement_enable,
                ::mip::filter::aiding_measurement_enable_response)
+MIP_CHANGE_OF(mip_filter_aiding_measurement_enable,
+              ::mip::filter::aiding_measurement_enable_response,
+              mip_filter_aiding_measurement_enable_write_from)
 MIP_COMMAND_OF(mip_filter_kinematic_constraint, ::mip::filter::kinematic_constraint_response)
+MIP_CHANGE_OF(mip_filter_kinematic_constraint, ::mip::filter::kinematic_constraint_response,
+              mip_filter_kinematic_constraint_write_from)
 MIP_COMMAND_OF(mip_filter_initialization_config, ::mip::filter::initialization_config_response)
+MIP_CHANGE_OF(mip_filter_initialization_config, ::mip::filter::initialization_config_response,
+              mip_filter_initialization_config_write_from)
 MIP_COMMAND_OF(mip_filter_adaptive_filter_options, ::mip::filter::adaptive_filter_options_response)
+MIP_CHANGE_OF(mip_filter_adaptive_filter_options, ::mip::filter::adaptive_filter_options_response,
+              mip_filter_adaptive_filter_options_write_from)
 MIP_COMMAND_OF(mip_filter_multi_antenna_offset, ::mip::filter::multi_antenna_offset_response)
+MIP_CHANGE_OF(mip_filter_multi_antenna_offset, ::mip::filter::multi_antenna_offset_response,
+              mip_filter_multi_antenna_offset_write_from)
 MIP_COMMAND_OF(mip_filter_relative_position_config,
                ::mip::filter::relative_position_config_response)
+MIP_CHANGE_OF(mip_filter_relative_position_config, ::mip::filter::relative_position_config_response,
+              mip_filter_relative_position_config_write_from)
 MIP_COMMAND_OF(mip_filter_reference_point_lever_arm,
                ::mip::filter::reference_point_lever_arm_response)
+MIP_CHANGE_OF(mip_filter_reference_point_lever_arm,
+              ::mip::filter::reference_point_lever_arm_response,
+              mip_filter_reference_point_lever_arm_write_from)
 MIP_COMMAND_OF(mip_filter_speed_measurement, void)
 MIP_COMMAND_OF(mip_filter_speed_lever_arm, ::mip::filter::speed_lever_arm_response)
+MIP_CHANGE_OF(mip_filter_speed_lever_arm, ::mip::filter::speed_lever_arm_response,
+              mip_filter_speed_lever_arm_write_from)
 MIP_COMMAND_OF(mip_filter_vertical_gyro_constraint_control,
                ::mip::filter::vertical_gyro_constraint_control_response)
+MIP_CHANGE_OF(mip_filter_vertical_gyro_constraint_control,
+              ::mip::filter::vertical_gyro_constraint_control_response,
+              mip_filter_vertical_gyro_constraint_control_write_from)
 MIP_COMMAND_OF(mip_filter_wheeled_vehicle_constraint_control,
                ::mip::filter::wheeled_vehicle_constraint_control_response)
+MIP_CHANGE_OF(mip_filter_wheeled_vehicle_constraint_control,
+              ::mip::filter::wheeled_vehicle_constraint_control_response,
+              mip_filter_wheeled_vehicle_constraint_control_write_from)
 MIP_COMMAND_OF(mip_filter_gnss_antenna_calibration_control,
                ::mip::filter::gnss_antenna_calibration_control_response)
+MIP_CHANGE_OF(mip_filter_gnss_antenna_calibration_control,
+              ::mip::filter::gnss_antenna_calibration_control_response,
+              mip_filter_gnss_antenna_calibration_control_write_from)
 
 namespace filter {
 

@@ -3,7 +3,7 @@
  *
  * Filter data (0x82). Estimates of the navigation filter and its status.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_FILTER_DATA_H
 #define MIP_FILTER_DATA_H
@@ -36,9 +36,9 @@ typedef uint16_t mip_filter_data_valid_flags;
  * - 3dm-gx5-45: 5.3.27 Heading Update Source State (0x82, 0x14)
  */
 typedef uint16_t mip_filter_data_heading_source_flags;
-/** Bit 0. The magnetometer. */
+/** Bit 0. The magnetometer. Requires a magnetometer. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_MAG 0x0001U
-/** Bit 1. The velocity that the GNSS receiver measures. */
+/** Bit 1. The velocity that the GNSS receiver measures. Requires a receiver. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_GNSS_VELOCITY 0x0002U
 /** Bit 2. Heading messages that your program sends. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
@@ -90,7 +90,7 @@ enum mip_filter_data_heading_aiding_type MIP_ENUM_8 {
     MIP_FILTER_DATA_HEADING_AIDING_TYPE_EXTERNAL_MESSAGE = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
 
 /**
@@ -130,7 +130,7 @@ enum mip_filter_data_aiding_measurement_type MIP_ENUM_8 {
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE = 51
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_data_aiding_measurement_type_name(uint8_t value);
 
 /** Use of an aiding measurement by the filter. */
@@ -158,7 +158,7 @@ enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
     MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FIXED = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_data_dual_antenna_fix_type_name(uint8_t value);
 
 /** Inputs available to the dual-antenna heading solution. */
@@ -187,7 +187,7 @@ enum mip_filter_data_gx5_filter_state MIP_ENUM_16 {
     MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_data_gx5_filter_state_name(uint16_t value);
 
 /**
@@ -207,7 +207,7 @@ enum mip_filter_data_cv7_filter_state MIP_ENUM_16 {
     MIP_FILTER_DATA_CV7_FILTER_STATE_FULL_NAV = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_data_cv7_filter_state_name(uint16_t value);
 
 /** Motion for which the filter of a 5-series device is configured. */
@@ -217,10 +217,15 @@ enum mip_filter_data_gx5_dynamics_mode MIP_ENUM_16 {
     /** Ground vehicle. */
     MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AUTOMOTIVE = 2,
     /** Aircraft. */
-    MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AIRBORNE = 3
+    MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AIRBORNE = 3,
+    /**
+     * Aircraft with high acceleration. Uncertain: The manual of the 3DM-GX5-15 lists 1 to 3;
+     * mip_filter_vehicle_dynamics_mode sets 4, too.
+     */
+    MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AIRBORNE_HIGH_G = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_data_gx5_dynamics_mode_name(uint16_t value);
 
 /** Dynamics mode of a 7-series device; there is only one. */
@@ -229,76 +234,122 @@ enum mip_filter_data_cv7_dynamics_mode MIP_ENUM_16 {
     MIP_FILTER_DATA_CV7_DYNAMICS_MODE_DEFAULT = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_data_cv7_dynamics_mode_name(uint16_t value);
 
 /**
- * Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`, the
- * others while the filter runs.
+ * Problems of the filter of a 5-series device; their meaning depends on the state of the filter.
  *
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 typedef uint16_t mip_filter_data_gx5_status_flags;
-/** Bit 0. No inertial data. Concerns mip_sensor_scaled_accel and mip_sensor_scaled_gyro. */
+/**
+ * Bit 0. No inertial data. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_sensor_scaled_accel and
+ * mip_sensor_scaled_gyro.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_IMU_UNAVAILABLE 0x0001U
 /**
- * Bit 1. No GNSS data; only on models with GNSS. Concerns mip_filter_data_llh_position and
+ * Bit 1. No GNSS data; only on models with GNSS. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_llh_position and
  * mip_filter_data_ned_velocity.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GPS_UNAVAILABLE 0x0002U
-/** Bit 3. A matrix in the computation is singular. Concerns mip_filter_reset. */
+/**
+ * Bit 3. A matrix in the computation is singular. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_reset.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
 /**
- * Bit 4. A position covariance is above its normal limit. Concerns mip_filter_data_llh_position and
+ * Bit 4. A position covariance is above its normal limit. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_llh_position and
  * mip_filter_data_llh_position_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE_WARNING 0x0010U
 /**
- * Bit 5. A velocity covariance is above its normal limit. Concerns mip_filter_data_ned_velocity and
+ * Bit 5. A velocity covariance is above its normal limit. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_ned_velocity and
  * mip_filter_data_ned_velocity_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE_WARNING 0x0020U
 /**
- * Bit 6. An attitude covariance is above its normal limit. Concerns mip_filter_data_euler_angles
- * and mip_filter_data_euler_angles_uncertainty.
+ * Bit 6. An attitude covariance is above its normal limit. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_euler_angles and
+ * mip_filter_data_euler_angles_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE_WARNING 0x0040U
-/** Bit 7. The solution contains NaN values. Concerns mip_filter_reset. */
+/**
+ * Bit 7. The solution contains NaN values. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_reset.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION_WARNING 0x0080U
-/** Bit 8. The estimated gyroscope bias is high. Concerns mip_filter_data_gyro_bias. */
+/**
+ * Bit 8. The estimated gyroscope bias is high. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_gyro_bias.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_EST_HIGH_WARNING 0x0100U
-/** Bit 9. The estimated accelerometer bias is high. Concerns mip_filter_data_accel_bias. */
+/**
+ * Bit 9. The estimated accelerometer bias is high. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_accel_bias.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_EST_HIGH_WARNING 0x0200U
 /**
- * Bit 10. The estimated gyroscope scale factor is high. Concerns mip_filter_data_gyro_scale_factor.
+ * Bit 10. The estimated gyroscope scale factor is high. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_gyro_scale_factor.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING 0x0400U
 /**
- * Bit 11. The estimated accelerometer scale factor is high. Concerns
- * mip_filter_data_accel_scale_factor.
+ * Bit 11. The estimated accelerometer scale factor is high. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_accel_scale_factor.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING 0x0800U
-/** Bit 12. The estimated magnetometer bias is high. Concerns mip_filter_data_mag_bias. */
+/**
+ * Bit 12. The estimated magnetometer bias is high. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_mag_bias.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_EST_HIGH_WARNING 0x1000U
 /**
- * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. Concerns
+ * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. Only while
+ * `filter_state` is MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects
  * mip_filter_data_antenna_offset_correction and mip_filter_antenna_offset.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING 0x2000U
-/** Bit 14. The estimated hard-iron offset is high. Concerns mip_filter_data_mag_offset. */
+/**
+ * Bit 14. The estimated hard-iron offset is high. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_mag_offset.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_EST_HIGH_WARNING 0x4000U
-/** Bit 15. The estimated soft-iron correction is high. Concerns mip_filter_data_mag_matrix. */
+/**
+ * Bit 15. The estimated soft-iron correction is high. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID or
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR. Affects mip_filter_data_mag_matrix.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_EST_HIGH_WARNING 0x8000U
 /**
- * Bit 12. The attitude is not initialized. Overlaps other bits. Concerns
- * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
- * mip_filter_data_euler_angles.
+ * Bit 12. The attitude is not initialized. Overlaps other bits. Only while `filter_state` is
+ * MIP_FILTER_DATA_GX5_FILTER_STATE_INIT. Affects mip_filter_data_attitude_quaternion,
+ * mip_filter_data_attitude_dcm and mip_filter_data_euler_angles.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE 0x1000U
 /**
- * Bit 13. Position and velocity are not initialized. Overlaps other bits. Concerns
- * mip_filter_data_llh_position and mip_filter_data_ned_velocity.
+ * Bit 13. Position and velocity are not initialized. Overlaps other bits. Only while `filter_state`
+ * is MIP_FILTER_DATA_GX5_FILTER_STATE_INIT. Affects mip_filter_data_llh_position and
+ * mip_filter_data_ned_velocity.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
 
@@ -317,7 +368,7 @@ enum mip_filter_data_filter_condition MIP_ENUM_8 {
     MIP_FILTER_DATA_FILTER_CONDITION_UNSTABLE = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_filter_data_filter_condition_name(uint8_t value);
 
 /**
@@ -331,55 +382,55 @@ typedef uint16_t mip_filter_data_cv7_status_flags;
 /** Bits 0 to 1. Convergence of the estimates. A value of enum mip_filter_data_filter_condition. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION 0x0003U
 /**
- * Bit 2. Roll and pitch are doubtful; check the mounting transformation. Concerns
+ * Bit 2. Roll and pitch are doubtful; check the mounting transformation. Affects
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING 0x0004U
 /**
- * Bit 3. The heading is doubtful; check the heading source. Concerns
+ * Bit 3. The heading is doubtful; check the heading source. Affects
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_HEADING_WARNING 0x0008U
 /**
- * Bit 4. The position is doubtful; check the GNSS reception and antennas. Concerns
+ * Bit 4. The position is doubtful; check the GNSS reception and antennas. Affects
  * mip_filter_data_llh_position, mip_filter_data_ecef_position and
  * mip_filter_data_ned_relative_position.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_POSITION_WARNING 0x0010U
 /**
- * Bit 5. The velocity is doubtful; check the GNSS reception and antennas. Concerns
+ * Bit 5. The velocity is doubtful; check the GNSS reception and antennas. Affects
  * mip_filter_data_ned_velocity and mip_filter_data_ecef_velocity.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_VELOCITY_WARNING 0x0020U
 /**
- * Bit 6. The sensor biases are doubtful; capture the gyroscope bias. Concerns
+ * Bit 6. The sensor biases are doubtful; capture the gyroscope bias. Affects
  * mip_filter_data_accel_bias, mip_filter_data_gyro_bias and mip_3dm_capture_gyro_bias.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING 0x0040U
 /**
- * Bit 7. The GNSS clock is doubtful; navigation continues. Concerns mip_filter_data_timestamp and
+ * Bit 7. The GNSS clock is doubtful; navigation continues. Affects mip_filter_data_timestamp and
  * mip_filter_data_clock_correction.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLOCK_WARNING 0x0080U
 /**
- * Bit 8. The antenna offsets are probably wrong. Concerns
+ * Bit 8. The antenna offsets are probably wrong. Affects
  * mip_filter_data_multi_antenna_offset_correction and mip_filter_multi_antenna_offset.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING 0x0100U
 /**
- * Bit 9. The mounting transformation is probably wrong. Concerns
+ * Bit 9. The mounting transformation is probably wrong. Affects
  * mip_3dm_sensor_to_vehicle_transform_euler and mip_3dm_sensor_to_vehicle_transform_dcm.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING 0x0200U
 /**
- * Bit 10. No pulse per second is detected, or the time of an external heading is too old. Concerns
+ * Bit 10. No pulse per second is detected, or the time of an external heading is too old. Affects
  * mip_3dm_pps_source_control.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_TIME_SYNC_WARNING 0x0400U
 /**
- * Bits 12 to 15. Not 0 if the solution contains NaN values; reset the filter. Concerns
+ * Bits 12 to 15. Not 0 if the solution contains NaN values; reset the filter. Affects
  * mip_filter_reset.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
@@ -400,7 +451,7 @@ static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
 }
 
 /**
- * Bits 12 to 15. Not 0 if the solution contains NaN values; reset the filter. Concerns
+ * Bits 12 to 15. Not 0 if the solution contains NaN values; reset the filter. Affects
  * mip_filter_reset.
  */
 static inline uint8_t
@@ -422,7 +473,7 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
  *
  * Estimated position as latitude, longitude and height.
  *
- * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `position_llh`.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
  */
@@ -446,34 +497,16 @@ struct mip_filter_data_llh_position {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_LLH_POSITION 0x8201
-/** Its descriptor. */
 #define MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR 0x01
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_LLH_POSITION_NAME "filter_data.llh_position"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_llh_position_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_llh_position_decode(
-    struct mip_filter_data_llh_position *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_llh_position_codec, 0x01, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode(
-    const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_llh_position_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_llh_position, 0x01);
 
 /**
  * NED velocity: data (0x82,0x02).
  *
  * Estimated velocity in the NED frame.
  *
- * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `velocity_ned`.
  *
  * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
  */
@@ -497,79 +530,41 @@ struct mip_filter_data_ned_velocity {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_NED_VELOCITY 0x8202
-/** Its descriptor. */
 #define MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR 0x02
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_NED_VELOCITY_NAME "filter_data.ned_velocity"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_ned_velocity_decode(
-    struct mip_filter_data_ned_velocity *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_ned_velocity_codec, 0x02, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode(
-    const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_ned_velocity_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_ned_velocity, 0x02);
 
 /**
  * Attitude quaternion: data (0x82,0x03).
  *
  * Estimated orientation of the vehicle frame in the NED frame as a quaternion.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * `v_ned = q * v_vehicle * q^-1`
  *
- * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
+ * The 3DM-GX5-15 manual documents the inverse rotation, which is taken for a misprint.
  *
  * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
  * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
  */
 struct mip_filter_data_attitude_quaternion {
     /**
-     * Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level:
-     * x 0, y 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first.
+     * Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float q[4];
     /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION 0x8203
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR 0x03
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ATTITUDE_QUATERNION_NAME "filter_data.attitude_quaternion"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_attitude_quaternion_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_attitude_quaternion_decode(
-    struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_attitude_quaternion_codec, 0x03, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_attitude_quaternion_encode(
-    const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_attitude_quaternion_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_attitude_quaternion, 0x03);
 
 /**
  * Attitude direction cosine matrix: data (0x82,0x04).
  *
  * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
- *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`.
  *
@@ -587,35 +582,16 @@ struct mip_filter_data_attitude_dcm {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ATTITUDE_DCM 0x8204
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR 0x04
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ATTITUDE_DCM_NAME "filter_data.attitude_dcm"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_attitude_dcm_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_attitude_dcm_decode(
-    struct mip_filter_data_attitude_dcm *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_attitude_dcm_codec, 0x04, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode(
-    const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_attitude_dcm_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_attitude_dcm, 0x04);
 
 /**
  * Euler angles: data (0x82,0x05).
  *
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45. Uncertain: The ranges of the angles. Uncertain: which no source states.
+ * Uncertain: The ranges of the angles are inferred; no source states them.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
@@ -624,9 +600,9 @@ MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode(
  */
 struct mip_filter_data_euler_angles {
     /**
-     * Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-     * 3.141592653589793. At rest and level: 0. Positive: right side down. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. At rest
+     * and level: 0. Positive: right side down. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
      */
     float roll;
     /**
@@ -636,43 +612,22 @@ struct mip_filter_data_euler_angles {
      */
     float pitch;
     /**
-     * Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-     * 3.141592653589793. Positive: clockwise seen from above. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive:
+     * clockwise seen from above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float yaw;
     /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_EULER_ANGLES 0x8205
-/** Its descriptor. */
 #define MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR 0x05
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_EULER_ANGLES_NAME "filter_data.euler_angles"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_euler_angles_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_euler_angles_decode(
-    struct mip_filter_data_euler_angles *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_euler_angles_codec, 0x05, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_encode(
-    const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_euler_angles_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_euler_angles, 0x05);
 
 /**
  * Gyroscope bias: data (0x82,0x06).
  *
  * Estimated bias of the gyroscope.
- *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
  * - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -687,34 +642,14 @@ struct mip_filter_data_gyro_bias {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GYRO_BIAS 0x8206
-/** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR 0x06
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_GYRO_BIAS_NAME "filter_data.gyro_bias"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_gyro_bias_codec, 0x06, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_encode(
-    const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_gyro_bias_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_gyro_bias, 0x06);
 
 /**
  * Accelerometer bias: data (0x82,0x07).
  *
  * Estimated bias of the accelerometer.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
  */
@@ -728,34 +663,16 @@ struct mip_filter_data_accel_bias {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ACCEL_BIAS 0x8207
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR 0x07
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ACCEL_BIAS_NAME "filter_data.accel_bias"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_accel_bias_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_accel_bias_decode(struct mip_filter_data_accel_bias *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_accel_bias_codec, 0x07, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode(
-    const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_accel_bias_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_accel_bias, 0x07);
 
 /**
  * Position uncertainty: data (0x82,0x08).
  *
  * Standard deviation of the estimated position, in the NED frame.
  *
- * Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `position_llh_uncertainty`.
  *
  * - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
  */
@@ -779,35 +696,16 @@ struct mip_filter_data_llh_position_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY 0x8208
-/** Its descriptor. */
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR 0x08
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_NAME "filter_data.llh_position_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_llh_position_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_llh_position_uncertainty_decode(
-    struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_llh_position_uncertainty_codec, 0x08, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_encode(
-    const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_llh_position_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_llh_position_uncertainty, 0x08);
 
 /**
  * NED velocity uncertainty: data (0x82,0x09).
  *
  * Standard deviation of the estimated velocity in the NED frame.
  *
- * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `velocity_ned_uncertainty`.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
  */
@@ -831,35 +729,14 @@ struct mip_filter_data_ned_velocity_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY 0x8209
-/** Its descriptor. */
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x09
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_NAME "filter_data.ned_velocity_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode(
-    struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_ned_velocity_uncertainty_codec, 0x09, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode(
-    const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_ned_velocity_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_ned_velocity_uncertainty, 0x09);
 
 /**
  * Euler angles uncertainty: data (0x82,0x0A).
  *
  * Standard deviation of the estimated Euler angles.
- *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
  * degrees of pitch up or down.
@@ -887,35 +764,14 @@ struct mip_filter_data_euler_angles_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY 0x820A
-/** Its descriptor. */
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR 0x0A
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_NAME "filter_data.euler_angles_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_euler_angles_uncertainty_decode(
-    struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_euler_angles_uncertainty_codec, 0x0A, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_uncertainty_encode(
-    const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_euler_angles_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_euler_angles_uncertainty, 0x0A);
 
 /**
  * Gyroscope bias uncertainty: data (0x82,0x0B).
  *
  * Standard deviation of the estimated gyroscope bias.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
  * - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -930,35 +786,14 @@ struct mip_filter_data_gyro_bias_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY 0x820B
-/** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR 0x0B
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_NAME "filter_data.gyro_bias_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode(
-    struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_gyro_bias_uncertainty_codec, 0x0B, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode(
-    const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_gyro_bias_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_gyro_bias_uncertainty, 0x0B);
 
 /**
  * Accelerometer bias uncertainty: data (0x82,0x0C).
  *
  * Standard deviation of the estimated accelerometer bias.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
  */
@@ -972,35 +807,14 @@ struct mip_filter_data_accel_bias_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY 0x820C
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR 0x0C
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_NAME "filter_data.accel_bias_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_accel_bias_uncertainty_decode(
-    struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_accel_bias_uncertainty_codec, 0x0C, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encode(
-    const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_accel_bias_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_accel_bias_uncertainty, 0x0C);
 
 /**
  * Linear acceleration: data (0x82,0x0D).
  *
  * Rate of change of the velocity, with the effect of gravity removed.
- *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
  * - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -1016,35 +830,14 @@ struct mip_filter_data_linear_accel {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_LINEAR_ACCEL 0x820D
-/** Its descriptor. */
 #define MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR 0x0D
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_LINEAR_ACCEL_NAME "filter_data.linear_accel"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_linear_accel_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_linear_accel_decode(
-    struct mip_filter_data_linear_accel *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_linear_accel_codec, 0x0D, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode(
-    const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_linear_accel_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_linear_accel, 0x0D);
 
 /**
  * Compensated angular rate: data (0x82,0x0E).
  *
  * Angular rate with the estimated bias removed.
- *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
  * - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1060,35 +853,16 @@ struct mip_filter_data_comp_angular_rate {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE 0x820E
-/** Its descriptor. */
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR 0x0E
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_COMP_ANGULAR_RATE_NAME "filter_data.comp_angular_rate"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_comp_angular_rate_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_comp_angular_rate_decode(
-    struct mip_filter_data_comp_angular_rate *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_comp_angular_rate_codec, 0x0E, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode(
-    const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_comp_angular_rate_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_comp_angular_rate, 0x0E);
 
 /**
  * WGS84 local gravity magnitude: data (0x82,0x0F).
  *
  * Magnitude of gravity at the position of the device according to the WGS84 model.
  *
- * Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+ * Also called `wgs84_gravity_mag`.
  *
  * The model is valid up to an altitude of 20 km.
  *
@@ -1104,114 +878,69 @@ struct mip_filter_data_wgs84_gravity_magnitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE 0x820F
-/** Its descriptor. */
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR 0x0F
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_NAME "filter_data.wgs84_gravity_magnitude"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
-    struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_wgs84_gravity_magnitude_codec, 0x0F, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
-    const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_wgs84_gravity_magnitude_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_wgs84_gravity_magnitude, 0x0F);
 
 /**
  * Filter status: data (0x82,0x10).
  *
  * State, dynamics mode, condition and warnings of the filter.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * 7-series: state 1 is initialization, 2 vertical gyro, 3 AHRS, 4 full navigation. On the 3DM-CV7,
+ * normal operation is state 4, mode 1, flags 1 (stable).
  *
- * The meaning of all three values depends on the device.
- *
- * 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
- *
- * 5-series: bits 12 and 13 of the flags have other meanings in state `init` than while the filter
- * runs.
+ * 5-series and older: state 0 is start-up, 1 initialization, 2 a valid solution, 3 a solution with
+ * an error. Bits 12 and 13 of the flags have other meanings in state 1 than in states 2 and 3.
  *
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
  */
 struct mip_filter_data_status {
     /**
-     * Progress of the filter from start-up to its full solution. On the 3DM-CV5-15, 3DM-CV5-25,
-     * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
-     * 3DM-GX5-45: values of enum mip_filter_data_gx5_filter_state. Inferred: The 3DM-GX5-15 has
-     * them, and the SDK lists the same states for all generations up to the fifth. On the
-     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of enum
-     * mip_filter_data_cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists
-     * the same states for its generation. On the 3DM-CV7-GNSS/INS: values of enum
+     * Progress of the filter from start-up to its full solution. On the 3DM-CV5-15, -25,
+     * 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of enum
+     * mip_filter_data_gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the
+     * same states for all generations up to the fifth). On the 3DM-CV7-AHRS, -AR, -INS,
+     * 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values of enum
+     * mip_filter_data_cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists
+     * the same states for its generation). On the 3DM-CV7-GNSS/INS: values of enum
      * mip_filter_data_cv7_filter_state. On the 3DM-GX5-15: values of enum
      * mip_filter_data_gx5_filter_state.
      */
     uint16_t filter_state;
     /**
-     * Motion for which the filter is configured. On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15,
-     * 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values
-     * of enum mip_filter_data_gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK
-     * lists the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR,
-     * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-     * 3DM-GV7-AR and 3DM-GV7-INS: values of enum mip_filter_data_cv7_dynamics_mode. Inferred: The
-     * 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the
+     * Motion for which the filter is configured. On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45,
+     * 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of enum mip_filter_data_gx5_dynamics_mode
+     * (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up
+     * to the fifth). On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS,
+     * 3DM-GV7-AHRS, -AR and -INS: values of enum mip_filter_data_cv7_dynamics_mode (inferred: the
+     * 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the
      * 3DM-CV7-GNSS/INS: values of enum mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values
      * of enum mip_filter_data_gx5_dynamics_mode.
      */
     uint16_t dynamics_mode;
     /**
-     * Condition and warnings. On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
-     * mip_filter_data_gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the
-     * same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR,
-     * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-     * 3DM-GV7-AR and 3DM-GV7-INS: values of mip_filter_data_cv7_status_flags. Inferred: The
-     * 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the
-     * 3DM-CV7-GNSS/INS: values of mip_filter_data_cv7_status_flags. On the 3DM-GX5-15: values of
+     * Condition and warnings. On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45,
+     * 3DM-GX5-25 and -45: values of mip_filter_data_gx5_status_flags (inferred: the 3DM-GX5-15 has
+     * them, and the SDK lists the same states for all generations up to the fifth). On the
+     * 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and
+     * -INS: values of mip_filter_data_cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them,
+     * and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of
+     * mip_filter_data_cv7_status_flags. On the 3DM-GX5-15: values of
      * mip_filter_data_gx5_status_flags.
      */
     uint16_t status_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_STATUS 0x8210
-/** Its descriptor. */
 #define MIP_FILTER_DATA_STATUS_DESCRIPTOR 0x10
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_STATUS_NAME "filter_data.status"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_status_codec, 0x10, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_status_encode(
-    const struct mip_filter_data_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_status_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_status, 0x10);
 
 /**
  * Filter timestamp: data (0x82,0x11).
  *
  * GPS time of the filter data.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
  *
@@ -1237,34 +966,14 @@ struct mip_filter_data_timestamp {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_TIMESTAMP 0x8211
-/** Its descriptor. */
 #define MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR 0x11
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_TIMESTAMP_NAME "filter_data.timestamp"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_timestamp_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_timestamp *value,
-                                                         const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_timestamp_codec, 0x11, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_timestamp_encode(
-    const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_timestamp_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_timestamp, 0x11);
 
 /**
  * Quaternion uncertainty: data (0x82,0x12).
  *
  * Standard deviation of the elements of the estimated attitude quaternion.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
  * - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -1279,37 +988,14 @@ struct mip_filter_data_quaternion_attitude_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY 0x8212
-/** Its descriptor. */
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR 0x12
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_NAME \
-    "filter_data.quaternion_attitude_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode(
-    struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_quaternion_attitude_uncertainty_codec, 0x12, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
-    const struct mip_filter_data_quaternion_attitude_uncertainty *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_quaternion_attitude_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_quaternion_attitude_uncertainty, 0x12);
 
 /**
  * Gravity vector: data (0x82,0x13).
  *
  * Estimated gravity.
- *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
  * - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1318,42 +1004,21 @@ struct mip_filter_data_gravity_vector {
     /**
      * Gravity vector, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
      * and level: x 0, y 0, z 9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
-     * Uncertain: The sign, which no source states.
+     * Uncertain: No source states the sign.
      */
     float gravity[3];
     /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GRAVITY_VECTOR 0x8213
-/** Its descriptor. */
 #define MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR 0x13
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_GRAVITY_VECTOR_NAME "filter_data.gravity_vector"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_gravity_vector_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_gravity_vector_decode(
-    struct mip_filter_data_gravity_vector *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_gravity_vector_codec, 0x13, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode(
-    const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_gravity_vector_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_gravity_vector, 0x13);
 
 /**
  * Heading update source state: data (0x82,0x14).
  *
  * The last heading that updated the filter, and its source.
- *
- * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The valid bit means that the source provided data within the last 2 seconds.
  *
@@ -1361,8 +1026,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode(
  */
 struct mip_filter_data_heading_update_state {
     /**
-     * Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from
-     * above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Positive:
+     * clockwise seen from above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading;
     /**
@@ -1371,7 +1036,9 @@ struct mip_filter_data_heading_update_state {
      */
     float heading_uncertainty;
     /**
-     * Sources of the heading. On the 3DM-GX5-15: only
+     * Sources of the heading. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only
+     * MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and
+     * 3DM-GX5-25: only MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_MAG and
      * MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL.
      */
     mip_filter_data_heading_source_flags source;
@@ -1379,35 +1046,14 @@ struct mip_filter_data_heading_update_state {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE 0x8214
-/** Its descriptor. */
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR 0x14
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_HEADING_UPDATE_STATE_NAME "filter_data.heading_update_state"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_heading_update_state_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_heading_update_state_decode(
-    struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_heading_update_state_codec, 0x14, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode(
-    const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_heading_update_state_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_heading_update_state, 0x14);
 
 /**
  * Magnetic model: data (0x82,0x15).
  *
  * Magnetic field at the position of the device according to the World Magnetic Model.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -1430,48 +1076,31 @@ struct mip_filter_data_magnetic_model {
      */
     float intensity_down;
     /**
-     * Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to
-     * 1.5707963267948966. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Angle of the field below the horizontal plane. Unit: rad. Frame: ned. Range:
+     * -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float inclination;
     /**
-     * Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to
-     * 3.141592653589793. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive:
+     * magnetic north is east of true north. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
      */
     float declination;
     /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAGNETIC_MODEL 0x8215
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR 0x15
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MAGNETIC_MODEL_NAME "filter_data.magnetic_model"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_magnetic_model_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_magnetic_model_decode(
-    struct mip_filter_data_magnetic_model *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_magnetic_model_codec, 0x15, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_magnetic_model_encode(
-    const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_magnetic_model_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_magnetic_model, 0x15);
 
 /**
  * Gyroscope scale factor: data (0x82,0x16).
  *
  * Estimated scale factor of the gyroscope.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
  */
@@ -1485,35 +1114,16 @@ struct mip_filter_data_gyro_scale_factor {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR 0x8216
-/** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR 0x16
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_NAME "filter_data.gyro_scale_factor"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_gyro_scale_factor_decode(
-    struct mip_filter_data_gyro_scale_factor *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_gyro_scale_factor_codec, 0x16, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_encode(
-    const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_gyro_scale_factor_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_gyro_scale_factor, 0x16);
 
 /**
  * Accelerometer scale factor: data (0x82,0x17).
  *
  * Estimated scale factor of the accelerometer.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor (0x82,0x17)
  */
@@ -1527,35 +1137,16 @@ struct mip_filter_data_accel_scale_factor {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR 0x8217
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR 0x17
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_NAME "filter_data.accel_scale_factor"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_accel_scale_factor_decode(
-    struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_accel_scale_factor_codec, 0x17, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_encode(
-    const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_accel_scale_factor_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_accel_scale_factor, 0x17);
 
 /**
  * Gyroscope scale factor uncertainty: data (0x82,0x18).
  *
  * Standard deviation of the estimated scale factor of the gyroscope.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
  */
@@ -1569,37 +1160,16 @@ struct mip_filter_data_gyro_scale_factor_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY 0x8218
-/** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x18
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_NAME \
-    "filter_data.gyro_scale_factor_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
-    struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_gyro_scale_factor_uncertainty_codec, 0x18, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
-    const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_gyro_scale_factor_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_gyro_scale_factor_uncertainty, 0x18);
 
 /**
  * Accelerometer scale factor uncertainty: data (0x82,0x19).
  *
  * Standard deviation of the estimated scale factor of the accelerometer.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
  */
@@ -1613,37 +1183,16 @@ struct mip_filter_data_accel_scale_factor_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY 0x8219
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x19
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_NAME \
-    "filter_data.accel_scale_factor_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
-    struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_accel_scale_factor_uncertainty_codec, 0x19, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
-    const struct mip_filter_data_accel_scale_factor_uncertainty *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_accel_scale_factor_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_accel_scale_factor_uncertainty, 0x19);
 
 /**
  * Magnetometer bias: data (0x82,0x1A).
  *
  * Estimated bias of the magnetometer.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Mag Bias (0x82,0x1A)
  */
@@ -1657,34 +1206,16 @@ struct mip_filter_data_mag_bias {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_BIAS 0x821A
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR 0x1A
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MAG_BIAS_NAME "filter_data.mag_bias"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_mag_bias_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_mag_bias_codec, 0x1A, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_encode(
-    const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_mag_bias_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_mag_bias, 0x1A);
 
 /**
  * Magnetometer bias uncertainty: data (0x82,0x1B).
  *
  * Standard deviation of the estimated bias of the magnetometer.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
  */
@@ -1698,71 +1229,32 @@ struct mip_filter_data_mag_bias_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY 0x821B
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR 0x1B
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_NAME "filter_data.mag_bias_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_mag_bias_uncertainty_decode(
-    struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_mag_bias_uncertainty_codec, 0x1B, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
-    const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_mag_bias_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_mag_bias_uncertainty, 0x1B);
 
 /**
  * Compensated acceleration: data (0x82,0x1C).
  *
- * Acceleration with the estimated bias removed. It includes gravity.
- *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+ * Specific force with the estimated bias removed.
  *
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
  */
 struct mip_filter_data_comp_accel {
     /**
-     * Acceleration with the estimated bias removed; gravity is included. Elements: x, y, z. Unit:
-     * m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Specific force: acceleration minus gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle.
+     * At rest and level: x 0, y 0, z -9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
      */
     float accel[3];
     /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_COMP_ACCEL 0x821C
-/** Its descriptor. */
 #define MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR 0x1C
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_COMP_ACCEL_NAME "filter_data.comp_accel"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_comp_accel_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_comp_accel_codec, 0x1C, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode(
-    const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_comp_accel_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_comp_accel, 0x1C);
 
 /**
  * Standard atmosphere: data (0x82,0x20).
@@ -1805,35 +1297,16 @@ struct mip_filter_data_standard_atmosphere {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE 0x8220
-/** Its descriptor. */
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR 0x20
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_NAME "filter_data.standard_atmosphere"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_standard_atmosphere_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_standard_atmosphere_decode(
-    struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_standard_atmosphere_codec, 0x20, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode(
-    const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_standard_atmosphere_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_standard_atmosphere, 0x20);
 
 /**
  * Pressure altitude: data (0x82,0x21).
  *
  * Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Requires a pressure sensor.
  *
  * It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
  *
@@ -1850,28 +1323,9 @@ struct mip_filter_data_pressure_altitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE 0x8221
-/** Its descriptor. */
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR 0x21
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_PRESSURE_ALTITUDE_NAME "filter_data.pressure_altitude"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_pressure_altitude_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_pressure_altitude_decode(
-    struct mip_filter_data_pressure_altitude *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_pressure_altitude_codec, 0x21, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode(
-    const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_pressure_altitude_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_pressure_altitude, 0x21);
 
 /**
  * Density altitude: data (0x82,0x22).
@@ -1879,8 +1333,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode(
  * Density of the surrounding air, expressed as the altitude with the same density in the standard
  * atmosphere.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
- * lists only the name; the description is the usual meaning of the term.
+ * Known only from the MicroStrain MIP SDK. Uncertain: The SDK lists only the name; the description
+ * is the usual meaning of the term.
  *
  * - mip-sdk-4: Density altitude (0x82,0x22)
  */
@@ -1894,28 +1348,9 @@ struct mip_filter_data_density_altitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE 0x8222
-/** Its descriptor. */
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR 0x22
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_DENSITY_ALTITUDE_NAME "filter_data.density_altitude"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_density_altitude_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_density_altitude_decode(
-    struct mip_filter_data_density_altitude *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_density_altitude_codec, 0x22, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode(
-    const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_density_altitude_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_density_altitude, 0x22);
 
 /**
  * Magnetometer offset: data (0x82,0x25).
@@ -1923,7 +1358,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode(
  * Estimated hard iron offset of the magnetometer.
  *
  * No device is known for certain to support it. Also called `magnetometer_offset`. Known only from
- * the MicroStrain MIP SDK.
+ * the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * The filter adds it to the stored offset of mip_3dm_mag_hard_iron_offset.
  *
@@ -1939,27 +1374,9 @@ struct mip_filter_data_mag_offset {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_OFFSET 0x8225
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR 0x25
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MAG_OFFSET_NAME "filter_data.mag_offset"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_mag_offset_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_mag_offset_codec, 0x25, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode(
-    const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_mag_offset_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_mag_offset, 0x25);
 
 /**
  * Magnetometer matrix: data (0x82,0x26).
@@ -1967,7 +1384,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode(
  * Estimated soft iron matrix of the magnetometer.
  *
  * No device is known for certain to support it. Also called `magnetometer_matrix`. Known only from
- * the MicroStrain MIP SDK.
+ * the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by this matrix on the
  * right.
@@ -1984,27 +1401,9 @@ struct mip_filter_data_mag_matrix {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_MATRIX 0x8226
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR 0x26
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MAG_MATRIX_NAME "filter_data.mag_matrix"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_mag_matrix_codec, 0x26, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode(
-    const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_mag_matrix_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_mag_matrix, 0x26);
 
 /**
  * Magnetometer offset uncertainty: data (0x82,0x28).
@@ -2012,7 +1411,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode(
  * Standard deviation of the estimated hard iron offset.
  *
  * No device is known for certain to support it. Also called `magnetometer_offset_uncertainty`.
- * Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
  */
@@ -2026,28 +1425,9 @@ struct mip_filter_data_mag_offset_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY 0x8228
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR 0x28
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_NAME "filter_data.mag_offset_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_mag_offset_uncertainty_decode(
-    struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_mag_offset_uncertainty_codec, 0x28, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encode(
-    const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_mag_offset_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_mag_offset_uncertainty, 0x28);
 
 /**
  * Magnetometer matrix uncertainty: data (0x82,0x29).
@@ -2055,7 +1435,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encod
  * Standard deviation of the estimated soft iron matrix.
  *
  * No device is known for certain to support it. Also called `magnetometer_matrix_uncertainty`.
- * Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK. Requires a magnetometer.
  *
  * - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
  */
@@ -2070,80 +1450,42 @@ struct mip_filter_data_mag_matrix_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY 0x8229
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR 0x29
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_NAME "filter_data.mag_matrix_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode(
-    struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_mag_matrix_uncertainty_codec, 0x29, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode(
-    const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_mag_matrix_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_mag_matrix_uncertainty, 0x29);
 
 /**
  * Magnetometer covariance matrix: data (0x82,0x2A).
  *
  * Covariance of the magnetometer measurement.
  *
- * Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Also called `magnetometer_covariance_matrix`. Known only from the MicroStrain MIP SDK. Requires a
+ * magnetometer.
  *
  * - mip-sdk-4: Magnetometer covariance matrix (0x82,0x2A)
  */
 struct mip_filter_data_mag_covariance_matrix {
     /**
      * Covariance matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. Uncertain: The unit, which
-     * is likely gauss^2, and the frame.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. Uncertain: No source states
+     * the unit, which is likely gauss^2, or the frame.
      */
     float covariance[9];
     /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX 0x822A
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR 0x2A
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_NAME "filter_data.mag_covariance_matrix"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_mag_covariance_matrix_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_mag_covariance_matrix_decode(
-    struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_mag_covariance_matrix_codec, 0x2A, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode(
-    const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_mag_covariance_matrix_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_mag_covariance_matrix, 0x2A);
 
 /**
  * Magnetometer residual vector: data (0x82,0x2C).
  *
  * Residual of the magnetometer measurement.
  *
- * Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK.
+ * Also called `magnetometer_residual_vector`. Known only from the MicroStrain MIP SDK. Requires a
+ * magnetometer.
  *
  * - mip-sdk-4: Magnetometer residual vector (0x82,0x2C)
  */
@@ -2157,35 +1499,16 @@ struct mip_filter_data_mag_residual_vector {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR 0x822C
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR 0x2C
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_NAME "filter_data.mag_residual_vector"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_mag_residual_vector_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_mag_residual_vector_decode(
-    struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_mag_residual_vector_codec, 0x2C, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode(
-    const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_mag_residual_vector_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_mag_residual_vector, 0x2C);
 
 /**
  * Antenna offset correction: data (0x82,0x30).
  *
  * Estimated error of the GNSS antenna offset.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of mip_filter_antenna_offset.
  *
@@ -2201,35 +1524,16 @@ struct mip_filter_data_antenna_offset_correction {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION 0x8230
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x30
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_NAME "filter_data.antenna_offset_correction"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_antenna_offset_correction_decode(
-    struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_antenna_offset_correction_codec, 0x30, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_encode(
-    const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_antenna_offset_correction_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_antenna_offset_correction, 0x30);
 
 /**
  * Antenna offset correction uncertainty: data (0x82,0x31).
  *
  * Standard deviation of the estimated error of the GNSS antenna offset.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Antenna offset correction uncertainty (0x82,0x31)
  */
@@ -2243,38 +1547,16 @@ struct mip_filter_data_antenna_offset_correction_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY 0x8231
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x31
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
-    "filter_data.antenna_offset_correction_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
-    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_antenna_offset_correction_uncertainty_codec, 0x31,
-                           value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
-    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_antenna_offset_correction_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_antenna_offset_correction_uncertainty, 0x31);
 
 /**
  * Clock correction: data (0x82,0x32).
  *
  * Estimated clock error of one GNSS receiver.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Clock correction (0x82,0x32)
  */
@@ -2294,35 +1576,16 @@ struct mip_filter_data_clock_correction {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION 0x8232
-/** Its descriptor. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR 0x32
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_CLOCK_CORRECTION_NAME "filter_data.clock_correction"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_clock_correction_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_clock_correction_decode(
-    struct mip_filter_data_clock_correction *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_clock_correction_codec, 0x32, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode(
-    const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_clock_correction_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_clock_correction, 0x32);
 
 /**
  * Clock correction uncertainty: data (0x82,0x33).
  *
  * Standard deviation of the estimated clock error of one GNSS receiver.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Clock correction uncertainty (0x82,0x33)
  */
@@ -2343,35 +1606,16 @@ struct mip_filter_data_clock_correction_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY 0x8233
-/** Its descriptor. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x33
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_NAME "filter_data.clock_correction_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_clock_correction_uncertainty_decode(
-    struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_clock_correction_uncertainty_codec, 0x33, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty_encode(
-    const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_clock_correction_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_clock_correction_uncertainty, 0x33);
 
 /**
  * Multi-antenna offset correction: data (0x82,0x34).
  *
  * Estimated error of one GNSS antenna's offset.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Requires a receiver.
  *
  * The filter adds it to the stored offset.
  *
@@ -2389,30 +1633,9 @@ struct mip_filter_data_multi_antenna_offset_correction {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION 0x8234
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x34
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_NAME \
-    "filter_data.multi_antenna_offset_correction"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode(
-    struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_multi_antenna_offset_correction_codec, 0x34, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode(
-    const struct mip_filter_data_multi_antenna_offset_correction *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_multi_antenna_offset_correction_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_multi_antenna_offset_correction, 0x34);
 
 /**
  * Multi-antenna offset correction uncertainty: data (0x82,0x35).
@@ -2421,7 +1644,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correct
  *
  * Full name: filter_data.multi_antenna_offset_correction_uncertainty.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Requires a receiver.
  *
  * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
  */
@@ -2437,37 +1660,16 @@ struct mip_filter_data_multi_antenna_offset_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY 0x8235
-/** Its descriptor. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR 0x35
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_NAME \
-    "filter_data.multi_antenna_offset_correction_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode(
-    struct mip_filter_data_multi_antenna_offset_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_multi_antenna_offset_uncertainty_codec, 0x35, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode(
-    const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_multi_antenna_offset_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_multi_antenna_offset_uncertainty, 0x35);
 
 /**
  * ECEF position uncertainty: data (0x82,0x36).
  *
  * Standard deviation of the estimated position in Earth-fixed coordinates.
  *
- * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `ecef_pos_uncertainty`.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
  */
@@ -2481,35 +1683,16 @@ struct mip_filter_data_ecef_position_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY 0x8236
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR 0x36
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_NAME "filter_data.ecef_position_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_ecef_position_uncertainty_decode(
-    struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_ecef_position_uncertainty_codec, 0x36, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_encode(
-    const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_ecef_position_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_ecef_position_uncertainty, 0x36);
 
 /**
  * ECEF velocity uncertainty: data (0x82,0x37).
  *
  * Standard deviation of the estimated velocity in Earth-fixed coordinates.
  *
- * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `ecef_vel_uncertainty`.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
  */
@@ -2523,35 +1706,16 @@ struct mip_filter_data_ecef_velocity_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY 0x8237
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x37
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_NAME "filter_data.ecef_velocity_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
-    struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_ecef_velocity_uncertainty_codec, 0x37, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
-    const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_ecef_velocity_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_ecef_velocity_uncertainty, 0x37);
 
 /**
  * ECEF position: data (0x82,0x40).
  *
  * Estimated position in Earth-fixed coordinates.
  *
- * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `ecef_pos`.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
  */
@@ -2565,35 +1729,16 @@ struct mip_filter_data_ecef_position {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ECEF_POSITION 0x8240
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR 0x40
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ECEF_POSITION_NAME "filter_data.ecef_position"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_ecef_position_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_ecef_position_decode(
-    struct mip_filter_data_ecef_position *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_ecef_position_codec, 0x40, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode(
-    const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_ecef_position_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_ecef_position, 0x40);
 
 /**
  * ECEF velocity: data (0x82,0x41).
  *
  * Estimated velocity in Earth-fixed coordinates.
  *
- * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `ecef_vel`.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
  */
@@ -2607,35 +1752,16 @@ struct mip_filter_data_ecef_velocity {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY 0x8241
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR 0x41
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ECEF_VELOCITY_NAME "filter_data.ecef_velocity"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_ecef_velocity_decode(
-    struct mip_filter_data_ecef_velocity *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_ecef_velocity_codec, 0x41, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_encode(
-    const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_ecef_velocity_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_ecef_velocity, 0x41);
 
 /**
  * NED relative position: data (0x82,0x42).
  *
  * Estimated position relative to the point that mip_filter_relative_position_config sets.
  *
- * Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `rel_pos_ned`.
  *
  * - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
  */
@@ -2649,35 +1775,16 @@ struct mip_filter_data_ned_relative_position {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION 0x8242
-/** Its descriptor. */
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR 0x42
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_NED_RELATIVE_POSITION_NAME "filter_data.ned_relative_position"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_ned_relative_position_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_ned_relative_position_decode(
-    struct mip_filter_data_ned_relative_position *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_ned_relative_position_codec, 0x42, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode(
-    const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_ned_relative_position_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_ned_relative_position, 0x42);
 
 /**
  * GNSS position aiding status: data (0x82,0x43).
  *
  * Use of the position measurements of one GNSS receiver by the filter.
  *
- * Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `gnss_pos_aid_status`.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -2694,36 +1801,16 @@ struct mip_filter_data_gnss_position_aiding_status {
     uint8_t reserved[8];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS 0x8243
-/** Its descriptor. */
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR 0x43
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_NAME "filter_data.gnss_position_aiding_status"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_gnss_position_aiding_status_decode(
-    struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_gnss_position_aiding_status_codec, 0x43, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_encode(
-    const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_gnss_position_aiding_status_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_gnss_position_aiding_status, 0x43);
 
 /**
  * GNSS attitude aiding status: data (0x82,0x44).
  *
  * State of the attitude aiding by two GNSS antennas.
  *
- * Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK.
+ * Also called `gnss_att_aid_status`. Known only from the MicroStrain MIP SDK.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -2731,8 +1818,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_
  */
 struct mip_filter_data_gnss_attitude_aiding_status {
     /**
-     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
-     * Whether it is the time of the measurement or that of its processing.
+     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is
+     * not known whether this is the time of the measurement or that of its processing.
      */
     float tow;
     /** Use of the measurements. */
@@ -2741,36 +1828,16 @@ struct mip_filter_data_gnss_attitude_aiding_status {
     uint8_t reserved[8];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS 0x8244
-/** Its descriptor. */
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR 0x44
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_NAME "filter_data.gnss_attitude_aiding_status"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
-    struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_gnss_attitude_aiding_status_codec, 0x44, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
-    const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_gnss_attitude_aiding_status_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_gnss_attitude_aiding_status, 0x44);
 
 /**
  * Heading aiding status: data (0x82,0x45).
  *
  * The heading measurement that the filter used last.
  *
- * Also called `head_aid_status`. Not listed in any device profile. Known only from the MicroStrain
- * MIP SDK.
+ * Also called `head_aid_status`. Known only from the MicroStrain MIP SDK.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -2778,8 +1845,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_
  */
 struct mip_filter_data_heading_aiding_status {
     /**
-     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
-     * Whether it is the time of the measurement or that of its processing.
+     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is
+     * not known whether this is the time of the measurement or that of its processing.
      */
     float tow;
     /** Source of the heading. A value of enum mip_filter_data_heading_aiding_type. */
@@ -2788,35 +1855,14 @@ struct mip_filter_data_heading_aiding_status {
     float reserved[2];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS 0x8245
-/** Its descriptor. */
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR 0x45
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_HEADING_AIDING_STATUS_NAME "filter_data.heading_aiding_status"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_heading_aiding_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_heading_aiding_status_decode(
-    struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_heading_aiding_status_codec, 0x45, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode(
-    const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_heading_aiding_status_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_heading_aiding_status, 0x45);
 
 /**
  * Aiding measurement summary: data (0x82,0x46).
  *
  * Use of one kind of aiding measurement in the last measurement interval.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -2833,35 +1879,14 @@ struct mip_filter_data_aiding_measurement_summary {
     mip_filter_data_aiding_measurement_indicator indicator;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY 0x8246
-/** Its descriptor. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR 0x46
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_NAME "filter_data.aiding_measurement_summary"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_aiding_measurement_summary_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_aiding_measurement_summary_decode(
-    struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_aiding_measurement_summary_codec, 0x46, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_aiding_measurement_summary_encode(
-    const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_aiding_measurement_summary_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_aiding_measurement_summary, 0x46);
 
 /**
  * Odometer scale factor error: data (0x82,0x47).
  *
  * Estimated relative error of the odometer scale factor.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * Estimated scale factor = configured scale factor * (1 + error).
  *
@@ -2876,35 +1901,14 @@ struct mip_filter_data_odometer_scale_factor_error {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR 0x8247
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR 0x47
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_NAME "filter_data.odometer_scale_factor_error"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_decode(
-    struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_odometer_scale_factor_error_codec, 0x47, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_encode(
-    const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_odometer_scale_factor_error_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_odometer_scale_factor_error, 0x47);
 
 /**
  * Odometer scale factor error uncertainty: data (0x82,0x48).
  *
  * Uncertainty of the estimated error of the odometer scale factor.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
  */
@@ -2918,39 +1922,16 @@ struct mip_filter_data_odometer_scale_factor_error_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY 0x8248
-/** Its descriptor. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR 0x48
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_NAME \
-    "filter_data.odometer_scale_factor_error_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode(
-    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_odometer_scale_factor_error_uncertainty_codec, 0x48,
-                           value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
-    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_odometer_scale_factor_error_uncertainty_codec, value,
-                      builder);
-}
+MIP_FIELD(mip_filter_data_odometer_scale_factor_error_uncertainty, 0x48);
 
 /**
  * GNSS dual antenna status: data (0x82,0x49).
  *
  * Heading from two GNSS antennas.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Requires 2 antennas.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -2963,8 +1944,8 @@ struct mip_filter_data_gnss_dual_antenna_status {
      */
     float tow;
     /**
-     * Heading derived from the baseline of the antennas. Unit: rad. Positive: clockwise seen from
-     * above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Heading derived from the baseline of the antennas. Unit: rad. Frame: ned. Positive: clockwise
+     * seen from above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading;
     /**
@@ -2980,35 +1961,14 @@ struct mip_filter_data_gnss_dual_antenna_status {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS 0x8249
-/** Its descriptor. */
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR 0x49
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_NAME "filter_data.gnss_dual_antenna_status"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode(
-    struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_gnss_dual_antenna_status_codec, 0x49, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode(
-    const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_gnss_dual_antenna_status_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_gnss_dual_antenna_status, 0x49);
 
 /**
  * Aiding frame configuration error: data (0x82,0x50).
  *
  * Estimated error of a frame that mip_aiding_frame_config defines. The filter corrects for it.
- *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */
@@ -3021,35 +1981,14 @@ struct mip_filter_data_aiding_frame_config_error {
     float attitude[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR 0x8250
-/** Its descriptor. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR 0x50
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_NAME "filter_data.aiding_frame_config_error"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_decode(
-    struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_aiding_frame_config_error_codec, 0x50, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_encode(
-    const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_aiding_frame_config_error_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_aiding_frame_config_error, 0x50);
 
 /**
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *
  * Uncertainty of the error in mip_filter_data_aiding_frame_config_error.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */
@@ -3067,31 +2006,9 @@ struct mip_filter_data_aiding_frame_config_error_uncertainty {
     float attitude_uncertainty[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY 0x8251
-/** Its descriptor. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
-/** Its name in the specification. */
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_NAME \
-    "filter_data.aiding_frame_config_error_uncertainty"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
-    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
-    const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_aiding_frame_config_error_uncertainty_codec, 0x51,
-                           value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
-    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_aiding_frame_config_error_uncertainty_codec, value, builder);
-}
+MIP_FIELD(mip_filter_data_aiding_frame_config_error_uncertainty, 0x51);
 
 /** @} */
 

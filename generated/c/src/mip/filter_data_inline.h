@@ -16,14 +16,10 @@
 extern "C" {
 #endif
 
-/** Decodes filter_data.llh_position. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_llh_position_decode_inline(
     struct mip_filter_data_llh_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x01, 26);
-    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 26)) {
         return error;
     }
     mip_get_double(&value->latitude, field->data);
@@ -33,7 +29,6 @@ static inline mip_error mip_filter_data_llh_position_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.llh_position to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode_inline(
     const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -48,14 +43,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.ned_velocity. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_velocity_decode_inline(
     struct mip_filter_data_ned_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x02, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     mip_get_float(&value->north, field->data);
@@ -65,7 +56,6 @@ static inline mip_error mip_filter_data_ned_velocity_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.ned_velocity to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode_inline(
     const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -80,14 +70,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.attitude_quaternion. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_attitude_quaternion_decode_inline(
     struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x03, 18);
-    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 18)) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -97,7 +83,6 @@ static inline mip_error mip_filter_data_attitude_quaternion_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.attitude_quaternion to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
     const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -112,14 +97,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_attitude_quaternion_encode_i
     return MIP_OK;
 }
 
-/** Decodes filter_data.attitude_dcm. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_attitude_dcm_decode_inline(
     struct mip_filter_data_attitude_dcm *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x04, 38);
-    if (error != MIP_OK || sizeof(*value) != 38) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 38)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -129,7 +110,6 @@ static inline mip_error mip_filter_data_attitude_dcm_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.attitude_dcm to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
     const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -144,14 +124,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.euler_angles. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_euler_angles_decode_inline(
     struct mip_filter_data_euler_angles *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x05, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -161,7 +137,6 @@ static inline mip_error mip_filter_data_euler_angles_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.euler_angles to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_encode_inline(
     const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -176,14 +151,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.gyro_bias. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_bias_decode_inline(
     struct mip_filter_data_gyro_bias *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x06, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -193,7 +164,6 @@ static inline mip_error mip_filter_data_gyro_bias_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.gyro_bias to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_encode_inline(
     const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -208,14 +178,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.accel_bias. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_bias_decode_inline(
     struct mip_filter_data_accel_bias *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x07, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -225,7 +191,6 @@ static inline mip_error mip_filter_data_accel_bias_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.accel_bias to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode_inline(
     const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -240,14 +205,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.llh_position_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_llh_position_uncertainty_decode_inline(
     struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x08, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     mip_get_float(&value->north, field->data);
@@ -257,7 +218,6 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.llh_position_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
     const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -272,14 +232,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_enc
     return MIP_OK;
 }
 
-/** Decodes filter_data.ned_velocity_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode_inline(
     struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x09, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     mip_get_float(&value->north, field->data);
@@ -289,7 +245,6 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.ned_velocity_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
     const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -304,14 +259,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_uncertainty_enc
     return MIP_OK;
 }
 
-/** Decodes filter_data.euler_angles_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_euler_angles_uncertainty_decode_inline(
     struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0A, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -321,7 +272,6 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.euler_angles_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
     const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -336,14 +286,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_uncertainty_enc
     return MIP_OK;
 }
 
-/** Decodes filter_data.gyro_bias_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode_inline(
     struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0B, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -353,7 +299,6 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.gyro_bias_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
     const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -368,14 +313,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode
     return MIP_OK;
 }
 
-/** Decodes filter_data.accel_bias_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_bias_uncertainty_decode_inline(
     struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0C, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -385,7 +326,6 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.accel_bias_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
     const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -400,14 +340,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encod
     return MIP_OK;
 }
 
-/** Decodes filter_data.linear_accel. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_linear_accel_decode_inline(
     struct mip_filter_data_linear_accel *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0D, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -417,7 +353,6 @@ static inline mip_error mip_filter_data_linear_accel_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.linear_accel to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode_inline(
     const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -432,14 +367,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.comp_angular_rate. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_comp_angular_rate_decode_inline(
     struct mip_filter_data_comp_angular_rate *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0E, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -449,7 +380,6 @@ static inline mip_error mip_filter_data_comp_angular_rate_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.comp_angular_rate to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
     const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -464,14 +394,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode_inl
     return MIP_OK;
 }
 
-/** Decodes filter_data.wgs84_gravity_magnitude. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode_inline(
     struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0F, 6);
-    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 6)) {
         return error;
     }
     mip_get_float(&value->gravity_magnitude, field->data);
@@ -479,7 +405,6 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.wgs84_gravity_magnitude to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
     const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -492,14 +417,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_enco
     return MIP_OK;
 }
 
-/** Decodes filter_data.status. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_status_decode_inline(struct mip_filter_data_status *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x10, 6);
-    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 6)) {
         return error;
     }
     value->filter_state = mip_get_16(field->data);
@@ -508,7 +429,6 @@ static inline mip_error mip_filter_data_status_decode_inline(struct mip_filter_d
     return MIP_OK;
 }
 
-/** Adds filter_data.status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_status_encode_inline(
     const struct mip_filter_data_status *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -522,14 +442,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_status_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.timestamp. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_timestamp_decode_inline(
     struct mip_filter_data_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x11, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -538,7 +454,6 @@ static inline mip_error mip_filter_data_timestamp_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.timestamp to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_timestamp_encode_inline(
     const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -552,14 +467,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_timestamp_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.quaternion_attitude_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode_inline(
     struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x12, 18);
-    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 18)) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -569,8 +480,6 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode_i
     return MIP_OK;
 }
 
-/** Adds filter_data.quaternion_attitude_uncertainty to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_inline(
     const struct mip_filter_data_quaternion_attitude_uncertainty *value,
     struct mip_builder *builder) {
@@ -586,14 +495,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertai
     return MIP_OK;
 }
 
-/** Decodes filter_data.gravity_vector. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gravity_vector_decode_inline(
     struct mip_filter_data_gravity_vector *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x13, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -603,7 +508,6 @@ static inline mip_error mip_filter_data_gravity_vector_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.gravity_vector to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode_inline(
     const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -618,14 +522,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode_inline
     return MIP_OK;
 }
 
-/** Decodes filter_data.heading_update_state. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_heading_update_state_decode_inline(
     struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x14, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_float(&value->heading, field->data);
@@ -635,7 +535,6 @@ static inline mip_error mip_filter_data_heading_update_state_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.heading_update_state to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode_inline(
     const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -650,14 +549,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode_
     return MIP_OK;
 }
 
-/** Decodes filter_data.magnetic_model. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_magnetic_model_decode_inline(
     struct mip_filter_data_magnetic_model *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x15, 22);
-    if (error != MIP_OK || sizeof(*value) != 22) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 22)) {
         return error;
     }
     mip_get_float(&value->intensity_north, field->data);
@@ -669,7 +564,6 @@ static inline mip_error mip_filter_data_magnetic_model_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.magnetic_model to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_magnetic_model_encode_inline(
     const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -686,14 +580,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_magnetic_model_encode_inline
     return MIP_OK;
 }
 
-/** Decodes filter_data.gyro_scale_factor. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_scale_factor_decode_inline(
     struct mip_filter_data_gyro_scale_factor *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x16, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -703,7 +593,6 @@ static inline mip_error mip_filter_data_gyro_scale_factor_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.gyro_scale_factor to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
     const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -718,14 +607,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_encode_inl
     return MIP_OK;
 }
 
-/** Decodes filter_data.accel_scale_factor. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_scale_factor_decode_inline(
     struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x17, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -735,7 +620,6 @@ static inline mip_error mip_filter_data_accel_scale_factor_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.accel_scale_factor to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
     const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -750,14 +634,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_encode_in
     return MIP_OK;
 }
 
-/** Decodes filter_data.gyro_scale_factor_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode_inline(
     struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x18, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -767,8 +647,6 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode_inl
     return MIP_OK;
 }
 
-/** Adds filter_data.gyro_scale_factor_uncertainty to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inline(
     const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
@@ -784,14 +662,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_uncertaint
     return MIP_OK;
 }
 
-/** Decodes filter_data.accel_scale_factor_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode_inline(
     struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x19, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -801,8 +675,6 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode_in
     return MIP_OK;
 }
 
-/** Adds filter_data.accel_scale_factor_uncertainty to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_inline(
     const struct mip_filter_data_accel_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
@@ -818,14 +690,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertain
     return MIP_OK;
 }
 
-/** Decodes filter_data.mag_bias. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_bias_decode_inline(
     struct mip_filter_data_mag_bias *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x1A, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -835,7 +703,6 @@ static inline mip_error mip_filter_data_mag_bias_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.mag_bias to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_encode_inline(
     const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -850,14 +717,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.mag_bias_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_bias_uncertainty_decode_inline(
     struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x1B, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -867,7 +730,6 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.mag_bias_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
     const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -882,14 +744,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_
     return MIP_OK;
 }
 
-/** Decodes filter_data.comp_accel. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_comp_accel_decode_inline(
     struct mip_filter_data_comp_accel *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x1C, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -899,7 +757,6 @@ static inline mip_error mip_filter_data_comp_accel_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.comp_accel to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode_inline(
     const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -914,14 +771,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.standard_atmosphere. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_standard_atmosphere_decode_inline(
     struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x20, 22);
-    if (error != MIP_OK || sizeof(*value) != 22) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 22)) {
         return error;
     }
     mip_get_float(&value->geometric_altitude, field->data);
@@ -933,7 +786,6 @@ static inline mip_error mip_filter_data_standard_atmosphere_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.standard_atmosphere to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode_inline(
     const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -950,14 +802,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode_i
     return MIP_OK;
 }
 
-/** Decodes filter_data.pressure_altitude. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_pressure_altitude_decode_inline(
     struct mip_filter_data_pressure_altitude *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x21, 6);
-    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 6)) {
         return error;
     }
     mip_get_float(&value->pressure_altitude, field->data);
@@ -965,7 +813,6 @@ static inline mip_error mip_filter_data_pressure_altitude_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.pressure_altitude to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -978,14 +825,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode_inl
     return MIP_OK;
 }
 
-/** Decodes filter_data.density_altitude. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_density_altitude_decode_inline(
     struct mip_filter_data_density_altitude *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x22, 6);
-    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 6)) {
         return error;
     }
     mip_get_float(&value->density_altitude, field->data);
@@ -993,7 +836,6 @@ static inline mip_error mip_filter_data_density_altitude_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.density_altitude to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode_inline(
     const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1006,14 +848,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode_inli
     return MIP_OK;
 }
 
-/** Decodes filter_data.mag_offset. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_offset_decode_inline(
     struct mip_filter_data_mag_offset *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x25, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1023,7 +861,6 @@ static inline mip_error mip_filter_data_mag_offset_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.mag_offset to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode_inline(
     const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1038,14 +875,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.mag_matrix. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_matrix_decode_inline(
     struct mip_filter_data_mag_matrix *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x26, 38);
-    if (error != MIP_OK || sizeof(*value) != 38) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 38)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -1055,7 +888,6 @@ static inline mip_error mip_filter_data_mag_matrix_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.mag_matrix to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode_inline(
     const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1070,14 +902,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.mag_offset_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_offset_uncertainty_decode_inline(
     struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x28, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1087,7 +915,6 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.mag_offset_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
     const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1102,14 +929,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encod
     return MIP_OK;
 }
 
-/** Decodes filter_data.mag_matrix_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode_inline(
     struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x29, 38);
-    if (error != MIP_OK || sizeof(*value) != 38) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 38)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -1119,7 +942,6 @@ static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.mag_matrix_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
     const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1134,14 +956,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encod
     return MIP_OK;
 }
 
-/** Decodes filter_data.mag_covariance_matrix. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_covariance_matrix_decode_inline(
     struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x2A, 38);
-    if (error != MIP_OK || sizeof(*value) != 38) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 38)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -1151,7 +969,6 @@ static inline mip_error mip_filter_data_mag_covariance_matrix_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.mag_covariance_matrix to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
     const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1166,14 +983,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode
     return MIP_OK;
 }
 
-/** Decodes filter_data.mag_residual_vector. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_residual_vector_decode_inline(
     struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x2C, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1183,7 +996,6 @@ static inline mip_error mip_filter_data_mag_residual_vector_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.mag_residual_vector to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
     const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1198,14 +1010,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode_i
     return MIP_OK;
 }
 
-/** Decodes filter_data.antenna_offset_correction. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_antenna_offset_correction_decode_inline(
     struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x30, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1215,7 +1023,6 @@ static inline mip_error mip_filter_data_antenna_offset_correction_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.antenna_offset_correction to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
     const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1230,16 +1037,11 @@ MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_en
     return MIP_OK;
 }
 
-/** Decodes filter_data.antenna_offset_correction_uncertainty. On an error the structure is zeroed.
- */
 static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode_inline(
     struct mip_filter_data_antenna_offset_correction_uncertainty *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x31, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1249,8 +1051,6 @@ static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_de
     return MIP_OK;
 }
 
-/** Adds filter_data.antenna_offset_correction_uncertainty to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_data_antenna_offset_correction_uncertainty_encode_inline(
     const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
@@ -1267,14 +1067,10 @@ mip_filter_data_antenna_offset_correction_uncertainty_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.clock_correction. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_clock_correction_decode_inline(
     struct mip_filter_data_clock_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x32, 11);
-    if (error != MIP_OK || sizeof(*value) != 11) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 11)) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -1284,7 +1080,6 @@ static inline mip_error mip_filter_data_clock_correction_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.clock_correction to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode_inline(
     const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1299,14 +1094,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode_inli
     return MIP_OK;
 }
 
-/** Decodes filter_data.clock_correction_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_clock_correction_uncertainty_decode_inline(
     struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x33, 11);
-    if (error != MIP_OK || sizeof(*value) != 11) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 11)) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -1316,8 +1107,6 @@ static inline mip_error mip_filter_data_clock_correction_uncertainty_decode_inli
     return MIP_OK;
 }
 
-/** Adds filter_data.clock_correction_uncertainty to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inline(
     const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1332,14 +1121,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty
     return MIP_OK;
 }
 
-/** Decodes filter_data.multi_antenna_offset_correction. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode_inline(
     struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x34, 15);
-    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 15)) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -1350,8 +1135,6 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode_i
     return MIP_OK;
 }
 
-/** Adds filter_data.multi_antenna_offset_correction to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_inline(
     const struct mip_filter_data_multi_antenna_offset_correction *value,
     struct mip_builder *builder) {
@@ -1368,15 +1151,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correct
     return MIP_OK;
 }
 
-/** Decodes filter_data.multi_antenna_offset_correction_uncertainty. On an error the structure is
- * zeroed. */
 static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode_inline(
     struct mip_filter_data_multi_antenna_offset_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x35, 15);
-    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 15)) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -1387,8 +1165,6 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode_
     return MIP_OK;
 }
 
-/** Adds filter_data.multi_antenna_offset_correction_uncertainty to a packet. On an error the packet
- * is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_inline(
     const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
     struct mip_builder *builder) {
@@ -1405,14 +1181,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncerta
     return MIP_OK;
 }
 
-/** Decodes filter_data.ecef_position_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_position_uncertainty_decode_inline(
     struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x36, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1422,7 +1194,6 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.ecef_position_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
     const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1437,14 +1208,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_en
     return MIP_OK;
 }
 
-/** Decodes filter_data.ecef_velocity_uncertainty. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode_inline(
     struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x37, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1454,7 +1221,6 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.ecef_velocity_uncertainty to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
     const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1469,14 +1235,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_en
     return MIP_OK;
 }
 
-/** Decodes filter_data.ecef_position. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_position_decode_inline(
     struct mip_filter_data_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x40, 26);
-    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 26)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1486,7 +1248,6 @@ static inline mip_error mip_filter_data_ecef_position_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.ecef_position to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode_inline(
     const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1501,14 +1262,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.ecef_velocity. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_velocity_decode_inline(
     struct mip_filter_data_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x41, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1518,7 +1275,6 @@ static inline mip_error mip_filter_data_ecef_velocity_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.ecef_velocity to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
     const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1533,14 +1289,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.ned_relative_position. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_relative_position_decode_inline(
     struct mip_filter_data_ned_relative_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x42, 26);
-    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 26)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1550,7 +1302,6 @@ static inline mip_error mip_filter_data_ned_relative_position_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.ned_relative_position to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
     const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1565,14 +1316,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode
     return MIP_OK;
 }
 
-/** Decodes filter_data.gnss_position_aiding_status. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_position_aiding_status_decode_inline(
     struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x43, 15);
-    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 15)) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -1582,8 +1329,6 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_decode_inlin
     return MIP_OK;
 }
 
-/** Adds filter_data.gnss_position_aiding_status to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inline(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1598,14 +1343,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_
     return MIP_OK;
 }
 
-/** Decodes filter_data.gnss_attitude_aiding_status. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode_inline(
     struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x44, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 14)) {
         return error;
     }
     mip_get_float(&value->tow, field->data);
@@ -1614,8 +1355,6 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode_inlin
     return MIP_OK;
 }
 
-/** Adds filter_data.gnss_attitude_aiding_status to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inline(
     const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1629,14 +1368,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_
     return MIP_OK;
 }
 
-/** Decodes filter_data.heading_aiding_status. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_heading_aiding_status_decode_inline(
     struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x45, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 13)) {
         return error;
     }
     mip_get_float(&value->tow, field->data);
@@ -1647,7 +1382,6 @@ static inline mip_error mip_filter_data_heading_aiding_status_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.heading_aiding_status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
     const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1663,14 +1397,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode
     return MIP_OK;
 }
 
-/** Decodes filter_data.aiding_measurement_summary. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_measurement_summary_decode_inline(
     struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x46, 7);
-    if (error != MIP_OK || sizeof(*value) != 7) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 7)) {
         return error;
     }
     mip_get_float(&value->tow, field->data);
@@ -1680,7 +1410,6 @@ static inline mip_error mip_filter_data_aiding_measurement_summary_decode_inline
     return MIP_OK;
 }
 
-/** Adds filter_data.aiding_measurement_summary to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_aiding_measurement_summary_encode_inline(
     const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1695,14 +1424,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_measurement_summary_e
     return MIP_OK;
 }
 
-/** Decodes filter_data.odometer_scale_factor_error. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_odometer_scale_factor_error_decode_inline(
     struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x47, 6);
-    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 6)) {
         return error;
     }
     mip_get_float(&value->scale_factor_error, field->data);
@@ -1710,8 +1435,6 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_decode_inlin
     return MIP_OK;
 }
 
-/** Adds filter_data.odometer_scale_factor_error to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inline(
     const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1724,16 +1447,11 @@ MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_
     return MIP_OK;
 }
 
-/** Decodes filter_data.odometer_scale_factor_error_uncertainty. On an error the structure is
- * zeroed. */
 static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode_inline(
     struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x48, 6);
-    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 6)) {
         return error;
     }
     mip_get_float(&value->scale_factor_error_uncertainty, field->data);
@@ -1741,8 +1459,6 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_
     return MIP_OK;
 }
 
-/** Adds filter_data.odometer_scale_factor_error_uncertainty to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_data_odometer_scale_factor_error_uncertainty_encode_inline(
     const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
@@ -1757,14 +1473,10 @@ mip_filter_data_odometer_scale_factor_error_uncertainty_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter_data.gnss_dual_antenna_status. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode_inline(
     struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x49, 17);
-    if (error != MIP_OK || sizeof(*value) != 17) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 17)) {
         return error;
     }
     mip_get_float(&value->tow, field->data);
@@ -1776,7 +1488,6 @@ static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.gnss_dual_antenna_status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
     const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1793,14 +1504,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_enc
     return MIP_OK;
 }
 
-/** Decodes filter_data.aiding_frame_config_error. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_frame_config_error_decode_inline(
     struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x50, 29);
-    if (error != MIP_OK || sizeof(*value) != 29) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 29)) {
         return error;
     }
     value->frame_id = mip_get_8(field->data);
@@ -1813,7 +1520,6 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter_data.aiding_frame_config_error to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
     const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1831,16 +1537,11 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_en
     return MIP_OK;
 }
 
-/** Decodes filter_data.aiding_frame_config_error_uncertainty. On an error the structure is zeroed.
- */
 static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode_inline(
     struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x51, 25);
-    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 25)) {
         return error;
     }
     value->frame_id = mip_get_8(field->data);
@@ -1853,8 +1554,6 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_de
     return MIP_OK;
 }
 
-/** Adds filter_data.aiding_frame_config_error_uncertainty to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_data_aiding_frame_config_error_uncertainty_encode_inline(
     const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,

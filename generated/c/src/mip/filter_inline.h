@@ -16,14 +16,10 @@
 extern "C" {
 #endif
 
-/** Decodes filter.set_initial_attitude. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_attitude_decode_inline(
     struct mip_filter_set_initial_attitude *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x02, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -32,7 +28,6 @@ static inline mip_error mip_filter_set_initial_attitude_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.set_initial_attitude to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode_inline(
     const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -46,21 +41,16 @@ MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes filter.set_initial_heading. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_heading_decode_inline(
     struct mip_filter_set_initial_heading *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x03, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     mip_get_float(&value->heading, field->data);
     return MIP_OK;
 }
 
-/** Adds filter.set_initial_heading to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode_inline(
     const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -72,21 +62,16 @@ MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode_inline
     return MIP_OK;
 }
 
-/** Decodes filter.set_initial_attitude_from_imu. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_attitude_from_imu_decode_inline(
     struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x04, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     mip_get_float(&value->declination, field->data);
     return MIP_OK;
 }
 
-/** Adds filter.set_initial_attitude_from_imu to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode_inline(
     const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -98,21 +83,16 @@ MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_enc
     return MIP_OK;
 }
 
-/** Decodes filter.vehicle_dynamics_mode_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode_inline(
     struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x80, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->mode = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.vehicle_dynamics_mode_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
     const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -124,16 +104,11 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
     return MIP_OK;
 }
 
-/** Decodes filter.sensor_to_vehicle_rotation_euler_response. On an error the structure is zeroed.
- */
 static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode_inline(
     struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x81, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -142,8 +117,6 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_dec
     return MIP_OK;
 }
 
-/** Adds filter.sensor_to_vehicle_rotation_euler_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_sensor_to_vehicle_rotation_euler_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
@@ -159,14 +132,10 @@ mip_filter_sensor_to_vehicle_rotation_euler_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter.sensor_to_vehicle_offset_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode_inline(
     struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x82, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -175,8 +144,6 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode_inli
     return MIP_OK;
 }
 
-/** Adds filter.sensor_to_vehicle_offset_response to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -190,14 +157,10 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response
     return MIP_OK;
 }
 
-/** Decodes filter.antenna_offset_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_antenna_offset_response_decode_inline(
     struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x83, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -206,7 +169,6 @@ static inline mip_error mip_filter_antenna_offset_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.antenna_offset_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode_inline(
     const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -220,21 +182,16 @@ MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode_in
     return MIP_OK;
 }
 
-/** Decodes filter.estimation_control_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_estimation_control_response_decode_inline(
     struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x84, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->flags = mip_get_16(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.estimation_control_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encode_inline(
     const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -246,21 +203,16 @@ MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encod
     return MIP_OK;
 }
 
-/** Decodes filter.gnss_source_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_source_response_decode_inline(
     struct mip_filter_gnss_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x86, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->source = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.gnss_source_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode_inline(
     const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -272,14 +224,10 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes filter.external_gnss_update. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_gnss_update_decode_inline(
     struct mip_filter_external_gnss_update *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x16, 70);
-    if (error != MIP_OK || sizeof(*value) != 70) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 70)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -299,7 +247,6 @@ static inline mip_error mip_filter_external_gnss_update_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.external_gnss_update to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode_inline(
     const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -324,14 +271,10 @@ MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes filter.external_heading_update. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_heading_update_decode_inline(
     struct mip_filter_external_heading_update *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x17, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 9)) {
         return error;
     }
     mip_get_float(&value->heading, field->data);
@@ -340,7 +283,6 @@ static inline mip_error mip_filter_external_heading_update_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.external_heading_update to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode_inline(
     const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -354,21 +296,16 @@ MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode_in
     return MIP_OK;
 }
 
-/** Decodes filter.heading_source_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_heading_source_response_decode_inline(
     struct mip_filter_heading_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x87, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->source = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.heading_source_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode_inline(
     const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -380,22 +317,16 @@ MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode_in
     return MIP_OK;
 }
 
-/** Decodes filter.auto_initialization_control_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_initialization_control_response_decode_inline(
     struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x88, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.auto_initialization_control_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_response_encode_inline(
     const struct mip_filter_auto_initialization_control_response *value,
     struct mip_builder *builder) {
@@ -408,14 +339,10 @@ MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_respo
     return MIP_OK;
 }
 
-/** Decodes filter.accel_noise_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_noise_response_decode_inline(
     struct mip_filter_accel_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x89, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -424,7 +351,6 @@ static inline mip_error mip_filter_accel_noise_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.accel_noise_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode_inline(
     const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -438,14 +364,10 @@ MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes filter.gyro_noise_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_noise_response_decode_inline(
     struct mip_filter_gyro_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8A, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -454,7 +376,6 @@ static inline mip_error mip_filter_gyro_noise_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.gyro_noise_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode_inline(
     const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -468,14 +389,10 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode_inline
     return MIP_OK;
 }
 
-/** Decodes filter.accel_bias_model_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_bias_model_response_decode_inline(
     struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8B, 24);
-    if (error != MIP_OK || sizeof(*value) != 24) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 24)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -487,7 +404,6 @@ static inline mip_error mip_filter_accel_bias_model_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.accel_bias_model_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
     const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -504,14 +420,10 @@ MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode_
     return MIP_OK;
 }
 
-/** Decodes filter.gyro_bias_model_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_bias_model_response_decode_inline(
     struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8C, 24);
-    if (error != MIP_OK || sizeof(*value) != 24) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 24)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -523,7 +435,6 @@ static inline mip_error mip_filter_gyro_bias_model_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.gyro_bias_model_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
     const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -540,14 +451,10 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode_i
     return MIP_OK;
 }
 
-/** Decodes filter.auto_zupt_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_zupt_response_decode_inline(
     struct mip_filter_auto_zupt_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8D, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -555,7 +462,6 @@ static inline mip_error mip_filter_auto_zupt_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.auto_zupt_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode_inline(
     const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -568,14 +474,10 @@ MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter.external_heading_update_with_time. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_heading_update_with_time_decode_inline(
     struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x1F, 19);
-    if (error != MIP_OK || sizeof(*value) != 19) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 19)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -586,8 +488,6 @@ static inline mip_error mip_filter_external_heading_update_with_time_decode_inli
     return MIP_OK;
 }
 
-/** Adds filter.external_heading_update_with_time to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode_inline(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -603,14 +503,10 @@ MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time
     return MIP_OK;
 }
 
-/** Decodes filter.auto_angular_zupt_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_angular_zupt_response_decode_inline(
     struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8E, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -618,7 +514,6 @@ static inline mip_error mip_filter_auto_angular_zupt_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.auto_angular_zupt_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
     const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -631,21 +526,16 @@ MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode
     return MIP_OK;
 }
 
-/** Decodes filter.tare_orientation_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_tare_orientation_response_decode_inline(
     struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xA1, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->axes = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.tare_orientation_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode_inline(
     const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -657,14 +547,10 @@ MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode_
     return MIP_OK;
 }
 
-/** Decodes filter.reference_position_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_position_response_decode_inline(
     struct mip_filter_reference_position_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x90, 25);
-    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 25)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -674,7 +560,6 @@ static inline mip_error mip_filter_reference_position_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.reference_position_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encode_inline(
     const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -689,21 +574,16 @@ MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encod
     return MIP_OK;
 }
 
-/** Decodes filter.mag_capture_auto_calibration. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_capture_auto_calibration_decode_inline(
     struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x27, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->function = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.mag_capture_auto_calibration to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode_inline(
     const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -715,14 +595,10 @@ MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_enco
     return MIP_OK;
 }
 
-/** Decodes filter.gravity_noise_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gravity_noise_response_decode_inline(
     struct mip_filter_gravity_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x93, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -731,7 +607,6 @@ static inline mip_error mip_filter_gravity_noise_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.gravity_noise_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode_inline(
     const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -745,22 +620,16 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode_inl
     return MIP_OK;
 }
 
-/** Decodes filter.pressure_altitude_noise_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pressure_altitude_noise_response_decode_inline(
     struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x94, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     mip_get_float(&value->noise, field->data);
     return MIP_OK;
 }
 
-/** Adds filter.pressure_altitude_noise_response to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inline(
     const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -772,14 +641,10 @@ MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_
     return MIP_OK;
 }
 
-/** Decodes filter.hard_iron_offset_noise_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_hard_iron_offset_noise_response_decode_inline(
     struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x96, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -788,7 +653,6 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_decode_inline
     return MIP_OK;
 }
 
-/** Adds filter.hard_iron_offset_noise_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline(
     const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -802,14 +666,10 @@ MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_e
     return MIP_OK;
 }
 
-/** Decodes filter.soft_iron_matrix_noise_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode_inline(
     struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x97, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 36)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -818,7 +678,6 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode_inline
     return MIP_OK;
 }
 
-/** Adds filter.soft_iron_matrix_noise_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline(
     const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -832,21 +691,16 @@ MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_e
     return MIP_OK;
 }
 
-/** Decodes filter.enable_measurements_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_enable_measurements_response_decode_inline(
     struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB0, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->control = mip_get_16(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.enable_measurements_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_encode_inline(
     const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -858,14 +712,10 @@ MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_enco
     return MIP_OK;
 }
 
-/** Decodes filter.mag_noise_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_noise_response_decode_inline(
     struct mip_filter_mag_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB1, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -874,7 +724,6 @@ static inline mip_error mip_filter_mag_noise_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.mag_noise_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode_inline(
     const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -888,14 +737,10 @@ MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter.magnetic_declination_source_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_declination_source_response_decode_inline(
     struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB2, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -903,8 +748,6 @@ static inline mip_error mip_filter_magnetic_declination_source_response_decode_i
     return MIP_OK;
 }
 
-/** Adds filter.magnetic_declination_source_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_response_encode_inline(
     const struct mip_filter_magnetic_declination_source_response *value,
     struct mip_builder *builder) {
@@ -918,15 +761,10 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
     return MIP_OK;
 }
 
-/** Decodes filter.accel_magnitude_error_adaptive_measurement_response. On an error the structure is
- * zeroed. */
 static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode_inline(
     struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB3, 25);
-    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 25)) {
         return error;
     }
     value->adaptive_measurement = mip_get_8(field->data);
@@ -939,8 +777,6 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode_inli
     return MIP_OK;
 }
 
-/** Adds filter.accel_magnitude_error_adaptive_measurement_response to a packet. On an error the
- * packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inline(
     const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -958,15 +794,10 @@ MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response
     return MIP_OK;
 }
 
-/** Decodes filter.mag_magnitude_error_adaptive_measurement_response. On an error the structure is
- * zeroed. */
 static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode_inline(
     struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB4, 25);
-    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 25)) {
         return error;
     }
     value->adaptive_measurement = mip_get_8(field->data);
@@ -979,8 +810,6 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode_inline
     return MIP_OK;
 }
 
-/** Adds filter.mag_magnitude_error_adaptive_measurement_response to a packet. On an error the
- * packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline(
     const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -998,15 +827,10 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_e
     return MIP_OK;
 }
 
-/** Decodes filter.mag_dip_angle_error_adaptive_measurement_response. On an error the structure is
- * zeroed. */
 static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode_inline(
     struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB5, 17);
-    if (error != MIP_OK || sizeof(*value) != 17) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 17)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -1017,8 +841,6 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode_inline
     return MIP_OK;
 }
 
-/** Adds filter.mag_dip_angle_error_adaptive_measurement_response to a packet. On an error the
- * packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline(
     const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1034,21 +856,16 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_e
     return MIP_OK;
 }
 
-/** Decodes filter.altitude_aiding_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_altitude_aiding_response_decode_inline(
     struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB7, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->selector = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.altitude_aiding_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
     const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1060,21 +877,16 @@ MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode_i
     return MIP_OK;
 }
 
-/** Decodes filter.pitch_roll_aiding_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pitch_roll_aiding_response_decode_inline(
     struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBB, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->aiding = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.pitch_roll_aiding_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
     const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1086,14 +898,10 @@ MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode
     return MIP_OK;
 }
 
-/** Decodes filter.magnetic_inclination_source_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_inclination_source_response_decode_inline(
     struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBC, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -1101,8 +909,6 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_decode_i
     return MIP_OK;
 }
 
-/** Adds filter.magnetic_inclination_source_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_response_encode_inline(
     const struct mip_filter_magnetic_inclination_source_response *value,
     struct mip_builder *builder) {
@@ -1116,14 +922,10 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_respo
     return MIP_OK;
 }
 
-/** Decodes filter.magnetic_magnitude_source_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_magnitude_source_response_decode_inline(
     struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBD, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -1131,8 +933,6 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_decode_inl
     return MIP_OK;
 }
 
-/** Adds filter.magnetic_magnitude_source_response to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inline(
     const struct mip_filter_magnetic_magnitude_source_response *value,
     struct mip_builder *builder) {
@@ -1146,15 +946,11 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
     return MIP_OK;
 }
 
-/** Decodes filter.sensor_to_vehicle_rotation_dcm_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode_inline(
     struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBE, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 36)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -1163,8 +959,6 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decod
     return MIP_OK;
 }
 
-/** Adds filter.sensor_to_vehicle_rotation_dcm_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_sensor_to_vehicle_rotation_dcm_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
@@ -1180,15 +974,10 @@ mip_filter_sensor_to_vehicle_rotation_dcm_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter.sensor_to_vehicle_rotation_quaternion_response. On an error the structure is
- * zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode_inline(
     struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBF, 16);
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 16)) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -1197,8 +986,6 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode_
     return MIP_OK;
 }
 
-/** Adds filter.sensor_to_vehicle_rotation_quaternion_response to a packet. On an error the packet
- * is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
@@ -1213,14 +1000,10 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_resp
     return MIP_OK;
 }
 
-/** Decodes filter.aiding_measurement_enable_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_aiding_measurement_enable_response_decode_inline(
     struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD0, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 3)) {
         return error;
     }
     value->aiding_source = mip_get_16(field->data);
@@ -1228,8 +1011,6 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_decode_inl
     return MIP_OK;
 }
 
-/** Adds filter.aiding_measurement_enable_response to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inline(
     const struct mip_filter_aiding_measurement_enable_response *value,
     struct mip_builder *builder) {
@@ -1243,14 +1024,10 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_respons
     return MIP_OK;
 }
 
-/** Decodes filter.kinematic_constraint_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_kinematic_constraint_response_decode_inline(
     struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD1, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 3)) {
         return error;
     }
     value->accel_constraint = mip_get_8(field->data);
@@ -1259,7 +1036,6 @@ static inline mip_error mip_filter_kinematic_constraint_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.kinematic_constraint_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
     const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1273,14 +1049,10 @@ MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_enc
     return MIP_OK;
 }
 
-/** Decodes filter.initialization_config_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_initialization_config_response_decode_inline(
     struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD2, 40);
-    if (error != MIP_OK || sizeof(*value) != 40) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 40)) {
         return error;
     }
     value->wait_for_run_command = mip_get_8(field->data);
@@ -1299,7 +1071,6 @@ static inline mip_error mip_filter_initialization_config_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.initialization_config_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_encode_inline(
     const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1323,14 +1094,10 @@ MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_en
     return MIP_OK;
 }
 
-/** Decodes filter.adaptive_filter_options_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_adaptive_filter_options_response_decode_inline(
     struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD3, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 3)) {
         return error;
     }
     value->level = mip_get_8(field->data);
@@ -1338,8 +1105,6 @@ static inline mip_error mip_filter_adaptive_filter_options_response_decode_inlin
     return MIP_OK;
 }
 
-/** Adds filter.adaptive_filter_options_response to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_encode_inline(
     const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1352,14 +1117,10 @@ MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_
     return MIP_OK;
 }
 
-/** Decodes filter.multi_antenna_offset_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_multi_antenna_offset_response_decode_inline(
     struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD4, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 13)) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -1369,7 +1130,6 @@ static inline mip_error mip_filter_multi_antenna_offset_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.multi_antenna_offset_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
     const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1384,14 +1144,10 @@ MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_enc
     return MIP_OK;
 }
 
-/** Decodes filter.relative_position_config_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_relative_position_config_response_decode_inline(
     struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD5, 26);
-    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 26)) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -1402,8 +1158,6 @@ static inline mip_error mip_filter_relative_position_config_response_decode_inli
     return MIP_OK;
 }
 
-/** Adds filter.relative_position_config_response to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response_encode_inline(
     const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1419,14 +1173,10 @@ MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response
     return MIP_OK;
 }
 
-/** Decodes filter.reference_point_lever_arm_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_point_lever_arm_response_decode_inline(
     struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD6, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 13)) {
         return error;
     }
     value->reference_point = mip_get_8(field->data);
@@ -1436,8 +1186,6 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_decode_inl
     return MIP_OK;
 }
 
-/** Adds filter.reference_point_lever_arm_response to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inline(
     const struct mip_filter_reference_point_lever_arm_response *value,
     struct mip_builder *builder) {
@@ -1453,14 +1201,10 @@ MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_respons
     return MIP_OK;
 }
 
-/** Decodes filter.speed_measurement. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_measurement_decode_inline(
     struct mip_filter_speed_measurement *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x60, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 13)) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -1470,7 +1214,6 @@ static inline mip_error mip_filter_speed_measurement_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.speed_measurement to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode_inline(
     const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1485,14 +1228,10 @@ MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter.speed_lever_arm_response. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_lever_arm_response_decode_inline(
     struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE1, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 13)) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -1502,7 +1241,6 @@ static inline mip_error mip_filter_speed_lever_arm_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds filter.speed_lever_arm_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
     const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -1517,24 +1255,17 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode_i
     return MIP_OK;
 }
 
-/** Decodes filter.vertical_gyro_constraint_control_response. On an error the structure is zeroed.
- */
 static inline mip_error mip_filter_vertical_gyro_constraint_control_response_decode_inline(
     struct mip_filter_vertical_gyro_constraint_control_response *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE2, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.vertical_gyro_constraint_control_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_vertical_gyro_constraint_control_response_encode_inline(
     const struct mip_filter_vertical_gyro_constraint_control_response *value,
@@ -1548,24 +1279,17 @@ mip_filter_vertical_gyro_constraint_control_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter.wheeled_vehicle_constraint_control_response. On an error the structure is zeroed.
- */
 static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode_inline(
     struct mip_filter_wheeled_vehicle_constraint_control_response *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE3, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds filter.wheeled_vehicle_constraint_control_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_wheeled_vehicle_constraint_control_response_encode_inline(
     const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
@@ -1579,16 +1303,11 @@ mip_filter_wheeled_vehicle_constraint_control_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes filter.gnss_antenna_calibration_control_response. On an error the structure is zeroed.
- */
 static inline mip_error mip_filter_gnss_antenna_calibration_control_response_decode_inline(
     struct mip_filter_gnss_antenna_calibration_control_response *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE4, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -1596,8 +1315,6 @@ static inline mip_error mip_filter_gnss_antenna_calibration_control_response_dec
     return MIP_OK;
 }
 
-/** Adds filter.gnss_antenna_calibration_control_response to a packet. On an error the packet is
- * unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_gnss_antenna_calibration_control_response_encode_inline(
     const struct mip_filter_gnss_antenna_calibration_control_response *value,

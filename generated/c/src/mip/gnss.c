@@ -256,3 +256,24 @@ const struct mip_codec mip_gnss_spartn_config_response_codec = {
     0,
     program_spartn_config_response,
     &mip_program};
+
+static const uint8_t program_receiver_safe_mode[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_gnss_receiver_safe_mode, receiver_id)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_receiver_safe_mode_codec = {
+    0x0E,
+    0x60,
+    MIP_COMMAND,
+    2,
+    sizeof(struct mip_gnss_receiver_safe_mode),
+    0,
+    0,
+    program_receiver_safe_mode,
+    NULL};
+
+const struct mip_exchange mip_gnss_receiver_safe_mode_exchange = {0x0E, 0x60, 0, 0, NULL};
+
+const struct mip_command mip_gnss_receiver_safe_mode_command = {
+    &mip_gnss_receiver_safe_mode_codec, &mip_gnss_receiver_safe_mode_exchange, false};

@@ -3,7 +3,7 @@
  *
  * GNSS commands (0x0E). Commands that describe and set up the internal GNSS receivers.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_GNSS_H
 #define MIP_GNSS_H
@@ -94,7 +94,7 @@ enum mip_gnss_receiver_id MIP_ENUM_8 {
     MIP_GNSS_RECEIVER_ID_USER_RECEIVER_2 = 5
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_receiver_id_name(uint8_t value);
 
 /**
@@ -108,24 +108,24 @@ enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
     /** Restarts all software of the receiver. */
     MIP_GNSS_RECEIVER_RESET_TYPE_COLD = 2,
     /**
-     * Restarts the positioning engine only. Uncertain: The name. An earlier branch of the SDK calls
-     * 3 hot and 4 warm, with the same descriptions of the two numbers; GNSS receivers usually keep
-     * their satellite data in a hot start and lose it in a warm one.
+     * Restarts the positioning engine only. Uncertain: An earlier branch of the SDK calls 3 hot and
+     * 4 warm, with the same descriptions of the two numbers. GNSS receivers usually keep their
+     * satellite data in a hot start and lose it in a warm one.
      */
     MIP_GNSS_RECEIVER_RESET_TYPE_WARM = 3,
     /**
-     * Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The name,
-     * which an earlier branch of the SDK swaps with that of 3.
+     * Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: An
+     * earlier branch of the SDK swaps this name with that of 3.
      */
     MIP_GNSS_RECEIVER_RESET_TYPE_HOT = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_receiver_reset_type_name(uint8_t value);
 
 /**
  * Strategy for fixing the RTK carrier phase ambiguities to whole numbers. Uncertain: The
- * descriptions of `conservative` and `moderate`, which are inferred from the names.
+ * descriptions of `conservative` and `moderate` are inferred from their names.
  *
  * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
  */
@@ -140,7 +140,7 @@ enum mip_gnss_ambiguity_fix_mode MIP_ENUM_8 {
     MIP_GNSS_AMBIGUITY_FIX_MODE_AGGRESSIVE = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value);
 
 /** Channel that delivers SPARTN corrections. */
@@ -153,7 +153,7 @@ enum mip_gnss_spartn_connection MIP_ENUM_8 {
     MIP_GNSS_SPARTN_CONNECTION_L_BAND = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_spartn_connection_name(uint8_t value);
 
 /**
@@ -161,7 +161,7 @@ MIP_API const char *mip_gnss_spartn_connection_name(uint8_t value);
  *
  * Gets the GNSS receivers of the device.
  *
- * Response: mip_gnss_receiver_info_response. Supported by 3DM-CV7-GNSS/INS.
+ * Response: mip_gnss_receiver_info_response.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -170,32 +170,14 @@ struct mip_gnss_receiver_info {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RECEIVER_INFO 0x0E01
-/** Its descriptor. */
 #define MIP_GNSS_RECEIVER_INFO_DESCRIPTOR 0x01
-/** Its name in the specification. */
-#define MIP_GNSS_RECEIVER_INFO_NAME "gnss.receiver_info"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_receiver_info_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_receiver_info_codec, 0x01, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_receiver_info_encode(
-    const struct mip_gnss_receiver_info *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_receiver_info_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_receiver_info, 0x01);
 
 /**
  * Receiver info response: response (0x0E,0x81).
  *
- * Response to mip_gnss_receiver_info. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_gnss_receiver_info.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -206,28 +188,9 @@ struct mip_gnss_receiver_info_response {
     struct mip_gnss_receiver_info_entry receiver_info[7];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE 0x0E81
-/** Its descriptor. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR 0x81
-/** Its name in the specification. */
-#define MIP_GNSS_RECEIVER_INFO_RESPONSE_NAME "gnss.receiver_info_response"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_receiver_info_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_receiver_info_response_decode(
-    struct mip_gnss_receiver_info_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_receiver_info_response_codec, 0x81, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
-    const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_receiver_info_response_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_receiver_info_response, 0x81);
 
 /**
  * Signal configuration: command (0x0E,0x02).
@@ -235,9 +198,8 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
  * Selects the GNSS signals that the device uses.
  *
  * Also called `signal_configuration`. Functions: write, read, save, load and default. Response:
- * mip_gnss_signal_config_response. Probably changes mip_gnss_data_fix_info,
- * mip_gnss_data_satellite_status and mip_gnss_data_raw. Supported by 3DM-CV7-GNSS/INS. On the
- * 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * mip_gnss_signal_config_response. Probably affects mip_gnss_data_fix_info,
+ * mip_gnss_data_satellite_status and mip_gnss_data_raw. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * A device accepts only certain combinations.
  *
@@ -248,10 +210,7 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
  * - 3dm-cv7-gnss-ins: GNSS
  */
 struct mip_gnss_signal_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -267,36 +226,15 @@ struct mip_gnss_signal_config {
     uint8_t reserved[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_SIGNAL_CONFIG 0x0E02
-/** Its descriptor. */
 #define MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR 0x02
-/** Its name in the specification. */
-#define MIP_GNSS_SIGNAL_CONFIG_NAME "gnss.signal_config"
+MIP_FIELD(mip_gnss_signal_config, 0x02);
+MIP_FILL(mip_gnss_signal_config, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_gnss_signal_config, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_gnss_signal_config, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_gnss_signal_config, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_signal_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_signal_config_codec, 0x02, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_signal_config_encode(
-    const struct mip_gnss_signal_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_signal_config_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - gps_enable: GPS signals. Required for write.
- * - glonass_enable: GLONASS signals. Required for write.
- * - galileo_enable: Galileo signals. Required for write.
- * - beidou_enable: BeiDou signals. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     struct mip_gnss_signal_config *command, mip_gnss_gps_signals gps_enable,
     mip_gnss_glonass_signals glonass_enable, mip_gnss_galileo_signals galileo_enable,
@@ -310,43 +248,10 @@ static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_gnss_signal_config *
-mip_gnss_signal_config_read(struct mip_gnss_signal_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_gnss_signal_config *
-mip_gnss_signal_config_save(struct mip_gnss_signal_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_gnss_signal_config *
-mip_gnss_signal_config_load(struct mip_gnss_signal_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_gnss_signal_config *
-mip_gnss_signal_config_default(struct mip_gnss_signal_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Signal configuration response: response (0x0E,0x82).
  *
- * Also called `signal_configuration_response`. Response to mip_gnss_signal_config. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `signal_configuration_response`. Response to mip_gnss_signal_config.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
@@ -364,27 +269,16 @@ struct mip_gnss_signal_config_response {
     uint8_t reserved[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE 0x0E82
-/** Its descriptor. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR 0x82
-/** Its name in the specification. */
-#define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_NAME "gnss.signal_config_response"
+MIP_FIELD(mip_gnss_signal_config_response, 0x82);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_signal_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_signal_config_response_decode(
-    struct mip_gnss_signal_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_signal_config_response_codec, 0x82, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode(
-    const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_signal_config_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_gnss_signal_config *
+mip_gnss_signal_config_write_from(struct mip_gnss_signal_config *command,
+                                  const struct mip_gnss_signal_config_response *response) {
+    return mip_gnss_signal_config_write(command, response->gps_enable, response->glonass_enable,
+                                        response->galileo_enable, response->beidou_enable);
 }
 
 /**
@@ -392,8 +286,7 @@ MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode(
  *
  * Resets a GNSS receiver of the device.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
- * devices support it. The SDK does not name any.
+ * Known only from the MicroStrain MIP SDK. Uncertain: The SDK names no device that supports it.
  *
  * Only internal receivers can be reset.
  *
@@ -408,34 +301,11 @@ struct mip_gnss_receiver_reset {
     uint8_t reset_type;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RECEIVER_RESET 0x0E03
-/** Its descriptor. */
 #define MIP_GNSS_RECEIVER_RESET_DESCRIPTOR 0x03
-/** Its name in the specification. */
-#define MIP_GNSS_RECEIVER_RESET_NAME "gnss.receiver_reset"
+MIP_FIELD(mip_gnss_receiver_reset, 0x03);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_receiver_reset_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_receiver_reset_decode(struct mip_gnss_receiver_reset *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_receiver_reset_codec, 0x03, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode(
-    const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_receiver_reset_codec, value, builder);
-}
-
-/**
- * Receiver reset. Fills the structure and returns its address.
- *
- * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
- * - reset_type: Extent of the restart. A value of enum mip_gnss_receiver_reset_type.
- */
+/** Fills the structure, and returns it. */
 static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
     struct mip_gnss_receiver_reset *command, enum mip_gnss_receiver_id receiver_id,
     enum mip_gnss_receiver_reset_type reset_type) {
@@ -451,20 +321,17 @@ static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
  * Sets how readily the device fixes the ambiguities of an RTK solution.
  *
  * Also called `rtk_configuration`. Functions: write, read, save, load and default. Response:
- * mip_gnss_rtk_config_response. Probably changes mip_gnss_data_fix_info and
- * mip_gnss_data_llh_position. Not listed in any device profile. Known only from the MicroStrain MIP
- * SDK. Uncertain: Which devices support it. Users of the vendor's ROS driver report it as
- * experimental on the 3DM-GQ7, which accepts `conservative` only.
+ * mip_gnss_rtk_config_response. Probably affects mip_gnss_data_fix_info and
+ * mip_gnss_data_llh_position. Known only from the MicroStrain MIP SDK. Uncertain: No source lists
+ * the devices that support it. Users of the vendor's ROS driver report it as experimental on the
+ * 3DM-GQ7, which accepts `conservative` only.
  *
  * The available modes differ by device.
  *
  * - mip-sdk-4: RTK configuration (0x0E,0x04)
  */
 struct mip_gnss_rtk_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -477,71 +344,20 @@ struct mip_gnss_rtk_config {
     uint8_t reserved[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RTK_CONFIG 0x0E04
-/** Its descriptor. */
 #define MIP_GNSS_RTK_CONFIG_DESCRIPTOR 0x04
-/** Its name in the specification. */
-#define MIP_GNSS_RTK_CONFIG_NAME "gnss.rtk_config"
+MIP_FIELD(mip_gnss_rtk_config, 0x04);
+MIP_FILL(mip_gnss_rtk_config, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_gnss_rtk_config, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_gnss_rtk_config, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_gnss_rtk_config, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_rtk_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_rtk_config_decode(struct mip_gnss_rtk_config *value,
-                                                   const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_rtk_config_codec, 0x04, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_rtk_config_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - ambiguity_fix_mode: Strategy for fixing ambiguities. A value of enum
- *   mip_gnss_ambiguity_fix_mode. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_gnss_rtk_config *mip_gnss_rtk_config_write(
     struct mip_gnss_rtk_config *command, enum mip_gnss_ambiguity_fix_mode ambiguity_fix_mode) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->ambiguity_fix_mode = (uint8_t)ambiguity_fix_mode;
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_gnss_rtk_config *
-mip_gnss_rtk_config_read(struct mip_gnss_rtk_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_gnss_rtk_config *
-mip_gnss_rtk_config_save(struct mip_gnss_rtk_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_gnss_rtk_config *
-mip_gnss_rtk_config_load(struct mip_gnss_rtk_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_gnss_rtk_config *
-mip_gnss_rtk_config_default(struct mip_gnss_rtk_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -560,26 +376,15 @@ struct mip_gnss_rtk_config_response {
     uint8_t reserved[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RTK_CONFIG_RESPONSE 0x0E84
-/** Its descriptor. */
 #define MIP_GNSS_RTK_CONFIG_RESPONSE_DESCRIPTOR 0x84
-/** Its name in the specification. */
-#define MIP_GNSS_RTK_CONFIG_RESPONSE_NAME "gnss.rtk_config_response"
+MIP_FIELD(mip_gnss_rtk_config_response, 0x84);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_rtk_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_rtk_config_response_decode(
-    struct mip_gnss_rtk_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_rtk_config_response_codec, 0x84, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
-    const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_rtk_config_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_gnss_rtk_config *mip_gnss_rtk_config_write_from(
+    struct mip_gnss_rtk_config *command, const struct mip_gnss_rtk_config_response *response) {
+    return mip_gnss_rtk_config_write(
+        command, (enum mip_gnss_ambiguity_fix_mode)response->ambiguity_fix_mode);
 }
 
 /**
@@ -589,88 +394,37 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
  *
  * No device is known for certain to support it. Also called `rtk_dongle_configuration`. Functions:
  * write, read, save, load and default. Response: mip_gnss_rtk_dongle_config_response. Probably
- * changes mip_gnss_data_rtk_corrections_status. Known only from the MicroStrain MIP SDK.
+ * affects mip_gnss_data_rtk_corrections_status. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */
 struct mip_gnss_rtk_dongle_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Reserved: send 0. Required for write. Uncertain: What to send; 0 is assumed. */
+    /**
+     * Reserved: send 0. Required for write. Uncertain: No source states what to send; 0 is assumed.
+     */
     uint8_t reserved[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG 0x0E10
-/** Its descriptor. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR 0x10
-/** Its name in the specification. */
-#define MIP_GNSS_RTK_DONGLE_CONFIG_NAME "gnss.rtk_dongle_config"
+MIP_FIELD(mip_gnss_rtk_dongle_config, 0x10);
+MIP_FILL(mip_gnss_rtk_dongle_config, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_gnss_rtk_dongle_config, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_gnss_rtk_dongle_config, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_gnss_rtk_dongle_config, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_rtk_dongle_config_codec, 0x10, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_encode(
-    const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->enable = enable;
-    return command;
-}
-
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_gnss_rtk_dongle_config *
-mip_gnss_rtk_dongle_config_read(struct mip_gnss_rtk_dongle_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_gnss_rtk_dongle_config *
-mip_gnss_rtk_dongle_config_save(struct mip_gnss_rtk_dongle_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_gnss_rtk_dongle_config *
-mip_gnss_rtk_dongle_config_load(struct mip_gnss_rtk_dongle_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_gnss_rtk_dongle_config *
-mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
 
@@ -685,31 +439,19 @@ mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
 struct mip_gnss_rtk_dongle_config_response {
     /** 1 enables the dongle, 0 disables it. Range: 0 to 1. */
     uint8_t enable;
-    /** Reserved. Uncertain: What to send; 0 is assumed. */
+    /** Reserved. Uncertain: No source states what to send; 0 is assumed. */
     uint8_t reserved[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE 0x0E90
-/** Its descriptor. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_NAME "gnss.rtk_dongle_config_response"
+MIP_FIELD(mip_gnss_rtk_dongle_config_response, 0x90);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_rtk_dongle_config_response_decode(
-    struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_rtk_dongle_config_response_codec, 0x90, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
-    const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_rtk_dongle_config_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_gnss_rtk_dongle_config *
+mip_gnss_rtk_dongle_config_write_from(struct mip_gnss_rtk_dongle_config *command,
+                                      const struct mip_gnss_rtk_dongle_config_response *response) {
+    return mip_gnss_rtk_dongle_config_write(command, response->enable);
 }
 
 /**
@@ -718,9 +460,9 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
  * Sets the source and the keys of SPARTN corrections.
  *
  * Also called `spartn_configuration`. Functions: write, read, save, load and default. Response:
- * mip_gnss_spartn_config_response. Probably changes mip_gnss_data_rtk_corrections_status. Supported
- * by 3DM-CV7-GNSS/INS. Uncertain: Whether the device accepts upper and lower case. The section on
- * UART uses the digits 0-9 and A-F, the description of the command uses "bc" for 0xBC.
+ * mip_gnss_spartn_config_response. Probably affects mip_gnss_data_rtk_corrections_status.
+ * Uncertain: The device may not accept lower case: the section on UART uses the digits 0-9 and A-F,
+ * the description of the command uses "bc" for 0xBC.
  *
  * A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any
  * time.
@@ -734,10 +476,7 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
  * - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
  */
 struct mip_gnss_spartn_config {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -761,44 +500,15 @@ struct mip_gnss_spartn_config {
     uint8_t next_key[32];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_SPARTN_CONFIG 0x0E20
-/** Its descriptor. */
 #define MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR 0x20
-/** Its name in the specification. */
-#define MIP_GNSS_SPARTN_CONFIG_NAME "gnss.spartn_config"
+MIP_FIELD(mip_gnss_spartn_config, 0x20);
+MIP_FILL(mip_gnss_spartn_config, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_gnss_spartn_config, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_gnss_spartn_config, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_gnss_spartn_config, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_spartn_config_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_spartn_config_codec, 0x20, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_spartn_config_encode(
-    const struct mip_gnss_spartn_config *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
- * - type: Channel of the corrections. A value of enum mip_gnss_spartn_connection. Required for
- *   write.
- * - current_key_tow: GPS time of week until which the current key is valid. Unit: s. Required for
- *   write.
- * - current_key_week: GPS week number until which the current key is valid. Unit: week. Required
- *   for write.
- * - current_key: Current key in ASCII digits. Required for write.
- * - next_key_tow: GPS time of week until which the next key is valid. Unit: s. Required for write.
- * - next_key_week: GPS week number until which the next key is valid. Unit: week. Required for
- *   write.
- * - next_key: Next key in ASCII digits. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     struct mip_gnss_spartn_config *command, uint8_t enable, enum mip_gnss_spartn_connection type,
     uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],
@@ -816,43 +526,10 @@ static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_gnss_spartn_config *
-mip_gnss_spartn_config_read(struct mip_gnss_spartn_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_gnss_spartn_config *
-mip_gnss_spartn_config_save(struct mip_gnss_spartn_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_gnss_spartn_config *
-mip_gnss_spartn_config_load(struct mip_gnss_spartn_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_gnss_spartn_config *
-mip_gnss_spartn_config_default(struct mip_gnss_spartn_config *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * SPARTN configuration response: response (0x0E,0xA0).
  *
- * Also called `spartn_configuration_response`. Response to mip_gnss_spartn_config. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `spartn_configuration_response`. Response to mip_gnss_spartn_config.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -877,27 +554,50 @@ struct mip_gnss_spartn_config_response {
     uint8_t next_key[32];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE 0x0EA0
-/** Its descriptor. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR 0xA0
-/** Its name in the specification. */
-#define MIP_GNSS_SPARTN_CONFIG_RESPONSE_NAME "gnss.spartn_config_response"
+MIP_FIELD(mip_gnss_spartn_config_response, 0xA0);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_spartn_config_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_spartn_config_response_decode(
-    struct mip_gnss_spartn_config_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_spartn_config_response_codec, 0xA0, value, sizeof(*value),
-                           field);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_gnss_spartn_config *
+mip_gnss_spartn_config_write_from(struct mip_gnss_spartn_config *command,
+                                  const struct mip_gnss_spartn_config_response *response) {
+    return mip_gnss_spartn_config_write(
+        command, response->enable, (enum mip_gnss_spartn_connection)response->type,
+        response->current_key_tow, response->current_key_week, response->current_key,
+        response->next_key_tow, response->next_key_week, response->next_key);
 }
 
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode(
-    const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_spartn_config_response_codec, value, builder);
+/**
+ * Receiver safe mode: command (0x0E,0x60).
+ *
+ * Switches the safe mode of one receiver on or off. In safe mode, it sends no valid data.
+ *
+ * Affects MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the MicroStrain MIP SDK,
+ * versions 1 to 3. Uncertain: The layout is that of version 1.0.0 of the SDK; later versions do not
+ * have it. Uncertain: No source lists the devices that support it.
+ *
+ * - mip-sdk-3: Receiver Safe Mode (0x0E,0x60), tag v1.0.0
+ */
+struct mip_gnss_receiver_safe_mode {
+    /** Number of the receiver, from 1. Range: at least 1. */
+    uint8_t receiver_id;
+    /** 1 switches safe mode on, 0 off. Range: 0 to 1. */
+    uint8_t enable;
+};
+
+#define MIP_GNSS_RECEIVER_SAFE_MODE 0x0E60
+#define MIP_GNSS_RECEIVER_SAFE_MODE_DESCRIPTOR 0x60
+MIP_FIELD(mip_gnss_receiver_safe_mode, 0x60);
+
+/** Fills the structure, and returns it. */
+static inline struct mip_gnss_receiver_safe_mode *mip_gnss_receiver_safe_mode_make(
+    struct mip_gnss_receiver_safe_mode *command, uint8_t receiver_id, uint8_t enable) {
+    memset(command, 0, sizeof(*command));
+    command->receiver_id = receiver_id;
+    command->enable = enable;
+    return command;
 }
 
 /** @} */

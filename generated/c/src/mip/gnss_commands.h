@@ -19,16 +19,9 @@ extern "C" {
 /** @addtogroup mip_gnss GNSS commands (0x0E)
  * @{ */
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_gnss_receiver_info_command;
+MIP_COMMAND_REPLIES(mip_gnss_receiver_info);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_gnss_receiver_info_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Receiver info. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Receiver info: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_gnss_receiver_info(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_gnss_receiver_info_response *response, uint32_t now) {
@@ -36,7 +29,7 @@ static inline mip_error mip_send_gnss_receiver_info(
                            &mip_gnss_receiver_info_response_codec, response, now);
 }
 
-/** Receiver info. See mip_device_call. */
+/** Receiver info. */
 static inline struct mip_result mip_call_gnss_receiver_info(
     struct mip_device *device, struct mip_gnss_receiver_info_response *response) {
     return mip_device_request(device, &mip_gnss_receiver_info_exchange,
@@ -44,26 +37,19 @@ static inline struct mip_result mip_call_gnss_receiver_info(
                               &mip_gnss_receiver_info_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_gnss_signal_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_gnss_signal_config_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Signal configuration. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_gnss_signal_config(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_gnss_signal_config *command, struct mip_gnss_signal_config_response *response,
-    uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_gnss_signal_config_command, command,
-                           &mip_gnss_signal_config_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_gnss_signal_config);
+MIP_SEND(mip_send_gnss_signal_config, mip_gnss_signal_config, mip_gnss_signal_config_response);
+MIP_CALL_FOR(mip_call_gnss_signal_config_read, mip_gnss_signal_config, MIP_FUNCTION_SELECTOR_READ,
+             mip_gnss_signal_config_response);
+MIP_CALL(mip_call_gnss_signal_config_save, mip_gnss_signal_config, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_gnss_signal_config_load, mip_gnss_signal_config, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_gnss_signal_config_default, mip_gnss_signal_config,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_gnss_signal_config_with, mip_gnss_signal_config,
+              mip_gnss_signal_config_response);
 
 /**
- * Signal configuration: write. Apply the new setting. See mip_device_call.
+ * Signal configuration: write.
  *
  * - gps_enable: GPS signals. Required for write.
  * - glonass_enable: GLONASS signals. Required for write.
@@ -81,56 +67,9 @@ static inline struct mip_result mip_call_gnss_signal_config_write(
                            NULL, NULL);
 }
 
-/** Signal configuration: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_signal_config_read(
-    struct mip_device *device, struct mip_gnss_signal_config_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_gnss_signal_config_exchange, data, 1,
-                              &mip_gnss_signal_config_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_gnss_receiver_reset);
 
-/**
- * Signal configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_gnss_signal_config_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1);
-}
-
-/** Signal configuration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_signal_config_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1);
-}
-
-/** Signal configuration: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_signal_config_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1);
-}
-
-/**
- * Signal configuration: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_gnss_signal_config_with(
-    struct mip_device *device, const struct mip_gnss_signal_config *command,
-    struct mip_gnss_signal_config_response *response) {
-    return mip_device_call(device, &mip_gnss_signal_config_command, command,
-                           &mip_gnss_signal_config_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_gnss_receiver_reset_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_gnss_receiver_reset_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Receiver reset. */
+/** Receiver reset: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_gnss_receiver_reset(struct mip_client *client,
                                                      struct mip_request *request,
                                                      struct mip_builder *packet,
@@ -141,7 +80,7 @@ static inline mip_error mip_send_gnss_receiver_reset(struct mip_client *client,
 }
 
 /**
- * Receiver reset. See mip_device_call.
+ * Receiver reset.
  *
  * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
  * - reset_type: Extent of the restart. A value of enum mip_gnss_receiver_reset_type.
@@ -149,43 +88,27 @@ static inline mip_error mip_send_gnss_receiver_reset(struct mip_client *client,
 static inline struct mip_result
 mip_call_gnss_receiver_reset(struct mip_device *device, enum mip_gnss_receiver_id receiver_id,
                              enum mip_gnss_receiver_reset_type reset_type) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)receiver_id);
-    mip_put_8(data + 1, (uint8_t)reset_type);
+    const uint8_t data[] = {(uint8_t)receiver_id, (uint8_t)reset_type};
     return mip_device_send(device, &mip_gnss_receiver_reset_exchange, data, 2);
 }
 
-/**
- * Receiver reset: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Receiver reset, with these values, including optional parameters. */
 static inline struct mip_result mip_call_gnss_receiver_reset_with(
     struct mip_device *device, const struct mip_gnss_receiver_reset *command) {
     return mip_device_call(device, &mip_gnss_receiver_reset_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_gnss_rtk_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_gnss_rtk_config_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. RTK configuration. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_gnss_rtk_config(struct mip_client *client,
-                                                 struct mip_request *request,
-                                                 struct mip_builder *packet,
-                                                 const struct mip_gnss_rtk_config *command,
-                                                 struct mip_gnss_rtk_config_response *response,
-                                                 uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_gnss_rtk_config_command, command,
-                           &mip_gnss_rtk_config_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_gnss_rtk_config);
+MIP_SEND(mip_send_gnss_rtk_config, mip_gnss_rtk_config, mip_gnss_rtk_config_response);
+MIP_CALL_FOR(mip_call_gnss_rtk_config_read, mip_gnss_rtk_config, MIP_FUNCTION_SELECTOR_READ,
+             mip_gnss_rtk_config_response);
+MIP_CALL(mip_call_gnss_rtk_config_save, mip_gnss_rtk_config, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_gnss_rtk_config_load, mip_gnss_rtk_config, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_gnss_rtk_config_default, mip_gnss_rtk_config, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_gnss_rtk_config_with, mip_gnss_rtk_config, mip_gnss_rtk_config_response);
 
 /**
- * RTK configuration: write. Apply the new setting. See mip_device_call.
+ * RTK configuration: write.
  *
  * - ambiguity_fix_mode: Strategy for fixing ambiguities. A value of enum
  *   mip_gnss_ambiguity_fix_mode. Required for write.
@@ -197,69 +120,22 @@ static inline struct mip_result mip_call_gnss_rtk_config_write(
                            mip_gnss_rtk_config_write(&command, ambiguity_fix_mode), NULL, NULL);
 }
 
-/** RTK configuration: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_rtk_config_read(
-    struct mip_device *device, struct mip_gnss_rtk_config_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_gnss_rtk_config_exchange, data, 1,
-                              &mip_gnss_rtk_config_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_gnss_rtk_dongle_config);
+MIP_SEND(mip_send_gnss_rtk_dongle_config, mip_gnss_rtk_dongle_config,
+         mip_gnss_rtk_dongle_config_response);
+MIP_CALL_FOR(mip_call_gnss_rtk_dongle_config_read, mip_gnss_rtk_dongle_config,
+             MIP_FUNCTION_SELECTOR_READ, mip_gnss_rtk_dongle_config_response);
+MIP_CALL(mip_call_gnss_rtk_dongle_config_save, mip_gnss_rtk_dongle_config,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_gnss_rtk_dongle_config_load, mip_gnss_rtk_dongle_config,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_gnss_rtk_dongle_config_default, mip_gnss_rtk_dongle_config,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_gnss_rtk_dongle_config_with, mip_gnss_rtk_dongle_config,
+              mip_gnss_rtk_dongle_config_response);
 
 /**
- * RTK configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_gnss_rtk_config_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1);
-}
-
-/** RTK configuration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_rtk_config_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1);
-}
-
-/** RTK configuration: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_rtk_config_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1);
-}
-
-/**
- * RTK configuration: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result
-mip_call_gnss_rtk_config_with(struct mip_device *device, const struct mip_gnss_rtk_config *command,
-                              struct mip_gnss_rtk_config_response *response) {
-    return mip_device_call(device, &mip_gnss_rtk_config_command, command,
-                           &mip_gnss_rtk_config_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_gnss_rtk_dongle_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_gnss_rtk_dongle_config_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. RTK dongle configuration.
- * If the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_gnss_rtk_dongle_config(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_gnss_rtk_dongle_config *command,
-    struct mip_gnss_rtk_dongle_config_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_gnss_rtk_dongle_config_command, command,
-                           &mip_gnss_rtk_dongle_config_response_codec, response, now);
-}
-
-/**
- * RTK dongle configuration: write. Apply the new setting. See mip_device_call.
+ * RTK dongle configuration: write.
  *
  * - enable: 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write.
  */
@@ -270,72 +146,19 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_write(struct mip
                            mip_gnss_rtk_dongle_config_write(&command, enable), NULL, NULL);
 }
 
-/**
- * RTK dongle configuration: read. Return the current setting in a response. See mip_device_call.
- */
-static inline struct mip_result mip_call_gnss_rtk_dongle_config_read(
-    struct mip_device *device, struct mip_gnss_rtk_dongle_config_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_gnss_rtk_dongle_config_exchange, data, 1,
-                              &mip_gnss_rtk_dongle_config_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_gnss_spartn_config);
+MIP_SEND(mip_send_gnss_spartn_config, mip_gnss_spartn_config, mip_gnss_spartn_config_response);
+MIP_CALL_FOR(mip_call_gnss_spartn_config_read, mip_gnss_spartn_config, MIP_FUNCTION_SELECTOR_READ,
+             mip_gnss_spartn_config_response);
+MIP_CALL(mip_call_gnss_spartn_config_save, mip_gnss_spartn_config, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_gnss_spartn_config_load, mip_gnss_spartn_config, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_gnss_spartn_config_default, mip_gnss_spartn_config,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_gnss_spartn_config_with, mip_gnss_spartn_config,
+              mip_gnss_spartn_config_response);
 
 /**
- * RTK dongle configuration: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_gnss_rtk_dongle_config_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1);
-}
-
-/** RTK dongle configuration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_rtk_dongle_config_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1);
-}
-
-/** RTK dongle configuration: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_rtk_dongle_config_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1);
-}
-
-/**
- * RTK dongle configuration: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_gnss_rtk_dongle_config_with(
-    struct mip_device *device, const struct mip_gnss_rtk_dongle_config *command,
-    struct mip_gnss_rtk_dongle_config_response *response) {
-    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command, command,
-                           &mip_gnss_rtk_dongle_config_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_gnss_spartn_config_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_gnss_spartn_config_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. SPARTN configuration. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_gnss_spartn_config(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_gnss_spartn_config *command, struct mip_gnss_spartn_config_response *response,
-    uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_gnss_spartn_config_command, command,
-                           &mip_gnss_spartn_config_response_codec, response, now);
-}
-
-/**
- * SPARTN configuration: write. Apply the new setting. See mip_device_call.
+ * SPARTN configuration: write.
  *
  * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
  * - type: Channel of the corrections. A value of enum mip_gnss_spartn_connection. Required for
@@ -371,47 +194,33 @@ static inline struct mip_result mip_call_gnss_spartn_config_write(
     return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 79);
 }
 
-/** SPARTN configuration: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_spartn_config_read(
-    struct mip_device *device, struct mip_gnss_spartn_config_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_gnss_spartn_config_exchange, data, 1,
-                              &mip_gnss_spartn_config_response_codec, response);
+MIP_COMMAND_REPLIES(mip_gnss_receiver_safe_mode);
+
+/** Receiver safe mode: adds the command to a packet. See mip_client_send. */
+static inline mip_error mip_send_gnss_receiver_safe_mode(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_gnss_receiver_safe_mode *command, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_gnss_receiver_safe_mode_command, command,
+                           NULL, NULL, now);
 }
 
 /**
- * SPARTN configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Receiver safe mode.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ * - enable: 1 switches safe mode on, 0 off. Range: 0 to 1.
  */
-static inline struct mip_result mip_call_gnss_spartn_config_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1);
+static inline struct mip_result mip_call_gnss_receiver_safe_mode(struct mip_device *device,
+                                                                 uint8_t receiver_id,
+                                                                 uint8_t enable) {
+    const uint8_t data[] = {(uint8_t)receiver_id, (uint8_t)enable};
+    return mip_device_send(device, &mip_gnss_receiver_safe_mode_exchange, data, 2);
 }
 
-/** SPARTN configuration: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_spartn_config_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1);
-}
-
-/** SPARTN configuration: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_gnss_spartn_config_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1);
-}
-
-/**
- * SPARTN configuration: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_gnss_spartn_config_with(
-    struct mip_device *device, const struct mip_gnss_spartn_config *command,
-    struct mip_gnss_spartn_config_response *response) {
-    return mip_device_call(device, &mip_gnss_spartn_config_command, command,
-                           &mip_gnss_spartn_config_response_codec, response);
+/** Receiver safe mode, with these values, including optional parameters. */
+static inline struct mip_result mip_call_gnss_receiver_safe_mode_with(
+    struct mip_device *device, const struct mip_gnss_receiver_safe_mode *command) {
+    return mip_device_call(device, &mip_gnss_receiver_safe_mode_command, command, NULL, NULL);
 }
 
 /** @} */

@@ -13,10 +13,18 @@ namespace mip {
 
 MIP_COMMAND_OF(mip_gnss_receiver_info, ::mip::gnss::receiver_info_response)
 MIP_COMMAND_OF(mip_gnss_signal_config, ::mip::gnss::signal_config_response)
+MIP_CHANGE_OF(mip_gnss_signal_config, ::mip::gnss::signal_config_response,
+              mip_gnss_signal_config_write_from)
 MIP_COMMAND_OF(mip_gnss_receiver_reset, void)
 MIP_COMMAND_OF(mip_gnss_rtk_config, ::mip::gnss::rtk_config_response)
+MIP_CHANGE_OF(mip_gnss_rtk_config, ::mip::gnss::rtk_config_response, mip_gnss_rtk_config_write_from)
 MIP_COMMAND_OF(mip_gnss_rtk_dongle_config, ::mip::gnss::rtk_dongle_config_response)
+MIP_CHANGE_OF(mip_gnss_rtk_dongle_config, ::mip::gnss::rtk_dongle_config_response,
+              mip_gnss_rtk_dongle_config_write_from)
 MIP_COMMAND_OF(mip_gnss_spartn_config, ::mip::gnss::spartn_config_response)
+MIP_CHANGE_OF(mip_gnss_spartn_config, ::mip::gnss::spartn_config_response,
+              mip_gnss_spartn_config_write_from)
+MIP_COMMAND_OF(mip_gnss_receiver_safe_mode, void)
 
 namespace gnss {
 
@@ -185,6 +193,21 @@ struct load_spartn_config
 /** SPARTN configuration: default. See mip_call_gnss_spartn_config_default. */
 struct default_spartn_config
     : fixed_command<::mip_gnss_spartn_config, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+
+/** Receiver safe mode. See mip_call_gnss_receiver_safe_mode. */
+struct receiver_safe_mode {
+    uint8_t receiver_id;
+    uint8_t enable;
+
+    using command = ::mip_gnss_receiver_safe_mode;
+    using response = void;
+    mip_result call(mip_device *device_) const {
+        return ::mip_call_gnss_receiver_safe_mode(device_, receiver_id, enable);
+    }
+    const command *fill(command *to_) const {
+        return ::mip_gnss_receiver_safe_mode_make(to_, receiver_id, enable);
+    }
+};
 
 /** @} */
 

@@ -2,10 +2,10 @@
  * @file
  *
  * GNSS data. Measurements and status of GNSS receivers. Each receiver has a descriptor set; all
- * have the same fields. Uncertain: Which devices send the fields that no manual lists for a set.
- * The SDK lists the same fields for all GNSS data sets.
+ * have the same fields. Uncertain: Some devices may not send a field in every set: the SDK lists
+ * the same fields for all GNSS data sets, the manuals fewer.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_GNSS_DATA_H
 #define MIP_GNSS_DATA_H
@@ -51,7 +51,7 @@ extern "C" {
 #define MIP_GNSS_EXTERNAL_SET 0x94
 /**
  * Descriptor set: External GNSS data 2. Data that a second external GNSS receiver sends to the
- * device. Uncertain: The name. It is from a page on the 3DM-CV7-INS that the vendor published for
+ * device. Uncertain: The name is from a page on the 3DM-CV7-INS that the vendor published for
  * trial; the SDK calls the set GNSS 5.
  */
 #define MIP_GNSS_EXTERNAL_2_SET 0x95
@@ -131,7 +131,9 @@ typedef uint16_t mip_gnss_data_utc_time_flags;
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
 /** Bit 1. The leap seconds between GPS time and UTC are known. */
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
-/** Bits 0 to 1. All values are valid. Overlaps other bits. */
+/**
+ * Bits 0 to 1. Date and time come from GNSS, and the leap seconds are known. Overlaps other bits.
+ */
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_FLAGS 0x0003U
 
 /** Validity flags for the time. */
@@ -206,7 +208,7 @@ enum mip_gnss_data_receiver_state MIP_ENUM_8 {
     MIP_GNSS_DATA_RECEIVER_STATE_UNKNOWN = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_receiver_state_name(uint8_t value);
 
 /** Electrical condition of a GNSS antenna. */
@@ -223,7 +225,7 @@ enum mip_gnss_data_antenna_state MIP_ENUM_8 {
     MIP_GNSS_DATA_ANTENNA_STATE_UNKNOWN = 5
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_antenna_state_name(uint8_t value);
 
 /** State of the antenna's power supply. */
@@ -236,7 +238,7 @@ enum mip_gnss_data_antenna_power MIP_ENUM_8 {
     MIP_GNSS_DATA_ANTENNA_POWER_UNKNOWN = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_antenna_power_name(uint8_t value);
 
 /** Validity flags for the hardware status. */
@@ -308,7 +310,7 @@ enum mip_gnss_data_sbas_system MIP_ENUM_8 {
     MIP_GNSS_DATA_SBAS_SYSTEM_GAGAN = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_sbas_system_name(uint8_t value);
 
 /** Services of an SBAS system. */
@@ -362,7 +364,7 @@ enum mip_gnss_data_rf_band MIP_ENUM_8 {
     MIP_GNSS_DATA_RF_BAND_L5 = 5
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_rf_band_name(uint8_t value);
 
 /** Severity of jamming. */
@@ -377,7 +379,7 @@ enum mip_gnss_data_jamming_state MIP_ENUM_8 {
     MIP_GNSS_DATA_JAMMING_STATE_SIGNIFICANT = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_jamming_state_name(uint8_t value);
 
 /** Severity of spoofing. */
@@ -392,7 +394,7 @@ enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
     MIP_GNSS_DATA_SPOOFING_STATE_SIGNIFICANT = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_spoofing_state_name(uint8_t value);
 
 /** Validity flags for the detection. */
@@ -418,7 +420,7 @@ enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
     MIP_GNSS_DATA_HEADING_FIX_TYPE_FIXED = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_heading_fix_type_name(uint8_t value);
 
 /** Validity flags for the heading. */
@@ -467,7 +469,7 @@ enum mip_gnss_data_signal_quality MIP_ENUM_8 {
     MIP_GNSS_DATA_SIGNAL_QUALITY_FULLY_LOCKED = 5
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_signal_quality_name(uint8_t value);
 
 /** Validity flags for the observation. */
@@ -595,7 +597,10 @@ typedef uint16_t mip_gnss_data_ephemeris_flags;
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_MODERN_DATA 0x0002U
 /** Bit 2. `isc_l2c` is the correction for L5, not for L2. */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_ISC_L5 0x0004U
-/** Bits 0 to 2. All values are valid. Overlaps other bits. */
+/**
+ * Bits 0 to 2. The ephemeris is valid, with modernized data and the correction for L5. Overlaps
+ * other bits.
+ */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_FLAGS 0x0007U
 
 /** Generation of a GLONASS satellite. */
@@ -606,7 +611,7 @@ enum mip_gnss_data_glonass_satellite_type MIP_ENUM_8 {
     MIP_GNSS_DATA_GLONASS_SATELLITE_TYPE_GLONASS_M = 1
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value);
 
 /** Validity of the ephemeris. */
@@ -663,8 +668,7 @@ typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
  * GNSS position as latitude, longitude and height.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_llh`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_llh`.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -705,27 +709,9 @@ struct mip_gnss_data_llh_position {
     mip_gnss_data_llh_position_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_LLH_POSITION(descriptor_set) MIP_KEY(descriptor_set, 0x03)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_LLH_POSITION_DESCRIPTOR 0x03
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_LLH_POSITION_NAME "gnss_data.llh_position"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_llh_position_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_llh_position_decode(struct mip_gnss_data_llh_position *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_llh_position_codec, 0x03, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode(
-    const struct mip_gnss_data_llh_position *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_llh_position_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_llh_position, 0x03);
 
 /**
  * GNSS ECEF position: data 0x04.
@@ -733,8 +719,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode(
  * GNSS position in Earth-fixed coordinates.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_ecef`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_ecef`.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
@@ -754,27 +739,9 @@ struct mip_gnss_data_ecef_position {
     mip_gnss_data_ecef_position_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_ECEF_POSITION(descriptor_set) MIP_KEY(descriptor_set, 0x04)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_ECEF_POSITION_DESCRIPTOR 0x04
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_ECEF_POSITION_NAME "gnss_data.ecef_position"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_ecef_position_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_ecef_position_decode(
-    struct mip_gnss_data_ecef_position *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_ecef_position_codec, 0x04, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode(
-    const struct mip_gnss_data_ecef_position *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_ecef_position_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_ecef_position, 0x04);
 
 /**
  * NED velocity: data 0x05.
@@ -782,8 +749,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode(
  * GNSS velocity in the local level frame.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ned`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ned`.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
  * - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -825,27 +791,9 @@ struct mip_gnss_data_ned_velocity {
     mip_gnss_data_ned_velocity_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_NED_VELOCITY(descriptor_set) MIP_KEY(descriptor_set, 0x05)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_NED_VELOCITY_DESCRIPTOR 0x05
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_NED_VELOCITY_NAME "gnss_data.ned_velocity"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_ned_velocity_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_ned_velocity_decode(struct mip_gnss_data_ned_velocity *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_ned_velocity_codec, 0x05, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode(
-    const struct mip_gnss_data_ned_velocity *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_ned_velocity_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_ned_velocity, 0x05);
 
 /**
  * GNSS ECEF velocity: data 0x06.
@@ -853,8 +801,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode(
  * GNSS velocity in Earth-fixed coordinates.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ecef`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ecef`.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -875,27 +822,9 @@ struct mip_gnss_data_ecef_velocity {
     mip_gnss_data_ecef_velocity_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY(descriptor_set) MIP_KEY(descriptor_set, 0x06)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_DESCRIPTOR 0x06
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_ECEF_VELOCITY_NAME "gnss_data.ecef_velocity"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_ecef_velocity_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_ecef_velocity_decode(
-    struct mip_gnss_data_ecef_velocity *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_ecef_velocity_codec, 0x06, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode(
-    const struct mip_gnss_data_ecef_velocity *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_ecef_velocity_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_ecef_velocity, 0x06);
 
 /**
  * DOP: data 0x07.
@@ -903,7 +832,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode(
  * Dilution of precision of the satellite geometry.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
  * - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
@@ -948,27 +877,9 @@ struct mip_gnss_data_dop {
     mip_gnss_data_dop_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_DOP(descriptor_set) MIP_KEY(descriptor_set, 0x07)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_DOP_DESCRIPTOR 0x07
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_DOP_NAME "gnss_data.dop"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_dop_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_dop_decode(struct mip_gnss_data_dop *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_dop_codec, 0x07, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode(const struct mip_gnss_data_dop *value,
-                                                             struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_dop_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_dop, 0x07);
 
 /**
  * UTC time: data 0x08.
@@ -976,7 +887,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode(const struct mip_gn
  * Coordinated universal time (UTC) according to the receiver.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
  * - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
@@ -1022,27 +933,9 @@ struct mip_gnss_data_utc_time {
     mip_gnss_data_utc_time_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_UTC_TIME(descriptor_set) MIP_KEY(descriptor_set, 0x08)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_UTC_TIME_DESCRIPTOR 0x08
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_UTC_TIME_NAME "gnss_data.utc_time"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_utc_time_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_utc_time_decode(struct mip_gnss_data_utc_time *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_utc_time_codec, 0x08, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode(
-    const struct mip_gnss_data_utc_time *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_utc_time_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_utc_time, 0x08);
 
 /**
  * GPS time: data 0x09.
@@ -1050,7 +943,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode(
  * GPS time according to the receiver.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
  * - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
@@ -1070,27 +963,9 @@ struct mip_gnss_data_gps_time {
     mip_gnss_data_gps_time_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GPS_TIME(descriptor_set) MIP_KEY(descriptor_set, 0x09)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_TIME_DESCRIPTOR 0x09
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_GPS_TIME_NAME "gnss_data.gps_time"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_gps_time_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_gps_time_decode(struct mip_gnss_data_gps_time *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_gps_time_codec, 0x09, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode(
-    const struct mip_gnss_data_gps_time *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_gps_time_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_gps_time, 0x09);
 
 /**
  * Clock info: data 0x0A.
@@ -1125,27 +1000,9 @@ struct mip_gnss_data_clock_info {
     mip_gnss_data_clock_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_CLOCK_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0A)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_CLOCK_INFO_DESCRIPTOR 0x0A
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_CLOCK_INFO_NAME "gnss_data.clock_info"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_clock_info_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_clock_info_decode(struct mip_gnss_data_clock_info *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_clock_info_codec, 0x0A, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode(
-    const struct mip_gnss_data_clock_info *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_clock_info_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_clock_info, 0x0A);
 
 /**
  * Fix info: data 0x0B.
@@ -1153,8 +1010,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode(
  * Type of the position fix, with the satellites and corrections used.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
- * 3DM-GQ7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
  * - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1180,27 +1036,9 @@ struct mip_gnss_data_fix_info {
     mip_gnss_data_fix_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_FIX_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0B)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_FIX_INFO_DESCRIPTOR 0x0B
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_FIX_INFO_NAME "gnss_data.fix_info"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_fix_info_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_fix_info_decode(struct mip_gnss_data_fix_info *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_fix_info_codec, 0x0B, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode(
-    const struct mip_gnss_data_fix_info *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_fix_info_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_fix_info, 0x0B);
 
 /**
  * Satellite info: data 0x0C.
@@ -1208,8 +1046,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode(
  * State of one tracked satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the MicroStrain MIP SDK.
+ * Uncertain: It is not known whether a packet contains one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -1232,13 +1070,14 @@ struct mip_gnss_data_sv_info {
      */
     uint16_t carrier_noise_ratio;
     /**
-     * Direction of the satellite, from north. Unit: deg. Valid if
-     * MIP_GNSS_DATA_SV_INFO_FLAGS_AZIMUTH in valid_flags is set.
+     * Direction of the satellite, from true north. Unit: deg. Frame: ned. Positive: clockwise seen
+     * from above. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_AZIMUTH in valid_flags is set.
      */
     int16_t azimuth;
     /**
-     * Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if
-     * MIP_GNSS_DATA_SV_INFO_FLAGS_ELEVATION in valid_flags is set.
+     * Angle between the horizon and the satellite. Unit: deg. Frame: ned. Range: -90 to 90.
+     * Positive: above the horizon. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_ELEVATION in valid_flags is
+     * set.
      */
     int16_t elevation;
     /**
@@ -1249,27 +1088,9 @@ struct mip_gnss_data_sv_info {
     mip_gnss_data_sv_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_SV_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0C)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_SV_INFO_DESCRIPTOR 0x0C
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_SV_INFO_NAME "gnss_data.sv_info"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_sv_info_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_sv_info_decode(struct mip_gnss_data_sv_info *value,
-                                                     const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_sv_info_codec, 0x0C, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode(
-    const struct mip_gnss_data_sv_info *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_sv_info_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_sv_info, 0x0C);
 
 /**
  * GNSS hardware status: data 0x0D.
@@ -1277,8 +1098,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode(
  * State of the receiver and of its antenna.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `hw_status`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `hw_status`.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
@@ -1303,28 +1123,9 @@ struct mip_gnss_data_hardware_status {
     mip_gnss_data_hardware_status_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS(descriptor_set) MIP_KEY(descriptor_set, 0x0D)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_DESCRIPTOR 0x0D
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_HARDWARE_STATUS_NAME "gnss_data.hardware_status"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_hardware_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_hardware_status_decode(
-    struct mip_gnss_data_hardware_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_hardware_status_codec, 0x0D, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode(
-    const struct mip_gnss_data_hardware_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_hardware_status_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_hardware_status, 0x0D);
 
 /**
  * DGPS info: data 0x0E.
@@ -1333,9 +1134,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode(
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Distinguished from
- * mip_gnss_data_dgps_info_satellite by the size of its data. Supported by 3DM-GX5-35 and
- * 3DM-GX5-45. Uncertain: Whether any device sends mip_gnss_data_dgps_info_satellite, the layout of
- * the SDK, instead. Only this one agrees with the valid flags, which are the same in all sources.
+ * mip_gnss_data_dgps_info_satellite by the size of its data. Uncertain: Devices could also send
+ * mip_gnss_data_dgps_info_satellite, the layout of the SDK, but only this one agrees with the valid
+ * flags, which are the same in all sources.
  *
  * The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
  * the SDK of 2014.
@@ -1347,8 +1148,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode(
 struct mip_gnss_data_dgps_info {
     /**
      * Age of the corrections. Unit: s. Range: at least 0. Valid if
-     * MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE in valid_flags is set. Uncertain: The unit, which follows
-     * from mip_gnss_data_dgps_channel.
+     * MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE in valid_flags is set. Uncertain: The unit is that of
+     * mip_gnss_data_dgps_channel; no source states it here.
      */
     float age;
     /**
@@ -1371,30 +1172,10 @@ struct mip_gnss_data_dgps_info {
     mip_gnss_data_dgps_info_flags valid_flags;
 };
 
-/**
- * Descriptor set, one of those above, and descriptor, as mip_field_key returns them. Other layouts
- * share them: _decode rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_GNSS_DATA_DGPS_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0E)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_DGPS_INFO_DESCRIPTOR 0x0E
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_DGPS_INFO_NAME "gnss_data.dgps_info"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_dgps_info_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_dgps_info_decode(struct mip_gnss_data_dgps_info *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_dgps_info_codec, 0x0E, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode(
-    const struct mip_gnss_data_dgps_info *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_dgps_info_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_dgps_info, 0x0E);
 
 /**
  * DGPS info for one satellite: data 0x0E.
@@ -1403,9 +1184,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode(
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Distinguished from mip_gnss_data_dgps_info by
- * the size of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
- * Uncertain: Whether any device sends it. The values are those of mip_gnss_data_dgps_channel, but
- * the flags are those of mip_gnss_data_dgps_info, so a mistake in the SDK is likely.
+ * the size of its data. Known only from the MicroStrain MIP SDK. Uncertain: Possibly no device
+ * sends it: the values are those of mip_gnss_data_dgps_channel, but the flags those of
+ * mip_gnss_data_dgps_info, so a mistake in the SDK is likely.
  *
  * The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document
  * mip_gnss_data_dgps_info instead.
@@ -1420,48 +1201,28 @@ struct mip_gnss_data_dgps_info_satellite {
     uint8_t satellite_id;
     /**
      * Age of the correction. Unit: s. Range: at least 0. Valid if MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE
-     * in valid_flags is set. Uncertain: The unit, which follows from mip_gnss_data_dgps_channel.
+     * in valid_flags is set. Uncertain: The unit is that of mip_gnss_data_dgps_channel; no source
+     * states it here.
      */
     float age;
     /**
-     * Differential correction of the pseudorange. Unit: m. Uncertain: The unit, which follows from
-     * mip_gnss_data_dgps_channel.
+     * Differential correction of the pseudorange. Unit: m. Uncertain: The unit is that of
+     * mip_gnss_data_dgps_channel; no source states it here.
      */
     float range_correction;
     /**
-     * Rate of change of the correction. Unit: m/s. Uncertain: The unit, which follows from
-     * mip_gnss_data_dgps_channel.
+     * Rate of change of the correction. Unit: m/s. Uncertain: The unit is that of
+     * mip_gnss_data_dgps_channel; no source states it here.
      */
     float range_rate_correction;
     /** Validity flags for the state of the corrections. */
     mip_gnss_data_dgps_info_flags valid_flags;
 };
 
-/**
- * Descriptor set, one of those above, and descriptor, as mip_field_key returns them. Other layouts
- * share them: _decode rejects those with MIP_ERROR_LAYOUT.
- */
+/** Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT. */
 #define MIP_GNSS_DATA_DGPS_INFO_SATELLITE(descriptor_set) MIP_KEY(descriptor_set, 0x0E)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_DGPS_INFO_SATELLITE_DESCRIPTOR 0x0E
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_DGPS_INFO_SATELLITE_NAME "gnss_data.dgps_info_satellite"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_dgps_info_satellite_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_dgps_info_satellite_decode(
-    struct mip_gnss_data_dgps_info_satellite *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_dgps_info_satellite_codec, 0x0E, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode(
-    const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_dgps_info_satellite_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_dgps_info_satellite, 0x0E);
 
 /**
  * DGPS channel: data 0x0F.
@@ -1469,8 +1230,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode(
  * Differential correction for one satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-GX5-45. Known only from the
- * MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the MIP SDK of 2014,
+ * MicroStrain Communication Library and MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
@@ -1503,27 +1264,9 @@ struct mip_gnss_data_dgps_channel {
     mip_gnss_data_dgps_channel_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL(descriptor_set) MIP_KEY(descriptor_set, 0x0F)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_DESCRIPTOR 0x0F
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_DGPS_CHANNEL_NAME "gnss_data.dgps_channel"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_dgps_channel_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_dgps_channel_decode(struct mip_gnss_data_dgps_channel *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_dgps_channel_codec, 0x0F, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode(
-    const struct mip_gnss_data_dgps_channel *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_dgps_channel_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_dgps_channel, 0x0F);
 
 /**
  * Clock info 2: data 0x10.
@@ -1531,7 +1274,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode(
  * Bias and drift of the receiver clock.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Uncertain: The units are inferred from those
+ * of the ephemerides; no source states them.
  *
  * It supersedes clock info.
  *
@@ -1563,27 +1307,9 @@ struct mip_gnss_data_clock_info_2 {
     mip_gnss_data_clock_info_2_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2(descriptor_set) MIP_KEY(descriptor_set, 0x10)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_DESCRIPTOR 0x10
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_CLOCK_INFO_2_NAME "gnss_data.clock_info_2"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_clock_info_2_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_clock_info_2_decode(struct mip_gnss_data_clock_info_2 *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_clock_info_2_codec, 0x10, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode(
-    const struct mip_gnss_data_clock_info_2 *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_clock_info_2_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_clock_info_2, 0x10);
 
 /**
  * GPS leap seconds: data 0x11.
@@ -1591,7 +1317,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode(
  * Difference between GPS time and UTC.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
@@ -1606,28 +1332,9 @@ struct mip_gnss_data_gps_leap_seconds {
     mip_gnss_data_gps_leap_seconds_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS(descriptor_set) MIP_KEY(descriptor_set, 0x11)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_GPS_LEAP_SECONDS_NAME "gnss_data.gps_leap_seconds"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_gps_leap_seconds_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_gps_leap_seconds_decode(
-    struct mip_gnss_data_gps_leap_seconds *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_gps_leap_seconds_codec, 0x11, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
-    const struct mip_gnss_data_gps_leap_seconds *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_gps_leap_seconds_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_gps_leap_seconds, 0x11);
 
 /**
  * SBAS info: data 0x12.
@@ -1635,8 +1342,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
  * Status of the satellite-based augmentation (SBAS).
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
  * - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
@@ -1673,27 +1379,9 @@ struct mip_gnss_data_sbas_info {
     mip_gnss_data_sbas_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_SBAS_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x12)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_SBAS_INFO_DESCRIPTOR 0x12
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_SBAS_INFO_NAME "gnss_data.sbas_info"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_sbas_info_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_sbas_info_decode(struct mip_gnss_data_sbas_info *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_sbas_info_codec, 0x12, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode(
-    const struct mip_gnss_data_sbas_info *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_sbas_info_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_sbas_info, 0x12);
 
 /**
  * SBAS correction: data 0x13.
@@ -1701,8 +1389,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode(
  * SBAS correction for one satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Not listed in any device profile. Known only
- * from the MicroStrain MIP SDK.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
@@ -1744,28 +1431,9 @@ struct mip_gnss_data_sbas_correction {
     mip_gnss_data_sbas_correction_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x13)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_DESCRIPTOR 0x13
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_SBAS_CORRECTION_NAME "gnss_data.sbas_correction"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_sbas_correction_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_sbas_correction_decode(
-    struct mip_gnss_data_sbas_correction *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_sbas_correction_codec, 0x13, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode(
-    const struct mip_gnss_data_sbas_correction *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_sbas_correction_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_sbas_correction, 0x13);
 
 /**
  * RF error detection: data 0x14.
@@ -1773,8 +1441,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode(
  * Jamming and spoofing that the receiver detects in one band.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
- * Known only from the MicroStrain MIP SDK.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the MicroStrain MIP SDK.
  *
  * Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware from that time sends 0
  * there and does not set its flag.
@@ -1808,28 +1475,9 @@ struct mip_gnss_data_rf_error_detection {
     mip_gnss_data_rf_error_detection_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION(descriptor_set) MIP_KEY(descriptor_set, 0x14)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_DESCRIPTOR 0x14
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_RF_ERROR_DETECTION_NAME "gnss_data.rf_error_detection"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_rf_error_detection_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_rf_error_detection_decode(
-    struct mip_gnss_data_rf_error_detection *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_rf_error_detection_codec, 0x14, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode(
-    const struct mip_gnss_data_rf_error_detection *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_rf_error_detection_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_rf_error_detection, 0x14);
 
 /**
  * GNSS heading: data 0x15.
@@ -1837,22 +1485,24 @@ MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode(
  * Heading that the receiver computes from its antennas.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Not listed in any device profile. Known only
- * from the MicroStrain MIP SDK. Uncertain: Which devices send it. The SDK does not name any.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the MicroStrain MIP SDK.
+ * Uncertain: The SDK names no device that sends it.
  *
  * - mip-sdk-4: Heading (0x81,0x15)
  */
 struct mip_gnss_data_heading {
     /**
-     * Heading of the baseline between the antennas. Unit: deg. Valid if
-     * MIP_GNSS_DATA_HEADING_FLAGS_HEADING in valid_flags is set. Uncertain: The reference and the
-     * range. Clockwise from true north is usual; the SDK only states degrees.
+     * Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned.
+     * Positive: clockwise seen from above. Valid if MIP_GNSS_DATA_HEADING_FLAGS_HEADING in
+     * valid_flags is set. Uncertain: Clockwise from true north is usual; the SDK only states
+     * degrees, and no range. Uncertain: No source states from which antenna to which the baseline
+     * points. The opposite one differs by 180 degrees.
      */
     float heading;
     /**
      * Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if
-     * MIP_GNSS_DATA_HEADING_FLAGS_UNCERTAINTY in valid_flags is set. Uncertain: Whether it is one
-     * standard deviation.
+     * MIP_GNSS_DATA_HEADING_FLAGS_UNCERTAINTY in valid_flags is set. Uncertain: It is not known
+     * whether this is one standard deviation.
      */
     float uncertainty;
     /**
@@ -1864,27 +1514,9 @@ struct mip_gnss_data_heading {
     mip_gnss_data_heading_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_HEADING(descriptor_set) MIP_KEY(descriptor_set, 0x15)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_HEADING_DESCRIPTOR 0x15
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_HEADING_NAME "gnss_data.heading"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_heading_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_heading_decode(struct mip_gnss_data_heading *value,
-                                                     const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_heading_codec, 0x15, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode(
-    const struct mip_gnss_data_heading *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_heading_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_heading, 0x15);
 
 /**
  * Satellite status: data 0x20.
@@ -1892,7 +1524,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode(
  * Direction to one satellite, and its health.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
@@ -1926,13 +1558,15 @@ struct mip_gnss_data_satellite_status {
      */
     uint8_t satellite_id;
     /**
-     * Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if
+     * Angle between the horizon and the satellite, seen from the rover. Unit: deg. Frame: ned.
+     * Range: -90 to 90. Positive: above the horizon. Valid if
      * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_ELEVATION in valid_flags is set.
      */
     float elevation;
     /**
-     * Azimuth, as seen from the rover. Unit: deg. Valid if
-     * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_AZIMUTH in valid_flags is set.
+     * Direction of the satellite from the rover, from true north. Unit: deg. Frame: ned. Positive:
+     * clockwise seen from above. Valid if MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_AZIMUTH in
+     * valid_flags is set.
      */
     float azimuth;
     /**
@@ -1944,28 +1578,9 @@ struct mip_gnss_data_satellite_status {
     mip_gnss_data_satellite_status_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS(descriptor_set) MIP_KEY(descriptor_set, 0x20)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_DESCRIPTOR 0x20
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_SATELLITE_STATUS_NAME "gnss_data.satellite_status"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_satellite_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_satellite_status_decode(
-    struct mip_gnss_data_satellite_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_satellite_status_codec, 0x20, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode(
-    const struct mip_gnss_data_satellite_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_satellite_status_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_satellite_status, 0x20);
 
 /**
  * Raw: data 0x22.
@@ -1973,7 +1588,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode(
  * Raw observation of one signal of one satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * An epoch is sent as one field for each signal; `index` and `count` number the fields.
  *
@@ -2068,27 +1683,9 @@ struct mip_gnss_data_raw {
     mip_gnss_data_raw_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_RAW(descriptor_set) MIP_KEY(descriptor_set, 0x22)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_RAW_DESCRIPTOR 0x22
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_RAW_NAME "gnss_data.raw"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_raw_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_raw_decode(struct mip_gnss_data_raw *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_raw_codec, 0x22, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode(const struct mip_gnss_data_raw *value,
-                                                             struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_raw_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_raw, 0x22);
 
 /**
  * Base station info: data 0x30.
@@ -2096,8 +1693,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode(const struct mip_gn
  * Base station that sends the corrections, from RTCM message 1005 or 1006.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * - mip-sdk-4: Base Station Info (0x81,0x30)
  * - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
@@ -2137,28 +1733,9 @@ struct mip_gnss_data_base_station_info {
     mip_gnss_data_base_station_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x30)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_DESCRIPTOR 0x30
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_BASE_STATION_INFO_NAME "gnss_data.base_station_info"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_base_station_info_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_base_station_info_decode(
-    struct mip_gnss_data_base_station_info *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_base_station_info_codec, 0x30, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode(
-    const struct mip_gnss_data_base_station_info *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_base_station_info_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_base_station_info, 0x30);
 
 /**
  * RTK corrections status: data 0x31.
@@ -2166,8 +1743,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode(
  * Received corrections and their age.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
  * - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
@@ -2221,28 +1797,9 @@ struct mip_gnss_data_rtk_corrections_status {
     mip_gnss_data_rtk_corrections_status_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS(descriptor_set) MIP_KEY(descriptor_set, 0x31)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_NAME "gnss_data.rtk_corrections_status"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_rtk_corrections_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_rtk_corrections_status_decode(
-    struct mip_gnss_data_rtk_corrections_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_rtk_corrections_status_codec, 0x31, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
-    const struct mip_gnss_data_rtk_corrections_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_rtk_corrections_status_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_rtk_corrections_status, 0x31);
 
 /**
  * GPS ephemeris: data 0x61.
@@ -2250,7 +1807,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
  * Broadcast orbit and clock of one GPS satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
@@ -2409,27 +1966,9 @@ struct mip_gnss_data_gps_ephemeris {
     mip_gnss_data_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x61)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS_DESCRIPTOR 0x61
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_GPS_EPHEMERIS_NAME "gnss_data.gps_ephemeris"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_gps_ephemeris_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_gps_ephemeris_decode(
-    struct mip_gnss_data_gps_ephemeris *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_gps_ephemeris_codec, 0x61, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
-    const struct mip_gnss_data_gps_ephemeris *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_gps_ephemeris_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_gps_ephemeris, 0x61);
 
 /**
  * GLONASS ephemeris: data 0x62.
@@ -2437,8 +1976,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
  * Broadcast orbit and clock of one GLONASS satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `glo_ephemeris`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `glo_ephemeris`.
  *
  * The GLONASS interface control document explains p and ft.
  *
@@ -2557,28 +2095,9 @@ struct mip_gnss_data_glonass_ephemeris {
     mip_gnss_data_glonass_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x62)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_GLONASS_EPHEMERIS_NAME "gnss_data.glonass_ephemeris"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_glonass_ephemeris_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_glonass_ephemeris_decode(
-    struct mip_gnss_data_glonass_ephemeris *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_glonass_ephemeris_codec, 0x62, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
-    const struct mip_gnss_data_glonass_ephemeris *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_glonass_ephemeris_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_glonass_ephemeris, 0x62);
 
 /**
  * Galileo ephemeris: data 0x63.
@@ -2586,7 +2105,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
  * Broadcast orbit and clock of one Galileo satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections
  * mean here.
@@ -2748,28 +2267,9 @@ struct mip_gnss_data_galileo_ephemeris {
     mip_gnss_data_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x63)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_GALILEO_EPHEMERIS_NAME "gnss_data.galileo_ephemeris"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_galileo_ephemeris_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_galileo_ephemeris_decode(
-    struct mip_gnss_data_galileo_ephemeris *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_galileo_ephemeris_codec, 0x63, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
-    const struct mip_gnss_data_galileo_ephemeris *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_galileo_ephemeris_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_galileo_ephemeris, 0x63);
 
 /**
  * BeiDou ephemeris: data 0x64.
@@ -2777,7 +2277,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
  * Broadcast orbit and clock of one BeiDou satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
  *
  * It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections
  * mean here.
@@ -2939,28 +2439,9 @@ struct mip_gnss_data_beidou_ephemeris {
     mip_gnss_data_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x64)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_NAME "gnss_data.beidou_ephemeris"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_beidou_ephemeris_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_beidou_ephemeris_decode(
-    struct mip_gnss_data_beidou_ephemeris *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_beidou_ephemeris_codec, 0x64, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
-    const struct mip_gnss_data_beidou_ephemeris *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_beidou_ephemeris_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_beidou_ephemeris, 0x64);
 
 /**
  * GPS ionospheric correction: data 0x71.
@@ -2968,8 +2449,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
  * Ionospheric model that GPS broadcasts.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `gps_iono_corr`. Not listed in any
- * device profile. Known only from the MicroStrain MIP SDK.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `gps_iono_corr`. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gps Iono Corr (0x81,0x71)
  */
@@ -2986,40 +2467,21 @@ struct mip_gnss_data_gps_iono_correction {
     uint16_t week_number;
     /**
      * Coefficients alpha 0 to 3. Valid if MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_ALPHA in
-     * valid_flags is set. Uncertain: The units.
+     * valid_flags is set. Uncertain: No source states the units.
      */
     double alpha[4];
     /**
      * Coefficients beta 0 to 3. Valid if MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_BETA in
-     * valid_flags is set. Uncertain: The units.
+     * valid_flags is set. Uncertain: No source states the units.
      */
     double beta[4];
     /** Validity flags for the model. */
     mip_gnss_data_gps_iono_correction_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x71)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_GPS_IONO_CORRECTION_NAME "gnss_data.gps_iono_correction"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_gps_iono_correction_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_gps_iono_correction_decode(
-    struct mip_gnss_data_gps_iono_correction *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_gps_iono_correction_codec, 0x71, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode(
-    const struct mip_gnss_data_gps_iono_correction *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_gps_iono_correction_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_gps_iono_correction, 0x71);
 
 /**
  * Galileo ionospheric correction: data 0x73.
@@ -3027,8 +2489,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode(
  * Ionospheric model that Galileo broadcasts.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `galileo_iono_corr`. Not listed in
- * any device profile. Known only from the MicroStrain MIP SDK.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `galileo_iono_corr`. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
  */
@@ -3045,42 +2507,23 @@ struct mip_gnss_data_galileo_iono_correction {
     uint16_t week_number;
     /**
      * The three coefficients of the model. Valid if
-     * MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_ALPHA in valid_flags is set. Uncertain: The
-     * units.
+     * MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_ALPHA in valid_flags is set. Uncertain: No source
+     * states the units.
      */
     double alpha[3];
     /**
      * Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if
      * MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set.
-     * Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
+     * Uncertain: No source states whether the bits count from 0 or from 1, or the region of each.
      */
     uint8_t disturbance_flags;
     /** Validity flags for the model. */
     mip_gnss_data_galileo_iono_correction_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x73)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_NAME "gnss_data.galileo_iono_correction"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_galileo_iono_correction_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_galileo_iono_correction_decode(
-    struct mip_gnss_data_galileo_iono_correction *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_galileo_iono_correction_codec, 0x73, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode(
-    const struct mip_gnss_data_galileo_iono_correction *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_galileo_iono_correction_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_galileo_iono_correction, 0x73);
 
 /**
  * BeiDou ionospheric correction: data 0x74.
@@ -3088,8 +2531,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode
  * Ionospheric model that BeiDou broadcasts.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `beidou_iono_corr`. Not listed in
- * any device profile. Known only from the MicroStrain MIP SDK.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `beidou_iono_corr`. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
  */
@@ -3106,46 +2549,27 @@ struct mip_gnss_data_beidou_iono_correction {
     uint16_t week_number;
     /**
      * Coefficients alpha 0 to 3. Valid if MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA in
-     * valid_flags is set. Uncertain: The units.
+     * valid_flags is set. Uncertain: No source states the units.
      */
     double alpha[4];
     /**
      * Coefficients beta 0 to 3. Valid if MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_BETA in
-     * valid_flags is set. Uncertain: The units.
+     * valid_flags is set. Uncertain: No source states the units.
      */
     double beta[4];
     /**
      * Nine further coefficients of the delay. Valid if
      * MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION in valid_flags is set. Uncertain:
-     * The units.
+     * No source states the units.
      */
     double alpha_correction[9];
     /** Validity flags for the model. */
     mip_gnss_data_beidou_iono_correction_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x74)
-/** Its descriptor. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
-/** Its name in the specification, in the first of its sets. */
-#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_NAME "gnss_data.beidou_iono_correction"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_gnss_data_beidou_iono_correction_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_gnss_data_beidou_iono_correction_decode(
-    struct mip_gnss_data_beidou_iono_correction *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_gnss_data_beidou_iono_correction_codec, 0x74, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_gnss_data_beidou_iono_correction_encode(
-    const struct mip_gnss_data_beidou_iono_correction *value, struct mip_builder *builder) {
-    return mip_encode(&mip_gnss_data_beidou_iono_correction_codec, value, builder);
-}
+MIP_FIELD(mip_gnss_data_beidou_iono_correction, 0x74);
 
 /** @} */
 

@@ -16,17 +16,13 @@
 extern "C" {
 #endif
 
-/** Decodes gnss_data.llh_position. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_llh_position_decode_inline(
     struct mip_gnss_data_llh_position *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x03, 42)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 42) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 42)) {
         return error;
     }
     mip_get_double(&value->latitude, field->data);
@@ -39,10 +35,9 @@ static inline mip_error mip_gnss_data_llh_position_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.llh_position to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode_inline(
     const struct mip_gnss_data_llh_position *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x03, 42, &data)
@@ -60,17 +55,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.ecef_position. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ecef_position_decode_inline(
     struct mip_gnss_data_ecef_position *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x04, 30)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 30)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -81,10 +72,9 @@ static inline mip_error mip_gnss_data_ecef_position_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.ecef_position to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode_inline(
     const struct mip_gnss_data_ecef_position *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x04, 30, &data)
@@ -100,17 +90,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.ned_velocity. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ned_velocity_decode_inline(
     struct mip_gnss_data_ned_velocity *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x05, 34)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 34)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -125,10 +111,9 @@ static inline mip_error mip_gnss_data_ned_velocity_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.ned_velocity to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
     const struct mip_gnss_data_ned_velocity *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x05, 34, &data)
@@ -148,17 +133,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.ecef_velocity. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ecef_velocity_decode_inline(
     struct mip_gnss_data_ecef_velocity *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x06, 18)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 18)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -169,10 +150,9 @@ static inline mip_error mip_gnss_data_ecef_velocity_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.ecef_velocity to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
     const struct mip_gnss_data_ecef_velocity *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x06, 18, &data)
@@ -188,17 +168,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.dop. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dop_decode_inline(struct mip_gnss_data_dop *value,
                                                         const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x07, 30)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 30)) {
         return error;
     }
     mip_get_float(&value->gdop, field->data);
@@ -212,10 +188,9 @@ static inline mip_error mip_gnss_data_dop_decode_inline(struct mip_gnss_data_dop
     return MIP_OK;
 }
 
-/** Adds gnss_data.dop to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode_inline(
     const struct mip_gnss_data_dop *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x07, 30, &data)
@@ -234,17 +209,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.utc_time. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_utc_time_decode_inline(struct mip_gnss_data_utc_time *value,
                                                              const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x08, 13)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 13)) {
         return error;
     }
     value->year = mip_get_16(field->data);
@@ -258,10 +229,9 @@ static inline mip_error mip_gnss_data_utc_time_decode_inline(struct mip_gnss_dat
     return MIP_OK;
 }
 
-/** Adds gnss_data.utc_time to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode_inline(
     const struct mip_gnss_data_utc_time *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x08, 13, &data)
@@ -280,17 +250,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.gps_time. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_time_decode_inline(struct mip_gnss_data_gps_time *value,
                                                              const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x09, 12)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -299,10 +265,9 @@ static inline mip_error mip_gnss_data_gps_time_decode_inline(struct mip_gnss_dat
     return MIP_OK;
 }
 
-/** Adds gnss_data.gps_time to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode_inline(
     const struct mip_gnss_data_gps_time *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x09, 12, &data)
@@ -316,17 +281,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.clock_info. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_clock_info_decode_inline(
     struct mip_gnss_data_clock_info *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x0A, 26)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 26)) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -336,10 +297,9 @@ static inline mip_error mip_gnss_data_clock_info_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.clock_info to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode_inline(
     const struct mip_gnss_data_clock_info *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x0A, 26, &data)
@@ -354,17 +314,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.fix_info. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_fix_info_decode_inline(struct mip_gnss_data_fix_info *value,
                                                              const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x0B, 6)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 6)) {
         return error;
     }
     value->fix_type = mip_get_8(field->data);
@@ -374,10 +330,9 @@ static inline mip_error mip_gnss_data_fix_info_decode_inline(struct mip_gnss_dat
     return MIP_OK;
 }
 
-/** Adds gnss_data.fix_info to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode_inline(
     const struct mip_gnss_data_fix_info *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x0B, 6, &data)
@@ -392,17 +347,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.sv_info. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sv_info_decode_inline(struct mip_gnss_data_sv_info *value,
                                                             const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x0C, 12)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     value->channel = mip_get_8(field->data);
@@ -415,10 +366,9 @@ static inline mip_error mip_gnss_data_sv_info_decode_inline(struct mip_gnss_data
     return MIP_OK;
 }
 
-/** Adds gnss_data.sv_info to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode_inline(
     const struct mip_gnss_data_sv_info *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x0C, 12, &data)
@@ -436,17 +386,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.hardware_status. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_hardware_status_decode_inline(
     struct mip_gnss_data_hardware_status *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x0D, 5)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->receiver_state = mip_get_8(field->data);
@@ -456,10 +402,9 @@ static inline mip_error mip_gnss_data_hardware_status_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.hardware_status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode_inline(
     const struct mip_gnss_data_hardware_status *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x0D, 5, &data)
@@ -474,7 +419,6 @@ MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.dgps_info. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_info_decode_inline(struct mip_gnss_data_dgps_info *value,
                                                               const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
@@ -485,10 +429,7 @@ static inline mip_error mip_gnss_data_dgps_info_decode_inline(struct mip_gnss_da
         !mip_codec_matches(&mip_gnss_data_dgps_info_codec, field)) {
         error = MIP_ERROR_LAYOUT;
     }
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_float(&value->age, field->data);
@@ -499,10 +440,9 @@ static inline mip_error mip_gnss_data_dgps_info_decode_inline(struct mip_gnss_da
     return MIP_OK;
 }
 
-/** Adds gnss_data.dgps_info to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode_inline(
     const struct mip_gnss_data_dgps_info *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x0E, 12, &data)
@@ -518,7 +458,6 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.dgps_info_satellite. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_info_satellite_decode_inline(
     struct mip_gnss_data_dgps_info_satellite *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
@@ -529,10 +468,7 @@ static inline mip_error mip_gnss_data_dgps_info_satellite_decode_inline(
         !mip_codec_matches(&mip_gnss_data_dgps_info_satellite_codec, field)) {
         error = MIP_ERROR_LAYOUT;
     }
-    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 15)) {
         return error;
     }
     value->satellite_id = mip_get_8(field->data);
@@ -543,10 +479,9 @@ static inline mip_error mip_gnss_data_dgps_info_satellite_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.dgps_info_satellite to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode_inline(
     const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x0E, 15, &data)
@@ -562,17 +497,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode_inl
     return MIP_OK;
 }
 
-/** Decodes gnss_data.dgps_channel. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_channel_decode_inline(
     struct mip_gnss_data_dgps_channel *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x0F, 15)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 15)) {
         return error;
     }
     value->satellite_id = mip_get_8(field->data);
@@ -583,10 +514,9 @@ static inline mip_error mip_gnss_data_dgps_channel_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.dgps_channel to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
     const struct mip_gnss_data_dgps_channel *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x0F, 15, &data)
@@ -602,17 +532,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.clock_info_2. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_clock_info_2_decode_inline(
     struct mip_gnss_data_clock_info_2 *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x10, 34)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 34)) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -623,10 +549,9 @@ static inline mip_error mip_gnss_data_clock_info_2_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.clock_info_2 to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
     const struct mip_gnss_data_clock_info_2 *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x10, 34, &data)
@@ -642,17 +567,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.gps_leap_seconds. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_leap_seconds_decode_inline(
     struct mip_gnss_data_gps_leap_seconds *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x11, 3)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 3)) {
         return error;
     }
     value->leap_seconds = mip_get_8(field->data);
@@ -660,10 +581,9 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.gps_leap_seconds to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
     const struct mip_gnss_data_gps_leap_seconds *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x11, 3, &data)
@@ -676,17 +596,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline
     return MIP_OK;
 }
 
-/** Decodes gnss_data.sbas_info. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sbas_info_decode_inline(struct mip_gnss_data_sbas_info *value,
                                                               const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x12, 16)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 16)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -699,10 +615,9 @@ static inline mip_error mip_gnss_data_sbas_info_decode_inline(struct mip_gnss_da
     return MIP_OK;
 }
 
-/** Adds gnss_data.sbas_info to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode_inline(
     const struct mip_gnss_data_sbas_info *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x12, 16, &data)
@@ -720,17 +635,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.sbas_correction. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sbas_correction_decode_inline(
     struct mip_gnss_data_sbas_correction *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x13, 25)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 25)) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -746,10 +657,9 @@ static inline mip_error mip_gnss_data_sbas_correction_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.sbas_correction to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
     const struct mip_gnss_data_sbas_correction *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x13, 25, &data)
@@ -770,17 +680,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.rf_error_detection. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_rf_error_detection_decode_inline(
     struct mip_gnss_data_rf_error_detection *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x14, 9)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 9)) {
         return error;
     }
     value->rf_band = mip_get_8(field->data);
@@ -792,10 +698,9 @@ static inline mip_error mip_gnss_data_rf_error_detection_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.rf_error_detection to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
     const struct mip_gnss_data_rf_error_detection *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x14, 9, &data)
@@ -812,17 +717,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode_inli
     return MIP_OK;
 }
 
-/** Decodes gnss_data.heading. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_heading_decode_inline(struct mip_gnss_data_heading *value,
                                                             const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x15, 11)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 11) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 11)) {
         return error;
     }
     mip_get_float(&value->heading, field->data);
@@ -832,10 +733,9 @@ static inline mip_error mip_gnss_data_heading_decode_inline(struct mip_gnss_data
     return MIP_OK;
 }
 
-/** Adds gnss_data.heading to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode_inline(
     const struct mip_gnss_data_heading *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x15, 11, &data)
@@ -850,17 +750,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.satellite_status. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_satellite_status_decode_inline(
     struct mip_gnss_data_satellite_status *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x20, 25)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 25)) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -876,10 +772,9 @@ static inline mip_error mip_gnss_data_satellite_status_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.satellite_status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode_inline(
     const struct mip_gnss_data_satellite_status *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x20, 25, &data)
@@ -900,17 +795,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode_inline
     return MIP_OK;
 }
 
-/** Decodes gnss_data.raw. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_raw_decode_inline(struct mip_gnss_data_raw *value,
                                                         const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x22, 61)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 61) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 61)) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -935,10 +826,9 @@ static inline mip_error mip_gnss_data_raw_decode_inline(struct mip_gnss_data_raw
     return MIP_OK;
 }
 
-/** Adds gnss_data.raw to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode_inline(
     const struct mip_gnss_data_raw *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x22, 61, &data)
@@ -968,17 +858,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.base_station_info. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_base_station_info_decode_inline(
     struct mip_gnss_data_base_station_info *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x30, 44)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 44)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -993,10 +879,9 @@ static inline mip_error mip_gnss_data_base_station_info_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.base_station_info to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode_inline(
     const struct mip_gnss_data_base_station_info *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x30, 44, &data)
@@ -1016,17 +901,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes gnss_data.rtk_corrections_status. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_rtk_corrections_status_decode_inline(
     struct mip_gnss_data_rtk_corrections_status *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x31, 50)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 50) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 50)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1044,10 +925,9 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.rtk_corrections_status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
     const struct mip_gnss_data_rtk_corrections_status *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x31, 50, &data)
@@ -1070,17 +950,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode_
     return MIP_OK;
 }
 
-/** Decodes gnss_data.gps_ephemeris. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_ephemeris_decode_inline(
     struct mip_gnss_data_gps_ephemeris *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x61, 218)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 218)) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1120,10 +996,9 @@ static inline mip_error mip_gnss_data_gps_ephemeris_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.gps_ephemeris to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
     const struct mip_gnss_data_gps_ephemeris *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x61, 218, &data)
@@ -1168,17 +1043,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss_data.glonass_ephemeris. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_glonass_ephemeris_decode_inline(
     struct mip_gnss_data_glonass_ephemeris *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x62, 102)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 102) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 102)) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1215,10 +1086,9 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.glonass_ephemeris to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
     const struct mip_gnss_data_glonass_ephemeris *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x62, 102, &data)
@@ -1260,17 +1130,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes gnss_data.galileo_ephemeris. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_galileo_ephemeris_decode_inline(
     struct mip_gnss_data_galileo_ephemeris *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x63, 218)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 218)) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1310,10 +1176,9 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.galileo_ephemeris to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
     const struct mip_gnss_data_galileo_ephemeris *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x63, 218, &data)
@@ -1358,17 +1223,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes gnss_data.beidou_ephemeris. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_beidou_ephemeris_decode_inline(
     struct mip_gnss_data_beidou_ephemeris *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x64, 218)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 218)) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1408,10 +1269,9 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.beidou_ephemeris to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
     const struct mip_gnss_data_beidou_ephemeris *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x64, 218, &data)
@@ -1456,17 +1316,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline
     return MIP_OK;
 }
 
-/** Decodes gnss_data.gps_iono_correction. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_iono_correction_decode_inline(
     struct mip_gnss_data_gps_iono_correction *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x71, 76)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 76) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 76)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1481,10 +1337,9 @@ static inline mip_error mip_gnss_data_gps_iono_correction_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.gps_iono_correction to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
     const struct mip_gnss_data_gps_iono_correction *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x71, 76, &data)
@@ -1504,17 +1359,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode_inl
     return MIP_OK;
 }
 
-/** Decodes gnss_data.galileo_iono_correction. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_galileo_iono_correction_decode_inline(
     struct mip_gnss_data_galileo_iono_correction *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x73, 37)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 37)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1527,10 +1378,9 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.galileo_iono_correction to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
     const struct mip_gnss_data_galileo_iono_correction *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x73, 37, &data)
@@ -1548,17 +1398,13 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode
     return MIP_OK;
 }
 
-/** Decodes gnss_data.beidou_iono_correction. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_beidou_iono_correction_decode_inline(
     struct mip_gnss_data_beidou_iono_correction *value, const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_field_check(field, set, 0x74, 148)
                                 : MIP_ERROR_SET;
-    if (error != MIP_OK || sizeof(*value) != 148) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 148)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1576,10 +1422,9 @@ static inline mip_error mip_gnss_data_beidou_iono_correction_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss_data.beidou_iono_correction to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_beidou_iono_correction_encode_inline(
     const struct mip_gnss_data_beidou_iono_correction *value, struct mip_builder *builder) {
-    uint8_t *data;
+    uint8_t *data = NULL;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
                                 ? mip_builder_reserve(builder, set, 0x74, 148, &data)

@@ -16,14 +16,10 @@
 extern "C" {
 #endif
 
-/** Decodes gnss.signal_config_response. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_signal_config_response_decode_inline(
     struct mip_gnss_signal_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0E, 0x82, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 8)) {
         return error;
     }
     value->gps_enable = mip_get_8(field->data);
@@ -34,7 +30,6 @@ static inline mip_error mip_gnss_signal_config_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss.signal_config_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode_inline(
     const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -50,14 +45,10 @@ MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes gnss.receiver_reset. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_reset_decode_inline(struct mip_gnss_receiver_reset *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0E, 0x03, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -65,7 +56,6 @@ static inline mip_error mip_gnss_receiver_reset_decode_inline(struct mip_gnss_re
     return MIP_OK;
 }
 
-/** Adds gnss.receiver_reset to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode_inline(
     const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -78,14 +68,10 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss.rtk_config_response. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_config_response_decode_inline(
     struct mip_gnss_rtk_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0E, 0x84, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->ambiguity_fix_mode = mip_get_8(field->data);
@@ -93,7 +79,6 @@ static inline mip_error mip_gnss_rtk_config_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss.rtk_config_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode_inline(
     const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -106,14 +91,10 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes gnss.rtk_dongle_config_response. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_dongle_config_response_decode_inline(
     struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0E, 0x90, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -121,7 +102,6 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss.rtk_dongle_config_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
     const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -134,14 +114,10 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode_i
     return MIP_OK;
 }
 
-/** Decodes gnss.spartn_config_response. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_spartn_config_response_decode_inline(
     struct mip_gnss_spartn_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0E, 0xA0, 78);
-    if (error != MIP_OK || sizeof(*value) != 78) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 78)) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -155,7 +131,6 @@ static inline mip_error mip_gnss_spartn_config_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds gnss.spartn_config_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode_inline(
     const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -171,6 +146,29 @@ MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode_inlin
     mip_put_32(data + 40, value->next_key_tow);
     mip_put_16(data + 44, value->next_key_week);
     memcpy(data + 46, value->next_key, 32);
+    return MIP_OK;
+}
+
+static inline mip_error mip_gnss_receiver_safe_mode_decode_inline(
+    struct mip_gnss_receiver_safe_mode *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0E, 0x60, 2);
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
+        return error;
+    }
+    value->receiver_id = mip_get_8(field->data);
+    value->enable = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+MIP_CHECKED static inline mip_error mip_gnss_receiver_safe_mode_encode_inline(
+    const struct mip_gnss_receiver_safe_mode *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0E, 0x60, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_id);
+    mip_put_8(data + 1, value->enable);
     return MIP_OK;
 }
 

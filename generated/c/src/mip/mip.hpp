@@ -24,6 +24,7 @@
 #include "mip/gnss.hpp"
 #include "mip/gnss_commands.hpp"
 #include "mip/gnss_data.hpp"
+#include "mip/rejected.hpp"
 #include "mip/rtk.hpp"
 #include "mip/rtk_commands.hpp"
 #include "mip/sensor.hpp"

@@ -24,6 +24,8 @@ const char *mip_outcome_name(enum mip_outcome outcome) {
         return "busy";
     case MIP_NO_SUCH_RATE:
         return "no such rate";
+    case MIP_WAITING:
+        return "waiting";
     }
     return "unknown";
 }

@@ -66,22 +66,29 @@ uint16_t mip_model_number(const char *text, size_t size) {
 static const struct mip_profile_field *find_in(const struct mip_profile_field *fields, size_t count,
                                                uint8_t descriptor_set, uint8_t descriptor) {
     for (size_t i = 0; i < count; i++) {
-        const struct mip_profile_field *f = &fields[i];
-        const bool shared = f->descriptor_set == 0xFF && descriptor_set >= 0x80;
-        if ((f->descriptor_set == descriptor_set || shared) && f->descriptor == descriptor) {
-            return f;
+        if (fields[i].descriptor_set == descriptor_set && fields[i].descriptor == descriptor) {
+            return &fields[i];
         }
     }
     return NULL;
 }
 
-const struct mip_profile_field *mip_profile_find_field(const struct mip_profile *profile,
-                                                       uint8_t descriptor_set, uint8_t descriptor) {
+static const struct mip_profile_field *find_stated(const struct mip_profile *profile,
+                                                   uint8_t descriptor_set, uint8_t descriptor) {
     const struct mip_profile_field *f =
         find_in(profile->fields, profile->field_count, descriptor_set, descriptor);
     return f != NULL
                ? f
                : find_in(profile->refuses, profile->refused_count, descriptor_set, descriptor);
+}
+
+const struct mip_profile_field *mip_profile_find_field(const struct mip_profile *profile,
+                                                       uint8_t descriptor_set, uint8_t descriptor) {
+    const struct mip_profile_field *f = find_stated(profile, descriptor_set, descriptor);
+    if (f == NULL) {
+        f = find_in(profile->absent_sets, profile->absent_count, descriptor_set, 0);
+    }
+    return f != NULL || descriptor_set < 0x80 ? f : find_stated(profile, 0xFF, descriptor);
 }
 
 enum mip_support mip_profile_support(const struct mip_profile *profile, uint8_t descriptor_set,

@@ -21,10 +21,12 @@ enum mip_support {
     MIP_SUPPORT_UNKNOWN = 0,
     /** It does not. */
     MIP_SUPPORT_NO = 1,
-    /** It probably does. */
-    MIP_SUPPORT_PROBABLE = 2,
+    /** Its family or a nearly identical device has it. */
+    MIP_SUPPORT_ASSUMED = 2,
+    /** An example, a program or a list of others names this very model. */
+    MIP_SUPPORT_LIKELY = 3,
     /** It does. */
-    MIP_SUPPORT_YES = 3
+    MIP_SUPPORT_YES = 4
 };
 
 /** Why a device is believed to have some fields, or not to have them. */
@@ -33,9 +35,11 @@ struct mip_profile_evidence {
     uint8_t answer;
     /** The reason for the answer. */
     const char *why;
+    /** What the device lacks: "has no magnetometer"; empty if no hardware is concerned. */
+    const char *absence;
 };
 
-/** A command or a data field that a device certainly or probably supports, or does not support. */
+/** A command or a data field that a device supports, probably supports, or does not support. */
 struct mip_profile_field {
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
@@ -142,6 +146,8 @@ struct mip_profile {
     uint16_t field_count;
     /** Elements of `refuses`. */
     uint16_t refused_count;
+    /** Elements of `absent_sets`. */
+    uint8_t absent_count;
     /** Elements of `firmware`. */
     uint8_t firmware_count;
     /** Elements of `rates`. */
@@ -161,10 +167,12 @@ struct mip_profile {
     /** Statements on what is unknown about it. If there are any, it may support more than is
      * listed. */
     const char *const *incomplete;
-    /** The fields that it certainly or probably supports, by descriptor set and descriptor. */
+    /** The fields that it supports, or is believed to support, by descriptor set and descriptor. */
     const struct mip_profile_field *fields;
     /** The fields that it is known not to support. */
     const struct mip_profile_field *refuses;
+    /** The data sets of which it has no field for lack of hardware; their `descriptor` is 0. */
+    const struct mip_profile_field *absent_sets;
     /** The firmware that some of these fields require. */
     const struct mip_profile_firmware *firmware;
     /** The rates at which it samples data sets. */

@@ -10,35 +10,57 @@ static const char *const cv5_10_also[] = {
 };
 
 static const char *const cv5_10_incomplete[] = {
-    "Its manual (8500-0070) is not known.",
+    "Of the manual, only the table of contents is known, up to the set `3dm`. It lists only the "
+    "sets `base`, `3dm` and `sensor`.",
 };
 
 static const struct mip_profile_evidence cv5_10_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10."},
-    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 145)."},
+    {MIP_SUPPORT_YES, "Documented (3DM-CV5-10 Data Communications Protocol Manual: Contents).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.", ""},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 145).", ""},
+    {MIP_SUPPORT_NO, "Not in the manual, whose list of the set is complete.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires a pressure sensor, which the device lacks.",
+     "has no pressure sensor"},
 };
 
 static const struct mip_profile_field cv5_10_fields[] = {
     {0x01, 0x01, "", &cv5_10_evidence[0]},       {0x01, 0x02, "", &cv5_10_evidence[0]},
     {0x01, 0x03, "", &cv5_10_evidence[0]},       {0x01, 0x04, "", &cv5_10_evidence[0]},
-    {0x01, 0x05, "", &cv5_10_evidence[1]},       {0x01, 0x06, "", &cv5_10_evidence[0]},
-    {0x01, 0x07, "", &cv5_10_evidence[0]},       {0x01, 0x72, "WRA", &cv5_10_evidence[1]},
-    {0x01, 0x7E, "", &cv5_10_evidence[1]},       {0x0C, 0x01, "", &cv5_10_evidence[1]},
-    {0x0C, 0x06, "", &cv5_10_evidence[0]},       {0x0C, 0x08, "WRSLD", &cv5_10_evidence[0]},
-    {0x0C, 0x11, "WRSLD", &cv5_10_evidence[1]},  {0x0C, 0x30, "SLD", &cv5_10_evidence[0]},
-    {0x0C, 0x37, "WRSLDA", &cv5_10_evidence[1]}, {0x0C, 0x38, "WRSLDA", &cv5_10_evidence[1]},
-    {0x0C, 0x39, "", &cv5_10_evidence[1]},       {0x0C, 0x3E, "WRSLD", &cv5_10_evidence[1]},
-    {0x0C, 0x40, "WRSLD", &cv5_10_evidence[1]},  {0x0C, 0x50, "WRSLD", &cv5_10_evidence[1]},
-    {0x0C, 0x51, "WRSLD", &cv5_10_evidence[1]},  {0x0C, 0x64, "", &cv5_10_evidence[1]},
-    {0x80, 0x04, "", &cv5_10_evidence[0]},       {0x80, 0x05, "", &cv5_10_evidence[0]},
-    {0x80, 0x07, "", &cv5_10_evidence[1]},       {0x80, 0x08, "", &cv5_10_evidence[1]},
-    {0x80, 0x12, "", &cv5_10_evidence[1]},
+    {0x01, 0x05, "", &cv5_10_evidence[0]},       {0x01, 0x06, "", &cv5_10_evidence[0]},
+    {0x01, 0x72, "WRA", &cv5_10_evidence[0]},    {0x01, 0x7E, "", &cv5_10_evidence[0]},
+    {0x0C, 0x01, "", &cv5_10_evidence[0]},       {0x0C, 0x06, "", &cv5_10_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &cv5_10_evidence[0]},  {0x0C, 0x11, "WRSLD", &cv5_10_evidence[2]},
+    {0x0C, 0x30, "SLD", &cv5_10_evidence[1]},    {0x0C, 0x37, "WRSLDA", &cv5_10_evidence[2]},
+    {0x0C, 0x38, "WRSLDA", &cv5_10_evidence[2]}, {0x0C, 0x39, "", &cv5_10_evidence[2]},
+    {0x0C, 0x3E, "WRSLD", &cv5_10_evidence[2]},  {0x0C, 0x40, "WRSLD", &cv5_10_evidence[2]},
+    {0x0C, 0x50, "WRSLD", &cv5_10_evidence[2]},  {0x0C, 0x51, "WRSLD", &cv5_10_evidence[2]},
+    {0x0C, 0x64, "", &cv5_10_evidence[2]},       {0x80, 0x04, "", &cv5_10_evidence[1]},
+    {0x80, 0x05, "", &cv5_10_evidence[1]},       {0x80, 0x07, "", &cv5_10_evidence[2]},
+    {0x80, 0x08, "", &cv5_10_evidence[2]},       {0x80, 0x12, "", &cv5_10_evidence[2]},
 };
 
 static const struct mip_profile_field cv5_10_refuses[] = {
-    {0x80, 0x01, "", &cv5_10_evidence[2]},
+    {0x01, 0x07, "", &cv5_10_evidence[4]}, {0x01, 0x08, "", &cv5_10_evidence[4]},
+    {0x01, 0x09, "", &cv5_10_evidence[4]}, {0x0C, 0x02, "", &cv5_10_evidence[5]},
+    {0x0C, 0x07, "", &cv5_10_evidence[5]}, {0x0C, 0x09, "", &cv5_10_evidence[5]},
+    {0x0C, 0x20, "", &cv5_10_evidence[5]}, {0x0C, 0x21, "", &cv5_10_evidence[5]},
+    {0x0C, 0x22, "", &cv5_10_evidence[5]}, {0x0C, 0x23, "", &cv5_10_evidence[5]},
+    {0x0C, 0x24, "", &cv5_10_evidence[5]}, {0x0C, 0x34, "", &cv5_10_evidence[5]},
+    {0x0C, 0x3A, "", &cv5_10_evidence[6]}, {0x0C, 0x3B, "", &cv5_10_evidence[6]},
+    {0x0C, 0x62, "", &cv5_10_evidence[5]}, {0x80, 0x01, "", &cv5_10_evidence[3]},
+    {0x80, 0x03, "", &cv5_10_evidence[6]}, {0x80, 0x06, "", &cv5_10_evidence[6]},
+    {0x80, 0x16, "", &cv5_10_evidence[7]}, {0x80, 0x17, "", &cv5_10_evidence[7]},
+};
+
+static const struct mip_profile_field cv5_10_absent_sets[] = {
+    {0x81, 0, "", &cv5_10_evidence[5]},
+    {0x91, 0, "", &cv5_10_evidence[5]},
+    {0x92, 0, "", &cv5_10_evidence[5]},
+    {0x93, 0, "", &cv5_10_evidence[5]},
 };
 
 static const struct mip_profile_note cv5_10_notes[] = {
@@ -52,30 +74,33 @@ static const struct mip_profile_reading cv5_10_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
 };
 
 const struct mip_profile mip_profile_cv5_10 = {
     "3dm-cv5-10",
     "3DM-CV5-10",
-    "",
+    "3dm-cv5-10",
     "Inertial measurement unit.",
     6259, /* model number */
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    27,   /* fields */
-    1,    /* refused fields */
+    26,   /* fields */
+    20,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    3,    /* readings */
+    4,    /* readings */
     0,    /* acknowledge codes */
     cv5_10_also,
     cv5_10_incomplete,
     cv5_10_fields,
     cv5_10_refuses,
+    cv5_10_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -92,57 +117,93 @@ static const char *const cv5_15_also[] = {
 };
 
 static const char *const cv5_15_incomplete[] = {
-    "No manual is known.",
+    "Of the manual, only the table of contents is known, up to `3dm.filter_message_format`. It "
+    "lists the sets `base`, `3dm`, `filter`, `system`, `sensor` and `filter_data`.",
 };
 
 static const struct mip_profile_evidence cv5_15_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15."},
+    {MIP_SUPPORT_YES, "Documented (3DM-CV5-15 Data Communications Protocol Manual: Contents).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-15.", ""},
+    {MIP_SUPPORT_NO, "Not in the manual, whose list of the set is complete.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field cv5_15_fields[] = {
     {0x01, 0x01, "", &cv5_15_evidence[0]},       {0x01, 0x02, "", &cv5_15_evidence[0]},
-    {0x01, 0x03, "", &cv5_15_evidence[1]},       {0x01, 0x04, "", &cv5_15_evidence[2]},
-    {0x01, 0x05, "", &cv5_15_evidence[3]},       {0x01, 0x06, "", &cv5_15_evidence[0]},
-    {0x01, 0x07, "", &cv5_15_evidence[2]},       {0x01, 0x72, "WRA", &cv5_15_evidence[3]},
-    {0x01, 0x7E, "", &cv5_15_evidence[3]},       {0x0C, 0x01, "", &cv5_15_evidence[3]},
-    {0x0C, 0x03, "", &cv5_15_evidence[3]},       {0x0C, 0x06, "", &cv5_15_evidence[0]},
+    {0x01, 0x03, "", &cv5_15_evidence[0]},       {0x01, 0x04, "", &cv5_15_evidence[0]},
+    {0x01, 0x05, "", &cv5_15_evidence[0]},       {0x01, 0x06, "", &cv5_15_evidence[0]},
+    {0x01, 0x07, "", &cv5_15_evidence[0]},       {0x01, 0x72, "WRA", &cv5_15_evidence[0]},
+    {0x01, 0x7E, "", &cv5_15_evidence[0]},       {0x0C, 0x01, "", &cv5_15_evidence[0]},
+    {0x0C, 0x03, "", &cv5_15_evidence[0]},       {0x0C, 0x06, "", &cv5_15_evidence[0]},
     {0x0C, 0x08, "WRSLD", &cv5_15_evidence[0]},  {0x0C, 0x0A, "WRSLD", &cv5_15_evidence[0]},
     {0x0C, 0x0B, "", &cv5_15_evidence[0]},       {0x0C, 0x11, "WRSLD", &cv5_15_evidence[3]},
-    {0x0C, 0x30, "SLD", &cv5_15_evidence[0]},    {0x0C, 0x37, "WRSLDA", &cv5_15_evidence[3]},
-    {0x0C, 0x38, "WRSLDA", &cv5_15_evidence[3]}, {0x0C, 0x39, "", &cv5_15_evidence[0]},
+    {0x0C, 0x30, "SLD", &cv5_15_evidence[1]},    {0x0C, 0x37, "WRSLDA", &cv5_15_evidence[3]},
+    {0x0C, 0x38, "WRSLDA", &cv5_15_evidence[3]}, {0x0C, 0x39, "", &cv5_15_evidence[1]},
     {0x0C, 0x3E, "WRSLD", &cv5_15_evidence[3]},  {0x0C, 0x40, "WRSLD", &cv5_15_evidence[3]},
     {0x0C, 0x50, "WRSLD", &cv5_15_evidence[3]},  {0x0C, 0x51, "WRSLD", &cv5_15_evidence[3]},
-    {0x0C, 0x64, "", &cv5_15_evidence[3]},       {0x0D, 0x01, "", &cv5_15_evidence[1]},
+    {0x0C, 0x64, "", &cv5_15_evidence[3]},       {0x0D, 0x01, "", &cv5_15_evidence[2]},
     {0x0D, 0x02, "", &cv5_15_evidence[3]},       {0x0D, 0x03, "", &cv5_15_evidence[3]},
-    {0x0D, 0x11, "WRSLD", &cv5_15_evidence[0]},  {0x0D, 0x14, "WRSLD", &cv5_15_evidence[3]},
+    {0x0D, 0x11, "WRSLD", &cv5_15_evidence[1]},  {0x0D, 0x14, "WRSLD", &cv5_15_evidence[3]},
     {0x0D, 0x17, "", &cv5_15_evidence[3]},       {0x0D, 0x18, "WRSLD", &cv5_15_evidence[3]},
-    {0x0D, 0x19, "WRSLD", &cv5_15_evidence[0]},  {0x0D, 0x1A, "WRSLD", &cv5_15_evidence[3]},
+    {0x0D, 0x19, "WRSLD", &cv5_15_evidence[1]},  {0x0D, 0x1A, "WRSLD", &cv5_15_evidence[3]},
     {0x0D, 0x1B, "WRSLD", &cv5_15_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cv5_15_evidence[3]},
     {0x0D, 0x1F, "", &cv5_15_evidence[3]},       {0x0D, 0x20, "WRSLD", &cv5_15_evidence[3]},
     {0x0D, 0x21, "WRSLD", &cv5_15_evidence[3]},  {0x0D, 0x23, "", &cv5_15_evidence[3]},
     {0x0D, 0x26, "WRSLD", &cv5_15_evidence[3]},  {0x0D, 0x28, "WRSLD", &cv5_15_evidence[3]},
     {0x0D, 0x41, "WRSLD", &cv5_15_evidence[3]},  {0x0D, 0x44, "WRSLD", &cv5_15_evidence[3]},
     {0x0D, 0x4B, "WRSLD", &cv5_15_evidence[3]},  {0x7F, 0x10, "WRSLD", &cv5_15_evidence[3]},
-    {0x80, 0x04, "", &cv5_15_evidence[0]},       {0x80, 0x05, "", &cv5_15_evidence[0]},
+    {0x80, 0x04, "", &cv5_15_evidence[1]},       {0x80, 0x05, "", &cv5_15_evidence[1]},
     {0x80, 0x07, "", &cv5_15_evidence[3]},       {0x80, 0x08, "", &cv5_15_evidence[3]},
     {0x80, 0x09, "", &cv5_15_evidence[3]},       {0x80, 0x0A, "", &cv5_15_evidence[3]},
     {0x80, 0x0C, "", &cv5_15_evidence[3]},       {0x80, 0x10, "", &cv5_15_evidence[3]},
-    {0x80, 0x11, "", &cv5_15_evidence[3]},       {0x80, 0x12, "", &cv5_15_evidence[0]},
+    {0x80, 0x11, "", &cv5_15_evidence[3]},       {0x80, 0x12, "", &cv5_15_evidence[1]},
     {0x80, 0x17, "", &cv5_15_evidence[3]},       {0x82, 0x03, "", &cv5_15_evidence[3]},
-    {0x82, 0x04, "", &cv5_15_evidence[3]},       {0x82, 0x05, "", &cv5_15_evidence[0]},
+    {0x82, 0x04, "", &cv5_15_evidence[3]},       {0x82, 0x05, "", &cv5_15_evidence[1]},
     {0x82, 0x06, "", &cv5_15_evidence[3]},       {0x82, 0x0A, "", &cv5_15_evidence[3]},
     {0x82, 0x0B, "", &cv5_15_evidence[3]},       {0x82, 0x0D, "", &cv5_15_evidence[3]},
-    {0x82, 0x0E, "", &cv5_15_evidence[0]},       {0x82, 0x0F, "", &cv5_15_evidence[3]},
-    {0x82, 0x10, "", &cv5_15_evidence[0]},       {0x82, 0x11, "", &cv5_15_evidence[0]},
+    {0x82, 0x0E, "", &cv5_15_evidence[1]},       {0x82, 0x0F, "", &cv5_15_evidence[3]},
+    {0x82, 0x10, "", &cv5_15_evidence[1]},       {0x82, 0x11, "", &cv5_15_evidence[1]},
     {0x82, 0x12, "", &cv5_15_evidence[3]},       {0x82, 0x13, "", &cv5_15_evidence[3]},
-    {0x82, 0x14, "", &cv5_15_evidence[3]},       {0x82, 0x1C, "", &cv5_15_evidence[0]},
+    {0x82, 0x14, "", &cv5_15_evidence[3]},       {0x82, 0x1C, "", &cv5_15_evidence[1]},
     {0x82, 0x21, "", &cv5_15_evidence[3]},
+};
+
+static const struct mip_profile_field cv5_15_refuses[] = {
+    {0x01, 0x08, "", &cv5_15_evidence[4]}, {0x01, 0x09, "", &cv5_15_evidence[4]},
+    {0x0C, 0x02, "", &cv5_15_evidence[5]}, {0x0C, 0x07, "", &cv5_15_evidence[5]},
+    {0x0C, 0x09, "", &cv5_15_evidence[5]}, {0x0C, 0x20, "", &cv5_15_evidence[5]},
+    {0x0C, 0x21, "", &cv5_15_evidence[5]}, {0x0C, 0x22, "", &cv5_15_evidence[5]},
+    {0x0C, 0x23, "", &cv5_15_evidence[5]}, {0x0C, 0x24, "", &cv5_15_evidence[5]},
+    {0x0C, 0x34, "", &cv5_15_evidence[5]}, {0x0C, 0x3A, "", &cv5_15_evidence[6]},
+    {0x0C, 0x3B, "", &cv5_15_evidence[6]}, {0x0C, 0x62, "", &cv5_15_evidence[5]},
+    {0x0D, 0x27, "", &cv5_15_evidence[6]}, {0x0D, 0x2B, "", &cv5_15_evidence[6]},
+    {0x0D, 0x2C, "", &cv5_15_evidence[6]}, {0x0D, 0x42, "", &cv5_15_evidence[6]},
+    {0x0D, 0x43, "", &cv5_15_evidence[6]}, {0x0D, 0x45, "", &cv5_15_evidence[6]},
+    {0x0D, 0x46, "", &cv5_15_evidence[6]}, {0x0D, 0x4C, "", &cv5_15_evidence[6]},
+    {0x0D, 0x4D, "", &cv5_15_evidence[6]}, {0x0D, 0x54, "", &cv5_15_evidence[5]},
+    {0x0D, 0x64, "", &cv5_15_evidence[5]}, {0x80, 0x03, "", &cv5_15_evidence[6]},
+    {0x80, 0x06, "", &cv5_15_evidence[6]}, {0x82, 0x1A, "", &cv5_15_evidence[6]},
+    {0x82, 0x1B, "", &cv5_15_evidence[6]}, {0x82, 0x25, "", &cv5_15_evidence[6]},
+    {0x82, 0x26, "", &cv5_15_evidence[6]}, {0x82, 0x28, "", &cv5_15_evidence[6]},
+    {0x82, 0x29, "", &cv5_15_evidence[6]}, {0x82, 0x2A, "", &cv5_15_evidence[6]},
+    {0x82, 0x2C, "", &cv5_15_evidence[6]}, {0x82, 0x34, "", &cv5_15_evidence[5]},
+    {0x82, 0x35, "", &cv5_15_evidence[5]}, {0x82, 0x49, "", &cv5_15_evidence[7]},
+};
+
+static const struct mip_profile_field cv5_15_absent_sets[] = {
+    {0x81, 0, "", &cv5_15_evidence[5]},
+    {0x91, 0, "", &cv5_15_evidence[5]},
+    {0x92, 0, "", &cv5_15_evidence[5]},
+    {0x93, 0, "", &cv5_15_evidence[5]},
 };
 
 static const struct mip_profile_note cv5_15_notes[] = {
@@ -156,6 +217,7 @@ static const struct mip_profile_reading cv5_15_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -164,25 +226,27 @@ static const struct mip_profile_reading cv5_15_readings[] = {
 const struct mip_profile mip_profile_cv5_15 = {
     "3dm-cv5-15",
     "3DM-CV5-15",
-    "",
+    "3dm-cv5-15",
     "Attitude reference.",
     6258, /* model number */
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
     73,   /* fields */
-    0,    /* refused fields */
+    38,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    6,    /* readings */
+    7,    /* readings */
     0,    /* acknowledge codes */
     cv5_15_also,
     cv5_15_incomplete,
     cv5_15_fields,
-    NULL,
+    cv5_15_refuses,
+    cv5_15_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -203,13 +267,18 @@ static const char *const cv5_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv5_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field cv5_25_fields[] = {
@@ -260,6 +329,24 @@ static const struct mip_profile_field cv5_25_fields[] = {
     {0x82, 0x28, "", &cv5_25_evidence[3]},       {0x82, 0x29, "", &cv5_25_evidence[3]},
 };
 
+static const struct mip_profile_field cv5_25_refuses[] = {
+    {0x0C, 0x02, "", &cv5_25_evidence[4]}, {0x0C, 0x07, "", &cv5_25_evidence[4]},
+    {0x0C, 0x09, "", &cv5_25_evidence[4]}, {0x0C, 0x20, "", &cv5_25_evidence[4]},
+    {0x0C, 0x21, "", &cv5_25_evidence[4]}, {0x0C, 0x22, "", &cv5_25_evidence[4]},
+    {0x0C, 0x23, "", &cv5_25_evidence[4]}, {0x0C, 0x24, "", &cv5_25_evidence[4]},
+    {0x0C, 0x34, "", &cv5_25_evidence[4]}, {0x0C, 0x62, "", &cv5_25_evidence[4]},
+    {0x0D, 0x54, "", &cv5_25_evidence[4]}, {0x0D, 0x64, "", &cv5_25_evidence[4]},
+    {0x82, 0x34, "", &cv5_25_evidence[4]}, {0x82, 0x35, "", &cv5_25_evidence[4]},
+    {0x82, 0x49, "", &cv5_25_evidence[5]},
+};
+
+static const struct mip_profile_field cv5_25_absent_sets[] = {
+    {0x81, 0, "", &cv5_25_evidence[4]},
+    {0x91, 0, "", &cv5_25_evidence[4]},
+    {0x92, 0, "", &cv5_25_evidence[4]},
+    {0x93, 0, "", &cv5_25_evidence[4]},
+};
+
 static const struct mip_profile_note cv5_25_notes[] = {
     {"device_status", "Device status",
      "According to MSCL, it replies with `3dm.device_status_basic_response` and "
@@ -271,6 +358,7 @@ static const struct mip_profile_reading cv5_25_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -286,18 +374,20 @@ const struct mip_profile mip_profile_cv5_25 = {
     1,    /* other names */
     1,    /* what is not known */
     90,   /* fields */
-    0,    /* refused fields */
+    15,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    6,    /* readings */
+    7,    /* readings */
     0,    /* acknowledge codes */
     cv5_25_also,
     cv5_25_incomplete,
     cv5_25_fields,
-    NULL,
+    cv5_25_refuses,
+    cv5_25_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -314,86 +404,108 @@ static const char *const cv7_ahrs_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv7_ahrs_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol "
-                      "Support and Specifications)."},
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, "
-                      "linked by the ROS messages)."},
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, "
-                      "linked by a public program)."},
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (Public programs of users: Program for a 3DM-CV7)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (PX4: Driver of the vendor's sensors)."},
-    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
-                           "Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_YES,
+     "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and "
+     "Specifications).",
+     ""},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+     ""},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_YES,
+     "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS "
+     "messages).",
+     ""},
+    {MIP_SUPPORT_YES,
+     "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public "
+     "program).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (Public programs of users: Program for a 3DM-CV7).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver of the vendor: Example configurations).", ""},
+    {MIP_SUPPORT_LIKELY, "Used by programs for this model (PX4: Driver of the vendor's sensors).",
+     ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
     {MIP_SUPPORT_NO,
-     "Rejected by the device (firmware 1.0.07; ROS driver of the vendor: Issue 257)."},
-    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 350)."},
+     "Rejected by the device (firmware 1.0.07; ROS driver of the vendor: Issue 257).", ""},
+    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 350).", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
 };
 
 static const struct mip_profile_field cv7_ahrs_fields[] = {
     {0x01, 0x01, "", &cv7_ahrs_evidence[5]},       {0x01, 0x02, "", &cv7_ahrs_evidence[5]},
     {0x01, 0x03, "", &cv7_ahrs_evidence[6]},       {0x01, 0x04, "", &cv7_ahrs_evidence[0]},
     {0x01, 0x05, "", &cv7_ahrs_evidence[7]},       {0x01, 0x06, "", &cv7_ahrs_evidence[5]},
-    {0x01, 0x07, "", &cv7_ahrs_evidence[0]},       {0x01, 0x08, "", &cv7_ahrs_evidence[11]},
-    {0x01, 0x09, "WRSLD", &cv7_ahrs_evidence[0]},  {0x01, 0x72, "WRA", &cv7_ahrs_evidence[11]},
-    {0x01, 0x7E, "", &cv7_ahrs_evidence[11]},      {0x0C, 0x0D, "", &cv7_ahrs_evidence[11]},
+    {0x01, 0x07, "", &cv7_ahrs_evidence[0]},       {0x01, 0x08, "", &cv7_ahrs_evidence[10]},
+    {0x01, 0x09, "WRSLD", &cv7_ahrs_evidence[0]},  {0x01, 0x72, "WRA", &cv7_ahrs_evidence[10]},
+    {0x01, 0x7E, "", &cv7_ahrs_evidence[1]},       {0x0C, 0x0D, "", &cv7_ahrs_evidence[10]},
     {0x0C, 0x0E, "", &cv7_ahrs_evidence[0]},       {0x0C, 0x0F, "WRSLD", &cv7_ahrs_evidence[5]},
-    {0x0C, 0x10, "", &cv7_ahrs_evidence[11]},      {0x0C, 0x11, "WRSLD", &cv7_ahrs_evidence[1]},
-    {0x0C, 0x28, "WRSLD", &cv7_ahrs_evidence[8]},  {0x0C, 0x2A, "", &cv7_ahrs_evidence[11]},
-    {0x0C, 0x2B, "WRSLD", &cv7_ahrs_evidence[5]},  {0x0C, 0x2C, "", &cv7_ahrs_evidence[11]},
-    {0x0C, 0x2D, "", &cv7_ahrs_evidence[11]},      {0x0C, 0x2E, "WRSLD", &cv7_ahrs_evidence[2]},
-    {0x0C, 0x2F, "WRSLD", &cv7_ahrs_evidence[2]},  {0x0C, 0x30, "SLD", &cv7_ahrs_evidence[5]},
-    {0x0C, 0x31, "WRSLD", &cv7_ahrs_evidence[5]},  {0x0C, 0x32, "WRSLD", &cv7_ahrs_evidence[11]},
-    {0x0C, 0x33, "WRSLD", &cv7_ahrs_evidence[11]}, {0x0C, 0x37, "WRSLDA", &cv7_ahrs_evidence[11]},
-    {0x0C, 0x38, "WRSLD", &cv7_ahrs_evidence[1]},  {0x0C, 0x39, "", &cv7_ahrs_evidence[1]},
-    {0x0C, 0x3A, "WRSLD", &cv7_ahrs_evidence[1]},  {0x0C, 0x3B, "WRSLD", &cv7_ahrs_evidence[1]},
-    {0x0C, 0x41, "WRSLD", &cv7_ahrs_evidence[2]},  {0x0C, 0x42, "WR", &cv7_ahrs_evidence[11]},
-    {0x0C, 0x50, "WRSLD", &cv7_ahrs_evidence[0]},  {0x0C, 0x51, "WRSLD", &cv7_ahrs_evidence[11]},
-    {0x0C, 0x52, "WRSLD", &cv7_ahrs_evidence[9]},  {0x0C, 0x53, "", &cv7_ahrs_evidence[11]},
-    {0x0C, 0x54, "WRSLD", &cv7_ahrs_evidence[0]},  {0x0D, 0x01, "", &cv7_ahrs_evidence[1]},
-    {0x0D, 0x03, "", &cv7_ahrs_evidence[1]},       {0x0D, 0x1A, "WRSLD", &cv7_ahrs_evidence[11]},
-    {0x0D, 0x1B, "WRSLD", &cv7_ahrs_evidence[11]}, {0x0D, 0x1D, "WRSLD", &cv7_ahrs_evidence[11]},
-    {0x0D, 0x20, "WRSLD", &cv7_ahrs_evidence[11]}, {0x0D, 0x28, "WRSLD", &cv7_ahrs_evidence[11]},
-    {0x0D, 0x43, "WRSLD", &cv7_ahrs_evidence[1]},  {0x0D, 0x50, "WRSLD", &cv7_ahrs_evidence[3]},
-    {0x0D, 0x53, "WRSLD", &cv7_ahrs_evidence[8]},  {0x13, 0x01, "WRSLD", &cv7_ahrs_evidence[1]},
-    {0x13, 0x1F, "WRSLD", &cv7_ahrs_evidence[1]},  {0x13, 0x31, "", &cv7_ahrs_evidence[1]},
-    {0x13, 0x32, "", &cv7_ahrs_evidence[1]},       {0x80, 0x04, "", &cv7_ahrs_evidence[1]},
-    {0x80, 0x05, "", &cv7_ahrs_evidence[3]},       {0x80, 0x06, "", &cv7_ahrs_evidence[0]},
-    {0x80, 0x07, "", &cv7_ahrs_evidence[11]},      {0x80, 0x08, "", &cv7_ahrs_evidence[11]},
-    {0x80, 0x09, "", &cv7_ahrs_evidence[10]},      {0x80, 0x0A, "", &cv7_ahrs_evidence[3]},
-    {0x80, 0x0C, "", &cv7_ahrs_evidence[10]},      {0x80, 0x14, "", &cv7_ahrs_evidence[11]},
-    {0x80, 0x17, "", &cv7_ahrs_evidence[0]},       {0x80, 0x18, "", &cv7_ahrs_evidence[2]},
-    {0x82, 0x03, "", &cv7_ahrs_evidence[3]},       {0x82, 0x04, "", &cv7_ahrs_evidence[3]},
-    {0x82, 0x05, "", &cv7_ahrs_evidence[3]},       {0x82, 0x06, "", &cv7_ahrs_evidence[1]},
+    {0x0C, 0x10, "", &cv7_ahrs_evidence[10]},      {0x0C, 0x11, "WRSLD", &cv7_ahrs_evidence[2]},
+    {0x0C, 0x28, "WRSLD", &cv7_ahrs_evidence[8]},  {0x0C, 0x2A, "", &cv7_ahrs_evidence[1]},
+    {0x0C, 0x2B, "WRSLD", &cv7_ahrs_evidence[5]},  {0x0C, 0x2C, "", &cv7_ahrs_evidence[10]},
+    {0x0C, 0x2D, "", &cv7_ahrs_evidence[10]},      {0x0C, 0x2E, "WRSLD", &cv7_ahrs_evidence[3]},
+    {0x0C, 0x2F, "WRSLD", &cv7_ahrs_evidence[3]},  {0x0C, 0x30, "SLD", &cv7_ahrs_evidence[5]},
+    {0x0C, 0x31, "WRSLD", &cv7_ahrs_evidence[5]},  {0x0C, 0x32, "WRSLD", &cv7_ahrs_evidence[10]},
+    {0x0C, 0x33, "WRSLD", &cv7_ahrs_evidence[10]}, {0x0C, 0x37, "WRSLDA", &cv7_ahrs_evidence[10]},
+    {0x0C, 0x38, "WRSLD", &cv7_ahrs_evidence[2]},  {0x0C, 0x39, "", &cv7_ahrs_evidence[2]},
+    {0x0C, 0x3A, "WRSLD", &cv7_ahrs_evidence[2]},  {0x0C, 0x3B, "WRSLD", &cv7_ahrs_evidence[2]},
+    {0x0C, 0x41, "WRSLD", &cv7_ahrs_evidence[3]},  {0x0C, 0x42, "WR", &cv7_ahrs_evidence[10]},
+    {0x0C, 0x50, "WRSLD", &cv7_ahrs_evidence[0]},  {0x0C, 0x51, "WRSLD", &cv7_ahrs_evidence[10]},
+    {0x0C, 0x52, "WRSLD", &cv7_ahrs_evidence[9]},  {0x0C, 0x53, "", &cv7_ahrs_evidence[10]},
+    {0x0C, 0x54, "WRSLD", &cv7_ahrs_evidence[0]},  {0x0D, 0x01, "", &cv7_ahrs_evidence[2]},
+    {0x0D, 0x03, "", &cv7_ahrs_evidence[2]},       {0x0D, 0x1A, "WRSLD", &cv7_ahrs_evidence[10]},
+    {0x0D, 0x1B, "WRSLD", &cv7_ahrs_evidence[10]}, {0x0D, 0x1D, "WRSLD", &cv7_ahrs_evidence[10]},
+    {0x0D, 0x20, "WRSLD", &cv7_ahrs_evidence[10]}, {0x0D, 0x28, "WRSLD", &cv7_ahrs_evidence[10]},
+    {0x0D, 0x43, "WRSLD", &cv7_ahrs_evidence[2]},  {0x0D, 0x50, "WRSLD", &cv7_ahrs_evidence[4]},
+    {0x0D, 0x53, "WRSLD", &cv7_ahrs_evidence[8]},  {0x13, 0x01, "WRSLD", &cv7_ahrs_evidence[2]},
+    {0x13, 0x1F, "WRSLD", &cv7_ahrs_evidence[2]},  {0x13, 0x31, "", &cv7_ahrs_evidence[2]},
+    {0x13, 0x32, "", &cv7_ahrs_evidence[2]},       {0x80, 0x04, "", &cv7_ahrs_evidence[2]},
+    {0x80, 0x05, "", &cv7_ahrs_evidence[4]},       {0x80, 0x06, "", &cv7_ahrs_evidence[0]},
+    {0x80, 0x07, "", &cv7_ahrs_evidence[10]},      {0x80, 0x08, "", &cv7_ahrs_evidence[10]},
+    {0x80, 0x09, "", &cv7_ahrs_evidence[10]},      {0x80, 0x0A, "", &cv7_ahrs_evidence[4]},
+    {0x80, 0x0C, "", &cv7_ahrs_evidence[1]},       {0x80, 0x14, "", &cv7_ahrs_evidence[10]},
+    {0x80, 0x17, "", &cv7_ahrs_evidence[0]},       {0x80, 0x18, "", &cv7_ahrs_evidence[3]},
+    {0x82, 0x03, "", &cv7_ahrs_evidence[4]},       {0x82, 0x04, "", &cv7_ahrs_evidence[4]},
+    {0x82, 0x05, "", &cv7_ahrs_evidence[4]},       {0x82, 0x06, "", &cv7_ahrs_evidence[2]},
     {0x82, 0x0A, "", &cv7_ahrs_evidence[9]},       {0x82, 0x0B, "", &cv7_ahrs_evidence[10]},
-    {0x82, 0x0D, "", &cv7_ahrs_evidence[3]},       {0x82, 0x0E, "", &cv7_ahrs_evidence[3]},
-    {0x82, 0x10, "", &cv7_ahrs_evidence[3]},       {0x82, 0x12, "", &cv7_ahrs_evidence[10]},
-    {0x82, 0x13, "", &cv7_ahrs_evidence[3]},       {0x82, 0x1C, "", &cv7_ahrs_evidence[0]},
-    {0x82, 0x21, "", &cv7_ahrs_evidence[10]},      {0x82, 0x50, "", &cv7_ahrs_evidence[4]},
-    {0xA0, 0x01, "", &cv7_ahrs_evidence[11]},      {0xA0, 0x02, "", &cv7_ahrs_evidence[2]},
-    {0xA0, 0x03, "", &cv7_ahrs_evidence[10]},      {0xFF, 0xD0, "", &cv7_ahrs_evidence[2]},
-    {0xFF, 0xD3, "", &cv7_ahrs_evidence[2]},       {0xFF, 0xD4, "", &cv7_ahrs_evidence[11]},
-    {0xFF, 0xD5, "", &cv7_ahrs_evidence[10]},      {0xFF, 0xD6, "", &cv7_ahrs_evidence[11]},
-    {0xFF, 0xD7, "", &cv7_ahrs_evidence[10]},      {0xFF, 0xD8, "", &cv7_ahrs_evidence[11]},
+    {0x82, 0x0D, "", &cv7_ahrs_evidence[4]},       {0x82, 0x0E, "", &cv7_ahrs_evidence[4]},
+    {0x82, 0x10, "", &cv7_ahrs_evidence[4]},       {0x82, 0x12, "", &cv7_ahrs_evidence[10]},
+    {0x82, 0x13, "", &cv7_ahrs_evidence[4]},       {0x82, 0x1C, "", &cv7_ahrs_evidence[0]},
+    {0x82, 0x21, "", &cv7_ahrs_evidence[10]},      {0x82, 0x50, "", &cv7_ahrs_evidence[1]},
+    {0xA0, 0x01, "", &cv7_ahrs_evidence[10]},      {0xA0, 0x02, "", &cv7_ahrs_evidence[3]},
+    {0xA0, 0x03, "", &cv7_ahrs_evidence[10]},      {0xFF, 0xD0, "", &cv7_ahrs_evidence[3]},
+    {0xFF, 0xD3, "", &cv7_ahrs_evidence[3]},       {0xFF, 0xD4, "", &cv7_ahrs_evidence[10]},
+    {0xFF, 0xD5, "", &cv7_ahrs_evidence[10]},      {0xFF, 0xD6, "", &cv7_ahrs_evidence[10]},
+    {0xFF, 0xD7, "", &cv7_ahrs_evidence[10]},      {0xFF, 0xD8, "", &cv7_ahrs_evidence[10]},
 };
 
 static const struct mip_profile_field cv7_ahrs_refuses[] = {
-    {0x81, 0x03, "", &cv7_ahrs_evidence[12]}, {0x81, 0x0B, "", &cv7_ahrs_evidence[12]},
-    {0x82, 0x34, "", &cv7_ahrs_evidence[12]}, {0x82, 0x43, "", &cv7_ahrs_evidence[12]},
-    {0x82, 0x49, "", &cv7_ahrs_evidence[13]}, {0x91, 0x03, "", &cv7_ahrs_evidence[12]},
-    {0x91, 0x0B, "", &cv7_ahrs_evidence[12]}, {0x91, 0x12, "", &cv7_ahrs_evidence[13]},
-    {0x91, 0x14, "", &cv7_ahrs_evidence[13]}, {0x92, 0x0B, "", &cv7_ahrs_evidence[13]},
-    {0x92, 0x12, "", &cv7_ahrs_evidence[13]}, {0x92, 0x14, "", &cv7_ahrs_evidence[13]},
+    {0x0C, 0x02, "", &cv7_ahrs_evidence[13]}, {0x0C, 0x07, "", &cv7_ahrs_evidence[13]},
+    {0x0C, 0x09, "", &cv7_ahrs_evidence[13]}, {0x0C, 0x20, "", &cv7_ahrs_evidence[13]},
+    {0x0C, 0x21, "", &cv7_ahrs_evidence[13]}, {0x0C, 0x22, "", &cv7_ahrs_evidence[13]},
+    {0x0C, 0x23, "", &cv7_ahrs_evidence[13]}, {0x0C, 0x24, "", &cv7_ahrs_evidence[13]},
+    {0x0C, 0x34, "", &cv7_ahrs_evidence[13]}, {0x0C, 0x62, "", &cv7_ahrs_evidence[13]},
+    {0x0D, 0x54, "", &cv7_ahrs_evidence[13]}, {0x0D, 0x64, "", &cv7_ahrs_evidence[13]},
+    {0x81, 0x03, "", &cv7_ahrs_evidence[11]}, {0x81, 0x0B, "", &cv7_ahrs_evidence[11]},
+    {0x82, 0x34, "", &cv7_ahrs_evidence[11]}, {0x82, 0x35, "", &cv7_ahrs_evidence[13]},
+    {0x82, 0x43, "", &cv7_ahrs_evidence[11]}, {0x82, 0x49, "", &cv7_ahrs_evidence[12]},
+    {0x91, 0x03, "", &cv7_ahrs_evidence[11]}, {0x91, 0x0B, "", &cv7_ahrs_evidence[11]},
+    {0x91, 0x12, "", &cv7_ahrs_evidence[12]}, {0x91, 0x14, "", &cv7_ahrs_evidence[12]},
+    {0x92, 0x0B, "", &cv7_ahrs_evidence[12]}, {0x92, 0x12, "", &cv7_ahrs_evidence[12]},
+    {0x92, 0x14, "", &cv7_ahrs_evidence[12]},
+};
+
+static const struct mip_profile_field cv7_ahrs_absent_sets[] = {
+    {0x81, 0, "", &cv7_ahrs_evidence[13]},
+    {0x91, 0, "", &cv7_ahrs_evidence[13]},
+    {0x92, 0, "", &cv7_ahrs_evidence[13]},
+    {0x93, 0, "", &cv7_ahrs_evidence[13]},
 };
 
 static const struct mip_profile_firmware cv7_ahrs_firmware[] = {
@@ -490,7 +602,8 @@ const struct mip_profile mip_profile_cv7_ahrs = {
     0,    /* other names */
     1,    /* what is not known */
     88,   /* fields */
-    12,   /* refused fields */
+    25,   /* refused fields */
+    4,    /* absent sets */
     2,    /* fields of some firmware */
     3,    /* base rates */
     3,    /* ports */
@@ -502,6 +615,7 @@ const struct mip_profile mip_profile_cv7_ahrs = {
     cv7_ahrs_incomplete,
     cv7_ahrs_fields,
     cv7_ahrs_refuses,
+    cv7_ahrs_absent_sets,
     cv7_ahrs_firmware,
     cv7_ahrs_rates,
     cv7_ahrs_ports,
@@ -518,78 +632,109 @@ static const char *const cv7_ar_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv7_ar_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol "
-                      "Support and Specifications)."},
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, "
-                      "linked by the ROS messages)."},
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, "
-                      "linked by a public program)."},
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
-    {MIP_SUPPORT_YES, "Listed by the device (MicroStrain Communication Library: Issue 258)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (PX4: Driver of the vendor's sensors)."},
-    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
-                           "Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
-    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 258)."},
+    {MIP_SUPPORT_YES,
+     "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and "
+     "Specifications).",
+     ""},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+     ""},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_YES,
+     "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS "
+     "messages).",
+     ""},
+    {MIP_SUPPORT_YES,
+     "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public "
+     "program).",
+     ""},
+    {MIP_SUPPORT_YES, "Listed by the device (MicroStrain Communication Library: Issue 258).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver of the vendor: Example configurations).", ""},
+    {MIP_SUPPORT_LIKELY, "Used by programs for this model (PX4: Driver of the vendor's sensors).",
+     ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 258).", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field cv7_ar_fields[] = {
-    {0x01, 0x01, "", &cv7_ar_evidence[6]},       {0x01, 0x02, "", &cv7_ar_evidence[6]},
-    {0x01, 0x03, "", &cv7_ar_evidence[6]},       {0x01, 0x04, "", &cv7_ar_evidence[0]},
-    {0x01, 0x05, "", &cv7_ar_evidence[10]},      {0x01, 0x06, "", &cv7_ar_evidence[6]},
-    {0x01, 0x07, "", &cv7_ar_evidence[0]},       {0x01, 0x08, "", &cv7_ar_evidence[5]},
-    {0x01, 0x09, "WRSLD", &cv7_ar_evidence[0]},  {0x01, 0x72, "WRA", &cv7_ar_evidence[10]},
-    {0x01, 0x7E, "", &cv7_ar_evidence[10]},      {0x0C, 0x0D, "", &cv7_ar_evidence[10]},
-    {0x0C, 0x0E, "", &cv7_ar_evidence[0]},       {0x0C, 0x0F, "WRSLD", &cv7_ar_evidence[6]},
-    {0x0C, 0x10, "", &cv7_ar_evidence[10]},      {0x0C, 0x11, "WRSLD", &cv7_ar_evidence[1]},
-    {0x0C, 0x28, "WRSLD", &cv7_ar_evidence[7]},  {0x0C, 0x2A, "", &cv7_ar_evidence[10]},
-    {0x0C, 0x2B, "WRSLD", &cv7_ar_evidence[6]},  {0x0C, 0x2C, "", &cv7_ar_evidence[10]},
-    {0x0C, 0x2D, "", &cv7_ar_evidence[10]},      {0x0C, 0x2E, "WRSLD", &cv7_ar_evidence[2]},
-    {0x0C, 0x2F, "WRSLD", &cv7_ar_evidence[2]},  {0x0C, 0x30, "SLD", &cv7_ar_evidence[6]},
-    {0x0C, 0x31, "WRSLD", &cv7_ar_evidence[6]},  {0x0C, 0x32, "WRSLD", &cv7_ar_evidence[10]},
-    {0x0C, 0x33, "WRSLD", &cv7_ar_evidence[10]}, {0x0C, 0x37, "WRSLDA", &cv7_ar_evidence[10]},
-    {0x0C, 0x38, "WRSLD", &cv7_ar_evidence[1]},  {0x0C, 0x39, "", &cv7_ar_evidence[1]},
-    {0x0C, 0x3A, "WRSLD", &cv7_ar_evidence[1]},  {0x0C, 0x3B, "WRSLD", &cv7_ar_evidence[1]},
-    {0x0C, 0x41, "WRSLD", &cv7_ar_evidence[2]},  {0x0C, 0x42, "WR", &cv7_ar_evidence[10]},
-    {0x0C, 0x50, "WRSLD", &cv7_ar_evidence[0]},  {0x0C, 0x51, "WRSLD", &cv7_ar_evidence[10]},
-    {0x0C, 0x52, "WRSLD", &cv7_ar_evidence[8]},  {0x0C, 0x53, "", &cv7_ar_evidence[10]},
-    {0x0C, 0x54, "WRSLD", &cv7_ar_evidence[0]},  {0x0D, 0x01, "", &cv7_ar_evidence[1]},
-    {0x0D, 0x03, "", &cv7_ar_evidence[1]},       {0x0D, 0x1A, "WRSLD", &cv7_ar_evidence[10]},
-    {0x0D, 0x1B, "WRSLD", &cv7_ar_evidence[10]}, {0x0D, 0x1D, "WRSLD", &cv7_ar_evidence[10]},
-    {0x0D, 0x20, "WRSLD", &cv7_ar_evidence[10]}, {0x0D, 0x28, "WRSLD", &cv7_ar_evidence[10]},
-    {0x0D, 0x43, "WRSLD", &cv7_ar_evidence[1]},  {0x0D, 0x50, "WRSLD", &cv7_ar_evidence[3]},
-    {0x0D, 0x53, "WRSLD", &cv7_ar_evidence[7]},  {0x13, 0x01, "WRSLD", &cv7_ar_evidence[1]},
-    {0x13, 0x1F, "WRSLD", &cv7_ar_evidence[1]},  {0x13, 0x31, "", &cv7_ar_evidence[1]},
-    {0x13, 0x32, "", &cv7_ar_evidence[1]},       {0x80, 0x04, "", &cv7_ar_evidence[1]},
-    {0x80, 0x05, "", &cv7_ar_evidence[3]},       {0x80, 0x06, "", &cv7_ar_evidence[0]},
-    {0x80, 0x07, "", &cv7_ar_evidence[10]},      {0x80, 0x08, "", &cv7_ar_evidence[10]},
-    {0x80, 0x09, "", &cv7_ar_evidence[9]},       {0x80, 0x0A, "", &cv7_ar_evidence[3]},
-    {0x80, 0x0C, "", &cv7_ar_evidence[9]},       {0x80, 0x14, "", &cv7_ar_evidence[10]},
-    {0x80, 0x17, "", &cv7_ar_evidence[0]},       {0x80, 0x18, "", &cv7_ar_evidence[2]},
-    {0x82, 0x03, "", &cv7_ar_evidence[3]},       {0x82, 0x04, "", &cv7_ar_evidence[3]},
-    {0x82, 0x05, "", &cv7_ar_evidence[3]},       {0x82, 0x06, "", &cv7_ar_evidence[1]},
-    {0x82, 0x0A, "", &cv7_ar_evidence[8]},       {0x82, 0x0B, "", &cv7_ar_evidence[9]},
-    {0x82, 0x0D, "", &cv7_ar_evidence[3]},       {0x82, 0x0E, "", &cv7_ar_evidence[3]},
-    {0x82, 0x10, "", &cv7_ar_evidence[3]},       {0x82, 0x12, "", &cv7_ar_evidence[9]},
-    {0x82, 0x13, "", &cv7_ar_evidence[3]},       {0x82, 0x1C, "", &cv7_ar_evidence[0]},
-    {0x82, 0x21, "", &cv7_ar_evidence[9]},       {0x82, 0x50, "", &cv7_ar_evidence[4]},
-    {0xA0, 0x01, "", &cv7_ar_evidence[5]},       {0xA0, 0x02, "", &cv7_ar_evidence[2]},
-    {0xA0, 0x03, "", &cv7_ar_evidence[5]},       {0xFF, 0xD0, "", &cv7_ar_evidence[2]},
-    {0xFF, 0xD3, "", &cv7_ar_evidence[2]},       {0xFF, 0xD4, "", &cv7_ar_evidence[5]},
-    {0xFF, 0xD5, "", &cv7_ar_evidence[5]},       {0xFF, 0xD6, "", &cv7_ar_evidence[5]},
-    {0xFF, 0xD7, "", &cv7_ar_evidence[5]},       {0xFF, 0xD8, "", &cv7_ar_evidence[5]},
+    {0x01, 0x01, "", &cv7_ar_evidence[6]},      {0x01, 0x02, "", &cv7_ar_evidence[6]},
+    {0x01, 0x03, "", &cv7_ar_evidence[6]},      {0x01, 0x04, "", &cv7_ar_evidence[0]},
+    {0x01, 0x05, "", &cv7_ar_evidence[9]},      {0x01, 0x06, "", &cv7_ar_evidence[6]},
+    {0x01, 0x07, "", &cv7_ar_evidence[0]},      {0x01, 0x08, "", &cv7_ar_evidence[5]},
+    {0x01, 0x09, "WRSLD", &cv7_ar_evidence[0]}, {0x01, 0x72, "WRA", &cv7_ar_evidence[9]},
+    {0x01, 0x7E, "", &cv7_ar_evidence[1]},      {0x0C, 0x0D, "", &cv7_ar_evidence[9]},
+    {0x0C, 0x0E, "", &cv7_ar_evidence[0]},      {0x0C, 0x0F, "WRSLD", &cv7_ar_evidence[6]},
+    {0x0C, 0x10, "", &cv7_ar_evidence[9]},      {0x0C, 0x11, "WRSLD", &cv7_ar_evidence[2]},
+    {0x0C, 0x28, "WRSLD", &cv7_ar_evidence[7]}, {0x0C, 0x2A, "", &cv7_ar_evidence[1]},
+    {0x0C, 0x2B, "WRSLD", &cv7_ar_evidence[6]}, {0x0C, 0x2C, "", &cv7_ar_evidence[9]},
+    {0x0C, 0x2D, "", &cv7_ar_evidence[9]},      {0x0C, 0x2E, "WRSLD", &cv7_ar_evidence[3]},
+    {0x0C, 0x2F, "WRSLD", &cv7_ar_evidence[3]}, {0x0C, 0x30, "SLD", &cv7_ar_evidence[6]},
+    {0x0C, 0x31, "WRSLD", &cv7_ar_evidence[6]}, {0x0C, 0x32, "WRSLD", &cv7_ar_evidence[9]},
+    {0x0C, 0x33, "WRSLD", &cv7_ar_evidence[9]}, {0x0C, 0x37, "WRSLDA", &cv7_ar_evidence[9]},
+    {0x0C, 0x38, "WRSLD", &cv7_ar_evidence[2]}, {0x0C, 0x39, "", &cv7_ar_evidence[2]},
+    {0x0C, 0x41, "WRSLD", &cv7_ar_evidence[3]}, {0x0C, 0x42, "WR", &cv7_ar_evidence[9]},
+    {0x0C, 0x50, "WRSLD", &cv7_ar_evidence[0]}, {0x0C, 0x51, "WRSLD", &cv7_ar_evidence[9]},
+    {0x0C, 0x52, "WRSLD", &cv7_ar_evidence[8]}, {0x0C, 0x53, "", &cv7_ar_evidence[9]},
+    {0x0C, 0x54, "WRSLD", &cv7_ar_evidence[0]}, {0x0D, 0x01, "", &cv7_ar_evidence[2]},
+    {0x0D, 0x03, "", &cv7_ar_evidence[2]},      {0x0D, 0x1A, "WRSLD", &cv7_ar_evidence[9]},
+    {0x0D, 0x1B, "WRSLD", &cv7_ar_evidence[9]}, {0x0D, 0x1D, "WRSLD", &cv7_ar_evidence[9]},
+    {0x0D, 0x20, "WRSLD", &cv7_ar_evidence[9]}, {0x0D, 0x28, "WRSLD", &cv7_ar_evidence[9]},
+    {0x0D, 0x50, "WRSLD", &cv7_ar_evidence[4]}, {0x0D, 0x53, "WRSLD", &cv7_ar_evidence[7]},
+    {0x13, 0x01, "WRSLD", &cv7_ar_evidence[2]}, {0x13, 0x1F, "WRSLD", &cv7_ar_evidence[2]},
+    {0x13, 0x31, "", &cv7_ar_evidence[2]},      {0x13, 0x32, "", &cv7_ar_evidence[2]},
+    {0x80, 0x04, "", &cv7_ar_evidence[2]},      {0x80, 0x05, "", &cv7_ar_evidence[4]},
+    {0x80, 0x07, "", &cv7_ar_evidence[9]},      {0x80, 0x08, "", &cv7_ar_evidence[9]},
+    {0x80, 0x09, "", &cv7_ar_evidence[9]},      {0x80, 0x0A, "", &cv7_ar_evidence[4]},
+    {0x80, 0x0C, "", &cv7_ar_evidence[1]},      {0x80, 0x14, "", &cv7_ar_evidence[9]},
+    {0x80, 0x17, "", &cv7_ar_evidence[0]},      {0x80, 0x18, "", &cv7_ar_evidence[3]},
+    {0x82, 0x03, "", &cv7_ar_evidence[4]},      {0x82, 0x04, "", &cv7_ar_evidence[4]},
+    {0x82, 0x05, "", &cv7_ar_evidence[4]},      {0x82, 0x06, "", &cv7_ar_evidence[2]},
+    {0x82, 0x0A, "", &cv7_ar_evidence[8]},      {0x82, 0x0B, "", &cv7_ar_evidence[9]},
+    {0x82, 0x0D, "", &cv7_ar_evidence[4]},      {0x82, 0x0E, "", &cv7_ar_evidence[4]},
+    {0x82, 0x10, "", &cv7_ar_evidence[4]},      {0x82, 0x12, "", &cv7_ar_evidence[9]},
+    {0x82, 0x13, "", &cv7_ar_evidence[4]},      {0x82, 0x1C, "", &cv7_ar_evidence[0]},
+    {0x82, 0x21, "", &cv7_ar_evidence[9]},      {0x82, 0x50, "", &cv7_ar_evidence[1]},
+    {0xA0, 0x01, "", &cv7_ar_evidence[5]},      {0xA0, 0x02, "", &cv7_ar_evidence[3]},
+    {0xA0, 0x03, "", &cv7_ar_evidence[5]},      {0xFF, 0xD0, "", &cv7_ar_evidence[3]},
+    {0xFF, 0xD3, "", &cv7_ar_evidence[3]},      {0xFF, 0xD4, "", &cv7_ar_evidence[5]},
+    {0xFF, 0xD5, "", &cv7_ar_evidence[5]},      {0xFF, 0xD6, "", &cv7_ar_evidence[5]},
+    {0xFF, 0xD7, "", &cv7_ar_evidence[5]},      {0xFF, 0xD8, "", &cv7_ar_evidence[5]},
 };
 
 static const struct mip_profile_field cv7_ar_refuses[] = {
-    {0x0D, 0x19, "WRSLD", &cv7_ar_evidence[11]},
-    {0x0D, 0x44, "WRSLD", &cv7_ar_evidence[11]},
-    {0x0D, 0x4B, "WRSLD", &cv7_ar_evidence[11]},
+    {0x0C, 0x02, "", &cv7_ar_evidence[11]},      {0x0C, 0x07, "", &cv7_ar_evidence[11]},
+    {0x0C, 0x09, "", &cv7_ar_evidence[11]},      {0x0C, 0x20, "", &cv7_ar_evidence[11]},
+    {0x0C, 0x21, "", &cv7_ar_evidence[11]},      {0x0C, 0x22, "", &cv7_ar_evidence[11]},
+    {0x0C, 0x23, "", &cv7_ar_evidence[11]},      {0x0C, 0x24, "", &cv7_ar_evidence[11]},
+    {0x0C, 0x34, "", &cv7_ar_evidence[11]},      {0x0C, 0x3A, "", &cv7_ar_evidence[12]},
+    {0x0C, 0x3B, "", &cv7_ar_evidence[12]},      {0x0C, 0x62, "", &cv7_ar_evidence[11]},
+    {0x0D, 0x19, "WRSLD", &cv7_ar_evidence[10]}, {0x0D, 0x27, "", &cv7_ar_evidence[12]},
+    {0x0D, 0x2B, "", &cv7_ar_evidence[12]},      {0x0D, 0x2C, "", &cv7_ar_evidence[12]},
+    {0x0D, 0x42, "", &cv7_ar_evidence[12]},      {0x0D, 0x43, "", &cv7_ar_evidence[12]},
+    {0x0D, 0x44, "WRSLD", &cv7_ar_evidence[10]}, {0x0D, 0x45, "", &cv7_ar_evidence[12]},
+    {0x0D, 0x46, "", &cv7_ar_evidence[12]},      {0x0D, 0x4B, "WRSLD", &cv7_ar_evidence[10]},
+    {0x0D, 0x4C, "", &cv7_ar_evidence[12]},      {0x0D, 0x4D, "", &cv7_ar_evidence[12]},
+    {0x0D, 0x54, "", &cv7_ar_evidence[11]},      {0x0D, 0x64, "", &cv7_ar_evidence[11]},
+    {0x80, 0x03, "", &cv7_ar_evidence[12]},      {0x80, 0x06, "", &cv7_ar_evidence[12]},
+    {0x82, 0x1A, "", &cv7_ar_evidence[12]},      {0x82, 0x1B, "", &cv7_ar_evidence[12]},
+    {0x82, 0x25, "", &cv7_ar_evidence[12]},      {0x82, 0x26, "", &cv7_ar_evidence[12]},
+    {0x82, 0x28, "", &cv7_ar_evidence[12]},      {0x82, 0x29, "", &cv7_ar_evidence[12]},
+    {0x82, 0x2A, "", &cv7_ar_evidence[12]},      {0x82, 0x2C, "", &cv7_ar_evidence[12]},
+    {0x82, 0x34, "", &cv7_ar_evidence[11]},      {0x82, 0x35, "", &cv7_ar_evidence[11]},
+    {0x82, 0x49, "", &cv7_ar_evidence[13]},
+};
+
+static const struct mip_profile_field cv7_ar_absent_sets[] = {
+    {0x81, 0, "", &cv7_ar_evidence[11]},
+    {0x91, 0, "", &cv7_ar_evidence[11]},
+    {0x92, 0, "", &cv7_ar_evidence[11]},
+    {0x93, 0, "", &cv7_ar_evidence[11]},
 };
 
 static const struct mip_profile_firmware cv7_ar_firmware[] = {
@@ -685,8 +830,9 @@ const struct mip_profile mip_profile_cv7_ar = {
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    88,   /* fields */
-    3,    /* refused fields */
+    84,   /* fields */
+    39,   /* refused fields */
+    4,    /* absent sets */
     2,    /* fields of some firmware */
     3,    /* base rates */
     3,    /* ports */
@@ -698,6 +844,7 @@ const struct mip_profile mip_profile_cv7_ar = {
     cv7_ar_incomplete,
     cv7_ar_fields,
     cv7_ar_refuses,
+    cv7_ar_absent_sets,
     cv7_ar_firmware,
     cv7_ar_rates,
     cv7_ar_ports,
@@ -710,7 +857,7 @@ const struct mip_profile mip_profile_cv7_ar = {
 /* 3DM-CV7-GNSS/INS. */
 
 static const struct mip_profile_evidence cv7_gnss_ins_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_YES, "Documented.", ""},
 };
 
 static const struct mip_profile_field cv7_gnss_ins_fields[] = {
@@ -1186,6 +1333,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
     0,    /* what is not known */
     183,  /* fields */
     0,    /* refused fields */
+    0,    /* absent sets */
     0,    /* fields of some firmware */
     7,    /* base rates */
     6,    /* ports */
@@ -1196,6 +1344,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
     NULL,
     NULL,
     cv7_gnss_ins_fields,
+    NULL,
     NULL,
     NULL,
     cv7_gnss_ins_rates,
@@ -1214,94 +1363,117 @@ static const char *const cv7_ins_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv7_ins_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7-INS Documentation: Field pages)."},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7-INS Documentation: Field pages).", ""},
     {MIP_SUPPORT_YES,
-     "Documented (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (PX4: Driver of the vendor's sensors)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (Public programs of users: Notes on a 3DM-CV7-INS, 2026)."},
-    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
-                           "Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+     "Documented (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY, "Used by programs for this model (PX4: Driver of the vendor's sensors).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver of the vendor: Example configurations).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (Public programs of users: Notes on a 3DM-CV7-INS, 2026).",
+     ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field cv7_ins_fields[] = {
-    {0x01, 0x01, "", &cv7_ins_evidence[3]},        {0x01, 0x02, "", &cv7_ins_evidence[3]},
-    {0x01, 0x03, "", &cv7_ins_evidence[3]},        {0x01, 0x04, "", &cv7_ins_evidence[5]},
-    {0x01, 0x05, "", &cv7_ins_evidence[10]},       {0x01, 0x06, "", &cv7_ins_evidence[3]},
-    {0x01, 0x07, "", &cv7_ins_evidence[5]},        {0x01, 0x08, "", &cv7_ins_evidence[10]},
-    {0x01, 0x09, "WRSLD", &cv7_ins_evidence[6]},   {0x01, 0x72, "WRA", &cv7_ins_evidence[10]},
-    {0x01, 0x7E, "", &cv7_ins_evidence[10]},       {0x0C, 0x04, "", &cv7_ins_evidence[10]},
-    {0x0C, 0x0C, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x0D, "", &cv7_ins_evidence[10]},
-    {0x0C, 0x0E, "", &cv7_ins_evidence[3]},        {0x0C, 0x0F, "WRSLD", &cv7_ins_evidence[3]},
-    {0x0C, 0x10, "", &cv7_ins_evidence[10]},       {0x0C, 0x11, "WRSLD", &cv7_ins_evidence[5]},
-    {0x0C, 0x28, "WRSLD", &cv7_ins_evidence[6]},   {0x0C, 0x2A, "", &cv7_ins_evidence[10]},
-    {0x0C, 0x2B, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x2C, "", &cv7_ins_evidence[10]},
-    {0x0C, 0x2D, "", &cv7_ins_evidence[10]},       {0x0C, 0x2E, "WRSLD", &cv7_ins_evidence[10]},
-    {0x0C, 0x2F, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x30, "SLD", &cv7_ins_evidence[3]},
-    {0x0C, 0x31, "WRSLD", &cv7_ins_evidence[5]},   {0x0C, 0x32, "WRSLD", &cv7_ins_evidence[10]},
-    {0x0C, 0x33, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x37, "WRSLDA", &cv7_ins_evidence[10]},
-    {0x0C, 0x38, "WRSLDA", &cv7_ins_evidence[10]}, {0x0C, 0x39, "", &cv7_ins_evidence[3]},
-    {0x0C, 0x3A, "WRSLDA", &cv7_ins_evidence[10]}, {0x0C, 0x3B, "WRSLDA", &cv7_ins_evidence[10]},
-    {0x0C, 0x41, "WRSLD", &cv7_ins_evidence[6]},   {0x0C, 0x42, "WR", &cv7_ins_evidence[6]},
-    {0x0C, 0x50, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x51, "WRSLD", &cv7_ins_evidence[10]},
-    {0x0C, 0x52, "WRSLD", &cv7_ins_evidence[5]},   {0x0C, 0x53, "", &cv7_ins_evidence[10]},
-    {0x0C, 0x54, "WRSLD", &cv7_ins_evidence[10]},  {0x0D, 0x01, "", &cv7_ins_evidence[3]},
-    {0x0D, 0x03, "", &cv7_ins_evidence[10]},       {0x0D, 0x05, "", &cv7_ins_evidence[10]},
-    {0x0D, 0x13, "WRSLD", &cv7_ins_evidence[0]},   {0x0D, 0x15, "WRSLD", &cv7_ins_evidence[5]},
-    {0x0D, 0x17, "", &cv7_ins_evidence[10]},       {0x0D, 0x1A, "WRSLD", &cv7_ins_evidence[10]},
-    {0x0D, 0x1B, "WRSLD", &cv7_ins_evidence[10]},  {0x0D, 0x1C, "WRSLD", &cv7_ins_evidence[10]},
-    {0x0D, 0x1D, "WRSLD", &cv7_ins_evidence[10]},  {0x0D, 0x1F, "", &cv7_ins_evidence[10]},
-    {0x0D, 0x20, "WRSLD", &cv7_ins_evidence[0]},   {0x0D, 0x28, "WRSLD", &cv7_ins_evidence[10]},
-    {0x0D, 0x43, "WRSLD", &cv7_ins_evidence[6]},   {0x0D, 0x50, "WRSLD", &cv7_ins_evidence[3]},
-    {0x0D, 0x52, "WRSLD", &cv7_ins_evidence[1]},   {0x0D, 0x53, "WRSLD", &cv7_ins_evidence[7]},
-    {0x0D, 0x55, "WRSLD", &cv7_ins_evidence[6]},   {0x0D, 0x56, "WRSLD", &cv7_ins_evidence[10]},
-    {0x13, 0x01, "WRSLD", &cv7_ins_evidence[1]},   {0x13, 0x1F, "WRSLD", &cv7_ins_evidence[10]},
-    {0x13, 0x21, "", &cv7_ins_evidence[10]},       {0x13, 0x22, "", &cv7_ins_evidence[3]},
-    {0x13, 0x23, "", &cv7_ins_evidence[10]},       {0x13, 0x28, "", &cv7_ins_evidence[10]},
-    {0x13, 0x29, "", &cv7_ins_evidence[3]},        {0x13, 0x2A, "", &cv7_ins_evidence[3]},
-    {0x13, 0x31, "", &cv7_ins_evidence[3]},        {0x13, 0x32, "", &cv7_ins_evidence[10]},
-    {0x13, 0x33, "", &cv7_ins_evidence[10]},       {0x80, 0x04, "", &cv7_ins_evidence[8]},
-    {0x80, 0x05, "", &cv7_ins_evidence[8]},        {0x80, 0x06, "", &cv7_ins_evidence[5]},
-    {0x80, 0x07, "", &cv7_ins_evidence[10]},       {0x80, 0x08, "", &cv7_ins_evidence[10]},
-    {0x80, 0x09, "", &cv7_ins_evidence[9]},        {0x80, 0x0A, "", &cv7_ins_evidence[9]},
-    {0x80, 0x0C, "", &cv7_ins_evidence[9]},        {0x80, 0x14, "", &cv7_ins_evidence[10]},
-    {0x80, 0x17, "", &cv7_ins_evidence[5]},        {0x80, 0x18, "", &cv7_ins_evidence[10]},
-    {0x82, 0x01, "", &cv7_ins_evidence[4]},        {0x82, 0x02, "", &cv7_ins_evidence[4]},
-    {0x82, 0x03, "", &cv7_ins_evidence[5]},        {0x82, 0x04, "", &cv7_ins_evidence[10]},
-    {0x82, 0x05, "", &cv7_ins_evidence[4]},        {0x82, 0x06, "", &cv7_ins_evidence[9]},
-    {0x82, 0x07, "", &cv7_ins_evidence[9]},        {0x82, 0x08, "", &cv7_ins_evidence[5]},
-    {0x82, 0x09, "", &cv7_ins_evidence[5]},        {0x82, 0x0A, "", &cv7_ins_evidence[5]},
-    {0x82, 0x0B, "", &cv7_ins_evidence[9]},        {0x82, 0x0C, "", &cv7_ins_evidence[9]},
-    {0x82, 0x0D, "", &cv7_ins_evidence[5]},        {0x82, 0x0E, "", &cv7_ins_evidence[5]},
-    {0x82, 0x10, "", &cv7_ins_evidence[4]},        {0x82, 0x12, "", &cv7_ins_evidence[9]},
-    {0x82, 0x13, "", &cv7_ins_evidence[9]},        {0x82, 0x15, "", &cv7_ins_evidence[10]},
-    {0x82, 0x1C, "", &cv7_ins_evidence[9]},        {0x82, 0x21, "", &cv7_ins_evidence[9]},
-    {0x82, 0x36, "", &cv7_ins_evidence[6]},        {0x82, 0x37, "", &cv7_ins_evidence[10]},
-    {0x82, 0x40, "", &cv7_ins_evidence[6]},        {0x82, 0x41, "", &cv7_ins_evidence[10]},
-    {0x82, 0x42, "", &cv7_ins_evidence[6]},        {0x82, 0x43, "", &cv7_ins_evidence[10]},
-    {0x82, 0x46, "", &cv7_ins_evidence[6]},        {0x82, 0x50, "", &cv7_ins_evidence[1]},
-    {0x82, 0x51, "", &cv7_ins_evidence[10]},       {0x94, 0x03, "", &cv7_ins_evidence[2]},
-    {0x94, 0x04, "", &cv7_ins_evidence[2]},        {0x94, 0x05, "", &cv7_ins_evidence[2]},
-    {0x94, 0x06, "", &cv7_ins_evidence[2]},        {0x94, 0x07, "", &cv7_ins_evidence[2]},
-    {0x94, 0x08, "", &cv7_ins_evidence[2]},        {0x94, 0x0B, "", &cv7_ins_evidence[2]},
-    {0x94, 0x10, "", &cv7_ins_evidence[2]},        {0x94, 0x11, "", &cv7_ins_evidence[2]},
-    {0x94, 0x14, "", &cv7_ins_evidence[2]},        {0x94, 0x20, "", &cv7_ins_evidence[2]},
-    {0xA0, 0x01, "", &cv7_ins_evidence[10]},       {0xA0, 0x02, "", &cv7_ins_evidence[4]},
-    {0xA0, 0x03, "", &cv7_ins_evidence[9]},        {0xFF, 0xD0, "", &cv7_ins_evidence[10]},
-    {0xFF, 0xD3, "", &cv7_ins_evidence[4]},        {0xFF, 0xD4, "", &cv7_ins_evidence[10]},
-    {0xFF, 0xD5, "", &cv7_ins_evidence[9]},        {0xFF, 0xD6, "", &cv7_ins_evidence[10]},
-    {0xFF, 0xD7, "", &cv7_ins_evidence[9]},        {0xFF, 0xD8, "", &cv7_ins_evidence[10]},
+    {0x01, 0x01, "", &cv7_ins_evidence[3]},       {0x01, 0x02, "", &cv7_ins_evidence[3]},
+    {0x01, 0x03, "", &cv7_ins_evidence[3]},       {0x01, 0x04, "", &cv7_ins_evidence[5]},
+    {0x01, 0x05, "", &cv7_ins_evidence[9]},       {0x01, 0x06, "", &cv7_ins_evidence[3]},
+    {0x01, 0x07, "", &cv7_ins_evidence[5]},       {0x01, 0x08, "", &cv7_ins_evidence[9]},
+    {0x01, 0x09, "WRSLD", &cv7_ins_evidence[6]},  {0x01, 0x72, "WRA", &cv7_ins_evidence[9]},
+    {0x01, 0x7E, "", &cv7_ins_evidence[9]},       {0x0C, 0x04, "", &cv7_ins_evidence[9]},
+    {0x0C, 0x0C, "WRSLD", &cv7_ins_evidence[9]},  {0x0C, 0x0D, "", &cv7_ins_evidence[9]},
+    {0x0C, 0x0E, "", &cv7_ins_evidence[3]},       {0x0C, 0x0F, "WRSLD", &cv7_ins_evidence[3]},
+    {0x0C, 0x10, "", &cv7_ins_evidence[9]},       {0x0C, 0x11, "WRSLD", &cv7_ins_evidence[5]},
+    {0x0C, 0x28, "WRSLD", &cv7_ins_evidence[6]},  {0x0C, 0x2A, "", &cv7_ins_evidence[9]},
+    {0x0C, 0x2B, "WRSLD", &cv7_ins_evidence[9]},  {0x0C, 0x2C, "", &cv7_ins_evidence[9]},
+    {0x0C, 0x2D, "", &cv7_ins_evidence[9]},       {0x0C, 0x2E, "WRSLD", &cv7_ins_evidence[9]},
+    {0x0C, 0x2F, "WRSLD", &cv7_ins_evidence[9]},  {0x0C, 0x30, "SLD", &cv7_ins_evidence[3]},
+    {0x0C, 0x31, "WRSLD", &cv7_ins_evidence[5]},  {0x0C, 0x32, "WRSLD", &cv7_ins_evidence[9]},
+    {0x0C, 0x33, "WRSLD", &cv7_ins_evidence[9]},  {0x0C, 0x37, "WRSLDA", &cv7_ins_evidence[9]},
+    {0x0C, 0x38, "WRSLDA", &cv7_ins_evidence[9]}, {0x0C, 0x39, "", &cv7_ins_evidence[3]},
+    {0x0C, 0x3A, "WRSLDA", &cv7_ins_evidence[9]}, {0x0C, 0x3B, "WRSLDA", &cv7_ins_evidence[9]},
+    {0x0C, 0x41, "WRSLD", &cv7_ins_evidence[6]},  {0x0C, 0x42, "WR", &cv7_ins_evidence[6]},
+    {0x0C, 0x50, "WRSLD", &cv7_ins_evidence[9]},  {0x0C, 0x51, "WRSLD", &cv7_ins_evidence[9]},
+    {0x0C, 0x52, "WRSLD", &cv7_ins_evidence[5]},  {0x0C, 0x53, "", &cv7_ins_evidence[9]},
+    {0x0C, 0x54, "WRSLD", &cv7_ins_evidence[9]},  {0x0D, 0x01, "", &cv7_ins_evidence[3]},
+    {0x0D, 0x03, "", &cv7_ins_evidence[9]},       {0x0D, 0x05, "", &cv7_ins_evidence[9]},
+    {0x0D, 0x13, "WRSLD", &cv7_ins_evidence[0]},  {0x0D, 0x15, "WRSLD", &cv7_ins_evidence[5]},
+    {0x0D, 0x17, "", &cv7_ins_evidence[9]},       {0x0D, 0x1A, "WRSLD", &cv7_ins_evidence[9]},
+    {0x0D, 0x1B, "WRSLD", &cv7_ins_evidence[9]},  {0x0D, 0x1C, "WRSLD", &cv7_ins_evidence[9]},
+    {0x0D, 0x1D, "WRSLD", &cv7_ins_evidence[9]},  {0x0D, 0x1F, "", &cv7_ins_evidence[9]},
+    {0x0D, 0x20, "WRSLD", &cv7_ins_evidence[0]},  {0x0D, 0x28, "WRSLD", &cv7_ins_evidence[9]},
+    {0x0D, 0x43, "WRSLD", &cv7_ins_evidence[6]},  {0x0D, 0x50, "WRSLD", &cv7_ins_evidence[3]},
+    {0x0D, 0x52, "WRSLD", &cv7_ins_evidence[1]},  {0x0D, 0x53, "WRSLD", &cv7_ins_evidence[7]},
+    {0x0D, 0x55, "WRSLD", &cv7_ins_evidence[6]},  {0x0D, 0x56, "WRSLD", &cv7_ins_evidence[9]},
+    {0x13, 0x01, "WRSLD", &cv7_ins_evidence[1]},  {0x13, 0x1F, "WRSLD", &cv7_ins_evidence[9]},
+    {0x13, 0x21, "", &cv7_ins_evidence[9]},       {0x13, 0x22, "", &cv7_ins_evidence[3]},
+    {0x13, 0x23, "", &cv7_ins_evidence[9]},       {0x13, 0x28, "", &cv7_ins_evidence[9]},
+    {0x13, 0x29, "", &cv7_ins_evidence[3]},       {0x13, 0x2A, "", &cv7_ins_evidence[3]},
+    {0x13, 0x31, "", &cv7_ins_evidence[3]},       {0x13, 0x32, "", &cv7_ins_evidence[9]},
+    {0x13, 0x33, "", &cv7_ins_evidence[9]},       {0x80, 0x04, "", &cv7_ins_evidence[8]},
+    {0x80, 0x05, "", &cv7_ins_evidence[8]},       {0x80, 0x06, "", &cv7_ins_evidence[5]},
+    {0x80, 0x07, "", &cv7_ins_evidence[9]},       {0x80, 0x08, "", &cv7_ins_evidence[9]},
+    {0x80, 0x09, "", &cv7_ins_evidence[9]},       {0x80, 0x0A, "", &cv7_ins_evidence[9]},
+    {0x80, 0x0C, "", &cv7_ins_evidence[9]},       {0x80, 0x14, "", &cv7_ins_evidence[9]},
+    {0x80, 0x17, "", &cv7_ins_evidence[5]},       {0x80, 0x18, "", &cv7_ins_evidence[9]},
+    {0x82, 0x01, "", &cv7_ins_evidence[4]},       {0x82, 0x02, "", &cv7_ins_evidence[4]},
+    {0x82, 0x03, "", &cv7_ins_evidence[5]},       {0x82, 0x04, "", &cv7_ins_evidence[9]},
+    {0x82, 0x05, "", &cv7_ins_evidence[4]},       {0x82, 0x06, "", &cv7_ins_evidence[9]},
+    {0x82, 0x07, "", &cv7_ins_evidence[9]},       {0x82, 0x08, "", &cv7_ins_evidence[5]},
+    {0x82, 0x09, "", &cv7_ins_evidence[5]},       {0x82, 0x0A, "", &cv7_ins_evidence[5]},
+    {0x82, 0x0B, "", &cv7_ins_evidence[9]},       {0x82, 0x0C, "", &cv7_ins_evidence[9]},
+    {0x82, 0x0D, "", &cv7_ins_evidence[5]},       {0x82, 0x0E, "", &cv7_ins_evidence[5]},
+    {0x82, 0x10, "", &cv7_ins_evidence[4]},       {0x82, 0x12, "", &cv7_ins_evidence[9]},
+    {0x82, 0x13, "", &cv7_ins_evidence[9]},       {0x82, 0x15, "", &cv7_ins_evidence[9]},
+    {0x82, 0x1C, "", &cv7_ins_evidence[9]},       {0x82, 0x21, "", &cv7_ins_evidence[9]},
+    {0x82, 0x36, "", &cv7_ins_evidence[6]},       {0x82, 0x37, "", &cv7_ins_evidence[9]},
+    {0x82, 0x40, "", &cv7_ins_evidence[6]},       {0x82, 0x41, "", &cv7_ins_evidence[9]},
+    {0x82, 0x42, "", &cv7_ins_evidence[6]},       {0x82, 0x43, "", &cv7_ins_evidence[9]},
+    {0x82, 0x46, "", &cv7_ins_evidence[6]},       {0x82, 0x50, "", &cv7_ins_evidence[1]},
+    {0x82, 0x51, "", &cv7_ins_evidence[9]},       {0x94, 0x03, "", &cv7_ins_evidence[2]},
+    {0x94, 0x04, "", &cv7_ins_evidence[2]},       {0x94, 0x05, "", &cv7_ins_evidence[2]},
+    {0x94, 0x06, "", &cv7_ins_evidence[2]},       {0x94, 0x07, "", &cv7_ins_evidence[2]},
+    {0x94, 0x08, "", &cv7_ins_evidence[2]},       {0x94, 0x0B, "", &cv7_ins_evidence[2]},
+    {0x94, 0x10, "", &cv7_ins_evidence[2]},       {0x94, 0x11, "", &cv7_ins_evidence[2]},
+    {0x94, 0x14, "", &cv7_ins_evidence[2]},       {0x94, 0x20, "", &cv7_ins_evidence[2]},
+    {0xA0, 0x01, "", &cv7_ins_evidence[9]},       {0xA0, 0x02, "", &cv7_ins_evidence[4]},
+    {0xA0, 0x03, "", &cv7_ins_evidence[9]},       {0xFF, 0xD0, "", &cv7_ins_evidence[9]},
+    {0xFF, 0xD3, "", &cv7_ins_evidence[4]},       {0xFF, 0xD4, "", &cv7_ins_evidence[9]},
+    {0xFF, 0xD5, "", &cv7_ins_evidence[9]},       {0xFF, 0xD6, "", &cv7_ins_evidence[9]},
+    {0xFF, 0xD7, "", &cv7_ins_evidence[9]},       {0xFF, 0xD8, "", &cv7_ins_evidence[9]},
+};
+
+static const struct mip_profile_field cv7_ins_refuses[] = {
+    {0x0C, 0x02, "", &cv7_ins_evidence[10]}, {0x0C, 0x07, "", &cv7_ins_evidence[10]},
+    {0x0C, 0x09, "", &cv7_ins_evidence[10]}, {0x0C, 0x20, "", &cv7_ins_evidence[10]},
+    {0x0C, 0x21, "", &cv7_ins_evidence[10]}, {0x0C, 0x22, "", &cv7_ins_evidence[10]},
+    {0x0C, 0x23, "", &cv7_ins_evidence[10]}, {0x0C, 0x24, "", &cv7_ins_evidence[10]},
+    {0x0C, 0x34, "", &cv7_ins_evidence[10]}, {0x0C, 0x62, "", &cv7_ins_evidence[10]},
+    {0x0D, 0x54, "", &cv7_ins_evidence[10]}, {0x0D, 0x64, "", &cv7_ins_evidence[10]},
+    {0x82, 0x34, "", &cv7_ins_evidence[10]}, {0x82, 0x35, "", &cv7_ins_evidence[10]},
+    {0x82, 0x49, "", &cv7_ins_evidence[11]},
+};
+
+static const struct mip_profile_field cv7_ins_absent_sets[] = {
+    {0x81, 0, "", &cv7_ins_evidence[10]},
+    {0x91, 0, "", &cv7_ins_evidence[10]},
+    {0x92, 0, "", &cv7_ins_evidence[10]},
+    {0x93, 0, "", &cv7_ins_evidence[10]},
 };
 
 static const struct mip_profile_rate cv7_ins_rates[] = {
@@ -1375,7 +1547,8 @@ const struct mip_profile mip_profile_cv7_ins = {
     0,    /* other names */
     2,    /* what is not known */
     132,  /* fields */
-    0,    /* refused fields */
+    15,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     1,    /* base rates */
     5,    /* ports */
@@ -1386,7 +1559,8 @@ const struct mip_profile mip_profile_cv7_ins = {
     NULL,
     cv7_ins_incomplete,
     cv7_ins_fields,
-    NULL,
+    cv7_ins_refuses,
+    cv7_ins_absent_sets,
     NULL,
     cv7_ins_rates,
     cv7_ins_ports,
@@ -1408,27 +1582,51 @@ static const char *const cx5_10_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx5_10_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented (3DM-CX5-10 Data Communications Protocol Manual: Contents)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_YES, "Documented (3DM-CX5-10 Data Communications Protocol Manual: Contents).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.", ""},
+    {MIP_SUPPORT_NO, "Not in the manual, whose list of the set is complete.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires a pressure sensor, which the device lacks.",
+     "has no pressure sensor"},
 };
 
 static const struct mip_profile_field cx5_10_fields[] = {
     {0x01, 0x01, "", &cx5_10_evidence[0]},       {0x01, 0x02, "", &cx5_10_evidence[0]},
     {0x01, 0x03, "", &cx5_10_evidence[0]},       {0x01, 0x04, "", &cx5_10_evidence[0]},
     {0x01, 0x05, "", &cx5_10_evidence[0]},       {0x01, 0x06, "", &cx5_10_evidence[0]},
-    {0x01, 0x07, "", &cx5_10_evidence[1]},       {0x01, 0x72, "WRA", &cx5_10_evidence[0]},
-    {0x01, 0x7E, "", &cx5_10_evidence[0]},       {0x0C, 0x01, "", &cx5_10_evidence[0]},
-    {0x0C, 0x06, "", &cx5_10_evidence[0]},       {0x0C, 0x08, "WRSLD", &cx5_10_evidence[0]},
-    {0x0C, 0x11, "WRSLD", &cx5_10_evidence[0]},  {0x0C, 0x30, "SLD", &cx5_10_evidence[1]},
-    {0x0C, 0x37, "WRSLDA", &cx5_10_evidence[2]}, {0x0C, 0x38, "WRSLDA", &cx5_10_evidence[2]},
-    {0x0C, 0x39, "", &cx5_10_evidence[2]},       {0x0C, 0x3E, "WRSLD", &cx5_10_evidence[2]},
-    {0x0C, 0x40, "WRSLD", &cx5_10_evidence[2]},  {0x0C, 0x50, "WRSLD", &cx5_10_evidence[2]},
-    {0x0C, 0x51, "WRSLD", &cx5_10_evidence[2]},  {0x0C, 0x64, "", &cx5_10_evidence[2]},
-    {0x80, 0x04, "", &cx5_10_evidence[1]},       {0x80, 0x05, "", &cx5_10_evidence[1]},
-    {0x80, 0x07, "", &cx5_10_evidence[2]},       {0x80, 0x08, "", &cx5_10_evidence[2]},
-    {0x80, 0x12, "", &cx5_10_evidence[2]},
+    {0x01, 0x72, "WRA", &cx5_10_evidence[0]},    {0x01, 0x7E, "", &cx5_10_evidence[0]},
+    {0x0C, 0x01, "", &cx5_10_evidence[0]},       {0x0C, 0x06, "", &cx5_10_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &cx5_10_evidence[0]},  {0x0C, 0x11, "WRSLD", &cx5_10_evidence[0]},
+    {0x0C, 0x30, "SLD", &cx5_10_evidence[1]},    {0x0C, 0x37, "WRSLDA", &cx5_10_evidence[2]},
+    {0x0C, 0x38, "WRSLDA", &cx5_10_evidence[2]}, {0x0C, 0x39, "", &cx5_10_evidence[2]},
+    {0x0C, 0x3E, "WRSLD", &cx5_10_evidence[2]},  {0x0C, 0x40, "WRSLD", &cx5_10_evidence[2]},
+    {0x0C, 0x50, "WRSLD", &cx5_10_evidence[2]},  {0x0C, 0x51, "WRSLD", &cx5_10_evidence[2]},
+    {0x0C, 0x64, "", &cx5_10_evidence[2]},       {0x80, 0x04, "", &cx5_10_evidence[1]},
+    {0x80, 0x05, "", &cx5_10_evidence[1]},       {0x80, 0x07, "", &cx5_10_evidence[2]},
+    {0x80, 0x08, "", &cx5_10_evidence[2]},       {0x80, 0x12, "", &cx5_10_evidence[2]},
+};
+
+static const struct mip_profile_field cx5_10_refuses[] = {
+    {0x01, 0x07, "", &cx5_10_evidence[3]}, {0x01, 0x08, "", &cx5_10_evidence[3]},
+    {0x01, 0x09, "", &cx5_10_evidence[3]}, {0x0C, 0x02, "", &cx5_10_evidence[4]},
+    {0x0C, 0x07, "", &cx5_10_evidence[4]}, {0x0C, 0x09, "", &cx5_10_evidence[4]},
+    {0x0C, 0x20, "", &cx5_10_evidence[4]}, {0x0C, 0x21, "", &cx5_10_evidence[4]},
+    {0x0C, 0x22, "", &cx5_10_evidence[4]}, {0x0C, 0x23, "", &cx5_10_evidence[4]},
+    {0x0C, 0x24, "", &cx5_10_evidence[4]}, {0x0C, 0x34, "", &cx5_10_evidence[4]},
+    {0x0C, 0x3A, "", &cx5_10_evidence[5]}, {0x0C, 0x3B, "", &cx5_10_evidence[5]},
+    {0x0C, 0x62, "", &cx5_10_evidence[4]}, {0x80, 0x03, "", &cx5_10_evidence[5]},
+    {0x80, 0x06, "", &cx5_10_evidence[5]}, {0x80, 0x16, "", &cx5_10_evidence[6]},
+    {0x80, 0x17, "", &cx5_10_evidence[6]},
+};
+
+static const struct mip_profile_field cx5_10_absent_sets[] = {
+    {0x81, 0, "", &cx5_10_evidence[4]},
+    {0x91, 0, "", &cx5_10_evidence[4]},
+    {0x92, 0, "", &cx5_10_evidence[4]},
+    {0x93, 0, "", &cx5_10_evidence[4]},
 };
 
 static const struct mip_profile_note cx5_10_notes[] = {
@@ -1442,6 +1640,7 @@ static const struct mip_profile_reading cx5_10_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
 };
 
 const struct mip_profile mip_profile_cx5_10 = {
@@ -1453,19 +1652,21 @@ const struct mip_profile mip_profile_cx5_10 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    27,   /* fields */
-    0,    /* refused fields */
+    26,   /* fields */
+    19,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    3,    /* readings */
+    4,    /* readings */
     0,    /* acknowledge codes */
     cx5_10_also,
     cx5_10_incomplete,
     cx5_10_fields,
-    NULL,
+    cx5_10_refuses,
+    cx5_10_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -1486,13 +1687,19 @@ static const char *const cx5_15_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx5_15_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-15.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field cx5_15_fields[] = {
@@ -1535,6 +1742,34 @@ static const struct mip_profile_field cx5_15_fields[] = {
     {0x82, 0x21, "", &cx5_15_evidence[3]},
 };
 
+static const struct mip_profile_field cx5_15_refuses[] = {
+    {0x0C, 0x02, "", &cx5_15_evidence[4]}, {0x0C, 0x07, "", &cx5_15_evidence[4]},
+    {0x0C, 0x09, "", &cx5_15_evidence[4]}, {0x0C, 0x20, "", &cx5_15_evidence[4]},
+    {0x0C, 0x21, "", &cx5_15_evidence[4]}, {0x0C, 0x22, "", &cx5_15_evidence[4]},
+    {0x0C, 0x23, "", &cx5_15_evidence[4]}, {0x0C, 0x24, "", &cx5_15_evidence[4]},
+    {0x0C, 0x34, "", &cx5_15_evidence[4]}, {0x0C, 0x3A, "", &cx5_15_evidence[5]},
+    {0x0C, 0x3B, "", &cx5_15_evidence[5]}, {0x0C, 0x62, "", &cx5_15_evidence[4]},
+    {0x0D, 0x27, "", &cx5_15_evidence[5]}, {0x0D, 0x2B, "", &cx5_15_evidence[5]},
+    {0x0D, 0x2C, "", &cx5_15_evidence[5]}, {0x0D, 0x42, "", &cx5_15_evidence[5]},
+    {0x0D, 0x43, "", &cx5_15_evidence[5]}, {0x0D, 0x45, "", &cx5_15_evidence[5]},
+    {0x0D, 0x46, "", &cx5_15_evidence[5]}, {0x0D, 0x4C, "", &cx5_15_evidence[5]},
+    {0x0D, 0x4D, "", &cx5_15_evidence[5]}, {0x0D, 0x54, "", &cx5_15_evidence[4]},
+    {0x0D, 0x64, "", &cx5_15_evidence[4]}, {0x80, 0x03, "", &cx5_15_evidence[5]},
+    {0x80, 0x06, "", &cx5_15_evidence[5]}, {0x82, 0x1A, "", &cx5_15_evidence[5]},
+    {0x82, 0x1B, "", &cx5_15_evidence[5]}, {0x82, 0x25, "", &cx5_15_evidence[5]},
+    {0x82, 0x26, "", &cx5_15_evidence[5]}, {0x82, 0x28, "", &cx5_15_evidence[5]},
+    {0x82, 0x29, "", &cx5_15_evidence[5]}, {0x82, 0x2A, "", &cx5_15_evidence[5]},
+    {0x82, 0x2C, "", &cx5_15_evidence[5]}, {0x82, 0x34, "", &cx5_15_evidence[4]},
+    {0x82, 0x35, "", &cx5_15_evidence[4]}, {0x82, 0x49, "", &cx5_15_evidence[6]},
+};
+
+static const struct mip_profile_field cx5_15_absent_sets[] = {
+    {0x81, 0, "", &cx5_15_evidence[4]},
+    {0x91, 0, "", &cx5_15_evidence[4]},
+    {0x92, 0, "", &cx5_15_evidence[4]},
+    {0x93, 0, "", &cx5_15_evidence[4]},
+};
+
 static const struct mip_profile_note cx5_15_notes[] = {
     {"device_status", "Device status",
      "According to MSCL, it replies with `3dm.device_status_basic_response` and "
@@ -1546,6 +1781,7 @@ static const struct mip_profile_reading cx5_15_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -1561,18 +1797,20 @@ const struct mip_profile mip_profile_cx5_15 = {
     1,    /* other names */
     1,    /* what is not known */
     73,   /* fields */
-    0,    /* refused fields */
+    36,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    6,    /* readings */
+    7,    /* readings */
     0,    /* acknowledge codes */
     cx5_15_also,
     cx5_15_incomplete,
     cx5_15_fields,
-    NULL,
+    cx5_15_refuses,
+    cx5_15_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -1589,65 +1827,89 @@ static const char *const cx5_25_also[] = {
 };
 
 static const char *const cx5_25_incomplete[] = {
-    "No manual is known.",
+    "Of the manual, only the title is known. It has 149 pages.",
 };
 
 static const struct mip_profile_evidence cx5_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_YES, "Documented (3DM-CX5-25 Data Communications Protocol Manual: Title).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field cx5_25_fields[] = {
-    {0x01, 0x01, "", &cx5_25_evidence[0]},       {0x01, 0x02, "", &cx5_25_evidence[0]},
-    {0x01, 0x03, "", &cx5_25_evidence[1]},       {0x01, 0x04, "", &cx5_25_evidence[2]},
-    {0x01, 0x05, "", &cx5_25_evidence[3]},       {0x01, 0x06, "", &cx5_25_evidence[0]},
-    {0x01, 0x07, "", &cx5_25_evidence[2]},       {0x01, 0x72, "WRA", &cx5_25_evidence[3]},
-    {0x01, 0x7E, "", &cx5_25_evidence[3]},       {0x0C, 0x01, "", &cx5_25_evidence[3]},
-    {0x0C, 0x03, "", &cx5_25_evidence[3]},       {0x0C, 0x06, "", &cx5_25_evidence[0]},
-    {0x0C, 0x08, "WRSLD", &cx5_25_evidence[0]},  {0x0C, 0x0A, "WRSLD", &cx5_25_evidence[0]},
-    {0x0C, 0x0B, "", &cx5_25_evidence[0]},       {0x0C, 0x11, "WRSLD", &cx5_25_evidence[3]},
-    {0x0C, 0x30, "SLD", &cx5_25_evidence[0]},    {0x0C, 0x37, "WRSLDA", &cx5_25_evidence[3]},
-    {0x0C, 0x38, "WRSLDA", &cx5_25_evidence[3]}, {0x0C, 0x39, "", &cx5_25_evidence[0]},
-    {0x0C, 0x3A, "WRSLDA", &cx5_25_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &cx5_25_evidence[3]},
-    {0x0C, 0x3E, "WRSLD", &cx5_25_evidence[3]},  {0x0C, 0x40, "WRSLD", &cx5_25_evidence[3]},
-    {0x0C, 0x50, "WRSLD", &cx5_25_evidence[3]},  {0x0C, 0x51, "WRSLD", &cx5_25_evidence[3]},
-    {0x0C, 0x64, "", &cx5_25_evidence[3]},       {0x0D, 0x01, "", &cx5_25_evidence[1]},
-    {0x0D, 0x02, "", &cx5_25_evidence[3]},       {0x0D, 0x03, "", &cx5_25_evidence[3]},
-    {0x0D, 0x11, "WRSLD", &cx5_25_evidence[0]},  {0x0D, 0x14, "WRSLD", &cx5_25_evidence[3]},
-    {0x0D, 0x17, "", &cx5_25_evidence[3]},       {0x0D, 0x18, "WRSLD", &cx5_25_evidence[1]},
-    {0x0D, 0x19, "WRSLD", &cx5_25_evidence[0]},  {0x0D, 0x1A, "WRSLD", &cx5_25_evidence[3]},
-    {0x0D, 0x1B, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cx5_25_evidence[3]},
-    {0x0D, 0x1F, "", &cx5_25_evidence[3]},       {0x0D, 0x20, "WRSLD", &cx5_25_evidence[3]},
-    {0x0D, 0x21, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x23, "", &cx5_25_evidence[3]},
-    {0x0D, 0x26, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x27, "WS", &cx5_25_evidence[3]},
-    {0x0D, 0x28, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x29, "WRSLD", &cx5_25_evidence[3]},
-    {0x0D, 0x2B, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x2C, "WRSLD", &cx5_25_evidence[3]},
-    {0x0D, 0x41, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x42, "WRSLD", &cx5_25_evidence[3]},
-    {0x0D, 0x43, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x44, "WRSLD", &cx5_25_evidence[3]},
-    {0x0D, 0x45, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x46, "WRSLD", &cx5_25_evidence[3]},
-    {0x0D, 0x47, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x4B, "WRSLD", &cx5_25_evidence[3]},
-    {0x7F, 0x10, "WRSLD", &cx5_25_evidence[3]},  {0x80, 0x04, "", &cx5_25_evidence[0]},
-    {0x80, 0x05, "", &cx5_25_evidence[0]},       {0x80, 0x06, "", &cx5_25_evidence[3]},
-    {0x80, 0x07, "", &cx5_25_evidence[3]},       {0x80, 0x08, "", &cx5_25_evidence[3]},
-    {0x80, 0x09, "", &cx5_25_evidence[3]},       {0x80, 0x0A, "", &cx5_25_evidence[3]},
-    {0x80, 0x0C, "", &cx5_25_evidence[3]},       {0x80, 0x10, "", &cx5_25_evidence[3]},
-    {0x80, 0x11, "", &cx5_25_evidence[3]},       {0x80, 0x12, "", &cx5_25_evidence[0]},
-    {0x80, 0x17, "", &cx5_25_evidence[3]},       {0x82, 0x03, "", &cx5_25_evidence[3]},
-    {0x82, 0x04, "", &cx5_25_evidence[3]},       {0x82, 0x05, "", &cx5_25_evidence[0]},
-    {0x82, 0x06, "", &cx5_25_evidence[3]},       {0x82, 0x0A, "", &cx5_25_evidence[3]},
-    {0x82, 0x0B, "", &cx5_25_evidence[3]},       {0x82, 0x0D, "", &cx5_25_evidence[3]},
-    {0x82, 0x0E, "", &cx5_25_evidence[0]},       {0x82, 0x0F, "", &cx5_25_evidence[3]},
-    {0x82, 0x10, "", &cx5_25_evidence[0]},       {0x82, 0x11, "", &cx5_25_evidence[0]},
-    {0x82, 0x12, "", &cx5_25_evidence[3]},       {0x82, 0x13, "", &cx5_25_evidence[3]},
-    {0x82, 0x14, "", &cx5_25_evidence[3]},       {0x82, 0x15, "", &cx5_25_evidence[3]},
-    {0x82, 0x1C, "", &cx5_25_evidence[0]},       {0x82, 0x21, "", &cx5_25_evidence[3]},
-    {0x82, 0x25, "", &cx5_25_evidence[3]},       {0x82, 0x26, "", &cx5_25_evidence[3]},
-    {0x82, 0x28, "", &cx5_25_evidence[3]},       {0x82, 0x29, "", &cx5_25_evidence[3]},
+    {0x01, 0x01, "", &cx5_25_evidence[1]},       {0x01, 0x02, "", &cx5_25_evidence[1]},
+    {0x01, 0x03, "", &cx5_25_evidence[2]},       {0x01, 0x04, "", &cx5_25_evidence[3]},
+    {0x01, 0x05, "", &cx5_25_evidence[4]},       {0x01, 0x06, "", &cx5_25_evidence[1]},
+    {0x01, 0x07, "", &cx5_25_evidence[3]},       {0x01, 0x72, "WRA", &cx5_25_evidence[4]},
+    {0x01, 0x7E, "", &cx5_25_evidence[4]},       {0x0C, 0x01, "", &cx5_25_evidence[4]},
+    {0x0C, 0x03, "", &cx5_25_evidence[4]},       {0x0C, 0x06, "", &cx5_25_evidence[1]},
+    {0x0C, 0x08, "WRSLD", &cx5_25_evidence[1]},  {0x0C, 0x0A, "WRSLD", &cx5_25_evidence[1]},
+    {0x0C, 0x0B, "", &cx5_25_evidence[1]},       {0x0C, 0x11, "WRSLD", &cx5_25_evidence[4]},
+    {0x0C, 0x30, "SLD", &cx5_25_evidence[1]},    {0x0C, 0x37, "WRSLDA", &cx5_25_evidence[4]},
+    {0x0C, 0x38, "WRSLDA", &cx5_25_evidence[4]}, {0x0C, 0x39, "", &cx5_25_evidence[1]},
+    {0x0C, 0x3A, "WRSLDA", &cx5_25_evidence[4]}, {0x0C, 0x3B, "WRSLDA", &cx5_25_evidence[4]},
+    {0x0C, 0x3E, "WRSLD", &cx5_25_evidence[4]},  {0x0C, 0x40, "WRSLD", &cx5_25_evidence[4]},
+    {0x0C, 0x50, "WRSLD", &cx5_25_evidence[4]},  {0x0C, 0x51, "WRSLD", &cx5_25_evidence[4]},
+    {0x0C, 0x64, "", &cx5_25_evidence[4]},       {0x0D, 0x01, "", &cx5_25_evidence[2]},
+    {0x0D, 0x02, "", &cx5_25_evidence[4]},       {0x0D, 0x03, "", &cx5_25_evidence[4]},
+    {0x0D, 0x11, "WRSLD", &cx5_25_evidence[1]},  {0x0D, 0x14, "WRSLD", &cx5_25_evidence[4]},
+    {0x0D, 0x17, "", &cx5_25_evidence[4]},       {0x0D, 0x18, "WRSLD", &cx5_25_evidence[2]},
+    {0x0D, 0x19, "WRSLD", &cx5_25_evidence[1]},  {0x0D, 0x1A, "WRSLD", &cx5_25_evidence[4]},
+    {0x0D, 0x1B, "WRSLD", &cx5_25_evidence[4]},  {0x0D, 0x1D, "WRSLD", &cx5_25_evidence[4]},
+    {0x0D, 0x1F, "", &cx5_25_evidence[4]},       {0x0D, 0x20, "WRSLD", &cx5_25_evidence[0]},
+    {0x0D, 0x21, "WRSLD", &cx5_25_evidence[0]},  {0x0D, 0x23, "", &cx5_25_evidence[4]},
+    {0x0D, 0x26, "WRSLD", &cx5_25_evidence[4]},  {0x0D, 0x27, "WS", &cx5_25_evidence[4]},
+    {0x0D, 0x28, "WRSLD", &cx5_25_evidence[4]},  {0x0D, 0x29, "WRSLD", &cx5_25_evidence[4]},
+    {0x0D, 0x2B, "WRSLD", &cx5_25_evidence[4]},  {0x0D, 0x2C, "WRSLD", &cx5_25_evidence[4]},
+    {0x0D, 0x41, "WRSLD", &cx5_25_evidence[4]},  {0x0D, 0x42, "WRSLD", &cx5_25_evidence[4]},
+    {0x0D, 0x43, "WRSLD", &cx5_25_evidence[4]},  {0x0D, 0x44, "WRSLD", &cx5_25_evidence[4]},
+    {0x0D, 0x45, "WRSLD", &cx5_25_evidence[4]},  {0x0D, 0x46, "WRSLD", &cx5_25_evidence[4]},
+    {0x0D, 0x47, "WRSLD", &cx5_25_evidence[4]},  {0x0D, 0x4B, "WRSLD", &cx5_25_evidence[4]},
+    {0x7F, 0x10, "WRSLD", &cx5_25_evidence[4]},  {0x80, 0x04, "", &cx5_25_evidence[1]},
+    {0x80, 0x05, "", &cx5_25_evidence[1]},       {0x80, 0x06, "", &cx5_25_evidence[4]},
+    {0x80, 0x07, "", &cx5_25_evidence[4]},       {0x80, 0x08, "", &cx5_25_evidence[4]},
+    {0x80, 0x09, "", &cx5_25_evidence[4]},       {0x80, 0x0A, "", &cx5_25_evidence[4]},
+    {0x80, 0x0C, "", &cx5_25_evidence[4]},       {0x80, 0x10, "", &cx5_25_evidence[4]},
+    {0x80, 0x11, "", &cx5_25_evidence[4]},       {0x80, 0x12, "", &cx5_25_evidence[1]},
+    {0x80, 0x17, "", &cx5_25_evidence[4]},       {0x82, 0x03, "", &cx5_25_evidence[4]},
+    {0x82, 0x04, "", &cx5_25_evidence[4]},       {0x82, 0x05, "", &cx5_25_evidence[1]},
+    {0x82, 0x06, "", &cx5_25_evidence[4]},       {0x82, 0x0A, "", &cx5_25_evidence[4]},
+    {0x82, 0x0B, "", &cx5_25_evidence[4]},       {0x82, 0x0D, "", &cx5_25_evidence[4]},
+    {0x82, 0x0E, "", &cx5_25_evidence[1]},       {0x82, 0x0F, "", &cx5_25_evidence[4]},
+    {0x82, 0x10, "", &cx5_25_evidence[1]},       {0x82, 0x11, "", &cx5_25_evidence[1]},
+    {0x82, 0x12, "", &cx5_25_evidence[4]},       {0x82, 0x13, "", &cx5_25_evidence[4]},
+    {0x82, 0x14, "", &cx5_25_evidence[4]},       {0x82, 0x15, "", &cx5_25_evidence[4]},
+    {0x82, 0x1C, "", &cx5_25_evidence[1]},       {0x82, 0x21, "", &cx5_25_evidence[4]},
+    {0x82, 0x25, "", &cx5_25_evidence[4]},       {0x82, 0x26, "", &cx5_25_evidence[4]},
+    {0x82, 0x28, "", &cx5_25_evidence[4]},       {0x82, 0x29, "", &cx5_25_evidence[4]},
+};
+
+static const struct mip_profile_field cx5_25_refuses[] = {
+    {0x0C, 0x02, "", &cx5_25_evidence[5]}, {0x0C, 0x07, "", &cx5_25_evidence[5]},
+    {0x0C, 0x09, "", &cx5_25_evidence[5]}, {0x0C, 0x20, "", &cx5_25_evidence[5]},
+    {0x0C, 0x21, "", &cx5_25_evidence[5]}, {0x0C, 0x22, "", &cx5_25_evidence[5]},
+    {0x0C, 0x23, "", &cx5_25_evidence[5]}, {0x0C, 0x24, "", &cx5_25_evidence[5]},
+    {0x0C, 0x34, "", &cx5_25_evidence[5]}, {0x0C, 0x62, "", &cx5_25_evidence[5]},
+    {0x0D, 0x54, "", &cx5_25_evidence[5]}, {0x0D, 0x64, "", &cx5_25_evidence[5]},
+    {0x82, 0x34, "", &cx5_25_evidence[5]}, {0x82, 0x35, "", &cx5_25_evidence[5]},
+    {0x82, 0x49, "", &cx5_25_evidence[6]},
+};
+
+static const struct mip_profile_field cx5_25_absent_sets[] = {
+    {0x81, 0, "", &cx5_25_evidence[5]},
+    {0x91, 0, "", &cx5_25_evidence[5]},
+    {0x92, 0, "", &cx5_25_evidence[5]},
+    {0x93, 0, "", &cx5_25_evidence[5]},
 };
 
 static const struct mip_profile_note cx5_25_notes[] = {
@@ -1661,6 +1923,7 @@ static const struct mip_profile_reading cx5_25_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -1669,25 +1932,27 @@ static const struct mip_profile_reading cx5_25_readings[] = {
 const struct mip_profile mip_profile_cx5_25 = {
     "3dm-cx5-25",
     "3DM-CX5-25",
-    "",
+    "3dm-cx5-25",
     "Attitude and heading reference system.",
     6273, /* model number */
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
     90,   /* fields */
-    0,    /* refused fields */
+    15,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    6,    /* readings */
+    7,    /* readings */
     0,    /* acknowledge codes */
     cx5_25_also,
     cx5_25_incomplete,
     cx5_25_fields,
-    NULL,
+    cx5_25_refuses,
+    cx5_25_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -1709,17 +1974,24 @@ static const char *const cx5_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx5_45_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented (3DM-CX5-45 Data Communications Protocol Manual: Title)."},
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-45."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_YES, "Documented (3DM-CX5-45 Data Communications Protocol Manual: Title).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-45.", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+     ""},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
+    {MIP_SUPPORT_NO, "Requires 2 receivers, which the device lacks.",
+     "has fewer than 2 GNSS receivers"},
 };
 
 static const struct mip_profile_field cx5_45_fields[] = {
@@ -1787,6 +2059,14 @@ static const struct mip_profile_field cx5_45_fields[] = {
     {0x82, 0x28, "", &cx5_45_evidence[6]},       {0x82, 0x29, "", &cx5_45_evidence[6]},
 };
 
+static const struct mip_profile_field cx5_45_refuses[] = {
+    {0x82, 0x49, "", &cx5_45_evidence[7]},
+};
+
+static const struct mip_profile_field cx5_45_absent_sets[] = {
+    {0x92, 0, "", &cx5_45_evidence[8]},
+};
+
 static const struct mip_profile_note cx5_45_notes[] = {
     {"device_status", "Device status",
      "According to MSCL, it replies with `3dm.device_status_basic_response` and "
@@ -1797,6 +2077,7 @@ static const struct mip_profile_note cx5_45_notes[] = {
 static const struct mip_profile_reading cx5_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -1812,18 +2093,20 @@ const struct mip_profile mip_profile_cx5_45 = {
     1,    /* other names */
     1,    /* what is not known */
     124,  /* fields */
-    0,    /* refused fields */
+    1,    /* refused fields */
+    1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    5,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     cx5_45_also,
     cx5_45_incomplete,
     cx5_45_fields,
-    NULL,
+    cx5_45_refuses,
+    cx5_45_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -1840,60 +2123,79 @@ static const char *const cx7_ahrs_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx7_ahrs_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
-                           "Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field cx7_ahrs_fields[] = {
-    {0x01, 0x01, "", &cx7_ahrs_evidence[2]},       {0x01, 0x02, "", &cx7_ahrs_evidence[2]},
-    {0x01, 0x03, "", &cx7_ahrs_evidence[2]},       {0x01, 0x04, "", &cx7_ahrs_evidence[2]},
-    {0x01, 0x05, "", &cx7_ahrs_evidence[3]},       {0x01, 0x06, "", &cx7_ahrs_evidence[2]},
-    {0x01, 0x07, "", &cx7_ahrs_evidence[2]},       {0x01, 0x08, "", &cx7_ahrs_evidence[3]},
-    {0x01, 0x09, "WRSLD", &cx7_ahrs_evidence[3]},  {0x01, 0x72, "WRA", &cx7_ahrs_evidence[3]},
-    {0x01, 0x7E, "", &cx7_ahrs_evidence[3]},       {0x0C, 0x0D, "", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x0E, "", &cx7_ahrs_evidence[2]},       {0x0C, 0x0F, "WRSLD", &cx7_ahrs_evidence[2]},
-    {0x0C, 0x10, "", &cx7_ahrs_evidence[3]},       {0x0C, 0x11, "WRSLD", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x28, "WRSLD", &cx7_ahrs_evidence[0]},  {0x0C, 0x2A, "", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x2B, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x2C, "", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x2D, "", &cx7_ahrs_evidence[3]},       {0x0C, 0x2E, "WRSLD", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x2F, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x30, "SLD", &cx7_ahrs_evidence[2]},
-    {0x0C, 0x31, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x32, "WRSLD", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x33, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x37, "WRSLDA", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x38, "WRSLDA", &cx7_ahrs_evidence[3]}, {0x0C, 0x39, "", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x3A, "WRSLDA", &cx7_ahrs_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x41, "WRSLD", &cx7_ahrs_evidence[0]},  {0x0C, 0x42, "WR", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x50, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x51, "WRSLD", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x52, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x53, "", &cx7_ahrs_evidence[3]},
-    {0x0C, 0x54, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0D, 0x01, "", &cx7_ahrs_evidence[3]},
-    {0x0D, 0x03, "", &cx7_ahrs_evidence[3]},       {0x0D, 0x1A, "WRSLD", &cx7_ahrs_evidence[3]},
-    {0x0D, 0x1B, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cx7_ahrs_evidence[3]},
-    {0x0D, 0x20, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0D, 0x28, "WRSLD", &cx7_ahrs_evidence[3]},
+    {0x01, 0x01, "", &cx7_ahrs_evidence[1]},       {0x01, 0x02, "", &cx7_ahrs_evidence[1]},
+    {0x01, 0x03, "", &cx7_ahrs_evidence[1]},       {0x01, 0x04, "", &cx7_ahrs_evidence[1]},
+    {0x01, 0x05, "", &cx7_ahrs_evidence[2]},       {0x01, 0x06, "", &cx7_ahrs_evidence[1]},
+    {0x01, 0x07, "", &cx7_ahrs_evidence[1]},       {0x01, 0x08, "", &cx7_ahrs_evidence[2]},
+    {0x01, 0x09, "WRSLD", &cx7_ahrs_evidence[2]},  {0x01, 0x72, "WRA", &cx7_ahrs_evidence[2]},
+    {0x01, 0x7E, "", &cx7_ahrs_evidence[2]},       {0x0C, 0x0D, "", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x0E, "", &cx7_ahrs_evidence[1]},       {0x0C, 0x0F, "WRSLD", &cx7_ahrs_evidence[1]},
+    {0x0C, 0x10, "", &cx7_ahrs_evidence[2]},       {0x0C, 0x11, "WRSLD", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x28, "WRSLD", &cx7_ahrs_evidence[0]},  {0x0C, 0x2A, "", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x2B, "WRSLD", &cx7_ahrs_evidence[2]},  {0x0C, 0x2C, "", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x2D, "", &cx7_ahrs_evidence[2]},       {0x0C, 0x2E, "WRSLD", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x2F, "WRSLD", &cx7_ahrs_evidence[2]},  {0x0C, 0x30, "SLD", &cx7_ahrs_evidence[1]},
+    {0x0C, 0x31, "WRSLD", &cx7_ahrs_evidence[2]},  {0x0C, 0x32, "WRSLD", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x33, "WRSLD", &cx7_ahrs_evidence[2]},  {0x0C, 0x37, "WRSLDA", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x38, "WRSLDA", &cx7_ahrs_evidence[2]}, {0x0C, 0x39, "", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x3A, "WRSLDA", &cx7_ahrs_evidence[2]}, {0x0C, 0x3B, "WRSLDA", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x41, "WRSLD", &cx7_ahrs_evidence[0]},  {0x0C, 0x42, "WR", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x50, "WRSLD", &cx7_ahrs_evidence[2]},  {0x0C, 0x51, "WRSLD", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x52, "WRSLD", &cx7_ahrs_evidence[2]},  {0x0C, 0x53, "", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x54, "WRSLD", &cx7_ahrs_evidence[2]},  {0x0D, 0x01, "", &cx7_ahrs_evidence[2]},
+    {0x0D, 0x03, "", &cx7_ahrs_evidence[2]},       {0x0D, 0x1A, "WRSLD", &cx7_ahrs_evidence[2]},
+    {0x0D, 0x1B, "WRSLD", &cx7_ahrs_evidence[2]},  {0x0D, 0x1D, "WRSLD", &cx7_ahrs_evidence[2]},
+    {0x0D, 0x20, "WRSLD", &cx7_ahrs_evidence[2]},  {0x0D, 0x28, "WRSLD", &cx7_ahrs_evidence[2]},
     {0x0D, 0x43, "WRSLD", &cx7_ahrs_evidence[0]},  {0x0D, 0x50, "WRSLD", &cx7_ahrs_evidence[0]},
-    {0x0D, 0x53, "WRSLD", &cx7_ahrs_evidence[0]},  {0x13, 0x01, "WRSLD", &cx7_ahrs_evidence[3]},
-    {0x13, 0x1F, "WRSLD", &cx7_ahrs_evidence[3]},  {0x13, 0x31, "", &cx7_ahrs_evidence[3]},
-    {0x13, 0x32, "", &cx7_ahrs_evidence[3]},       {0x80, 0x04, "", &cx7_ahrs_evidence[1]},
-    {0x80, 0x05, "", &cx7_ahrs_evidence[1]},       {0x80, 0x06, "", &cx7_ahrs_evidence[1]},
-    {0x80, 0x07, "", &cx7_ahrs_evidence[3]},       {0x80, 0x08, "", &cx7_ahrs_evidence[3]},
-    {0x80, 0x09, "", &cx7_ahrs_evidence[1]},       {0x80, 0x0A, "", &cx7_ahrs_evidence[1]},
-    {0x80, 0x0C, "", &cx7_ahrs_evidence[1]},       {0x80, 0x14, "", &cx7_ahrs_evidence[3]},
-    {0x80, 0x17, "", &cx7_ahrs_evidence[1]},       {0x80, 0x18, "", &cx7_ahrs_evidence[3]},
-    {0x82, 0x03, "", &cx7_ahrs_evidence[1]},       {0x82, 0x04, "", &cx7_ahrs_evidence[3]},
-    {0x82, 0x05, "", &cx7_ahrs_evidence[1]},       {0x82, 0x06, "", &cx7_ahrs_evidence[1]},
-    {0x82, 0x0A, "", &cx7_ahrs_evidence[1]},       {0x82, 0x0B, "", &cx7_ahrs_evidence[1]},
-    {0x82, 0x0D, "", &cx7_ahrs_evidence[1]},       {0x82, 0x0E, "", &cx7_ahrs_evidence[1]},
-    {0x82, 0x10, "", &cx7_ahrs_evidence[1]},       {0x82, 0x12, "", &cx7_ahrs_evidence[1]},
-    {0x82, 0x13, "", &cx7_ahrs_evidence[1]},       {0x82, 0x1C, "", &cx7_ahrs_evidence[1]},
-    {0x82, 0x21, "", &cx7_ahrs_evidence[1]},       {0xA0, 0x01, "", &cx7_ahrs_evidence[3]},
-    {0xA0, 0x02, "", &cx7_ahrs_evidence[1]},       {0xA0, 0x03, "", &cx7_ahrs_evidence[1]},
-    {0xFF, 0xD0, "", &cx7_ahrs_evidence[3]},       {0xFF, 0xD3, "", &cx7_ahrs_evidence[1]},
-    {0xFF, 0xD4, "", &cx7_ahrs_evidence[3]},       {0xFF, 0xD5, "", &cx7_ahrs_evidence[1]},
-    {0xFF, 0xD6, "", &cx7_ahrs_evidence[3]},       {0xFF, 0xD7, "", &cx7_ahrs_evidence[1]},
-    {0xFF, 0xD8, "", &cx7_ahrs_evidence[3]},
+    {0x0D, 0x53, "WRSLD", &cx7_ahrs_evidence[0]},  {0x13, 0x01, "WRSLD", &cx7_ahrs_evidence[2]},
+    {0x13, 0x1F, "WRSLD", &cx7_ahrs_evidence[2]},  {0x13, 0x31, "", &cx7_ahrs_evidence[2]},
+    {0x13, 0x32, "", &cx7_ahrs_evidence[2]},       {0x80, 0x04, "", &cx7_ahrs_evidence[2]},
+    {0x80, 0x05, "", &cx7_ahrs_evidence[2]},       {0x80, 0x06, "", &cx7_ahrs_evidence[2]},
+    {0x80, 0x07, "", &cx7_ahrs_evidence[2]},       {0x80, 0x08, "", &cx7_ahrs_evidence[2]},
+    {0x80, 0x09, "", &cx7_ahrs_evidence[2]},       {0x80, 0x0A, "", &cx7_ahrs_evidence[2]},
+    {0x80, 0x0C, "", &cx7_ahrs_evidence[2]},       {0x80, 0x14, "", &cx7_ahrs_evidence[2]},
+    {0x80, 0x17, "", &cx7_ahrs_evidence[2]},       {0x80, 0x18, "", &cx7_ahrs_evidence[2]},
+    {0x82, 0x03, "", &cx7_ahrs_evidence[2]},       {0x82, 0x04, "", &cx7_ahrs_evidence[2]},
+    {0x82, 0x05, "", &cx7_ahrs_evidence[2]},       {0x82, 0x06, "", &cx7_ahrs_evidence[2]},
+    {0x82, 0x0A, "", &cx7_ahrs_evidence[2]},       {0x82, 0x0B, "", &cx7_ahrs_evidence[2]},
+    {0x82, 0x0D, "", &cx7_ahrs_evidence[2]},       {0x82, 0x0E, "", &cx7_ahrs_evidence[2]},
+    {0x82, 0x10, "", &cx7_ahrs_evidence[2]},       {0x82, 0x12, "", &cx7_ahrs_evidence[2]},
+    {0x82, 0x13, "", &cx7_ahrs_evidence[2]},       {0x82, 0x1C, "", &cx7_ahrs_evidence[2]},
+    {0x82, 0x21, "", &cx7_ahrs_evidence[2]},       {0xA0, 0x01, "", &cx7_ahrs_evidence[2]},
+    {0xA0, 0x02, "", &cx7_ahrs_evidence[2]},       {0xA0, 0x03, "", &cx7_ahrs_evidence[2]},
+    {0xFF, 0xD0, "", &cx7_ahrs_evidence[2]},       {0xFF, 0xD3, "", &cx7_ahrs_evidence[2]},
+    {0xFF, 0xD4, "", &cx7_ahrs_evidence[2]},       {0xFF, 0xD5, "", &cx7_ahrs_evidence[2]},
+    {0xFF, 0xD6, "", &cx7_ahrs_evidence[2]},       {0xFF, 0xD7, "", &cx7_ahrs_evidence[2]},
+    {0xFF, 0xD8, "", &cx7_ahrs_evidence[2]},
+};
+
+static const struct mip_profile_field cx7_ahrs_refuses[] = {
+    {0x0C, 0x02, "", &cx7_ahrs_evidence[3]}, {0x0C, 0x07, "", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x09, "", &cx7_ahrs_evidence[3]}, {0x0C, 0x20, "", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x21, "", &cx7_ahrs_evidence[3]}, {0x0C, 0x22, "", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x23, "", &cx7_ahrs_evidence[3]}, {0x0C, 0x24, "", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x34, "", &cx7_ahrs_evidence[3]}, {0x0C, 0x62, "", &cx7_ahrs_evidence[3]},
+    {0x0D, 0x54, "", &cx7_ahrs_evidence[3]}, {0x0D, 0x64, "", &cx7_ahrs_evidence[3]},
+    {0x82, 0x34, "", &cx7_ahrs_evidence[3]}, {0x82, 0x35, "", &cx7_ahrs_evidence[3]},
+    {0x82, 0x49, "", &cx7_ahrs_evidence[4]},
+};
+
+static const struct mip_profile_field cx7_ahrs_absent_sets[] = {
+    {0x81, 0, "", &cx7_ahrs_evidence[3]},
+    {0x91, 0, "", &cx7_ahrs_evidence[3]},
+    {0x92, 0, "", &cx7_ahrs_evidence[3]},
+    {0x93, 0, "", &cx7_ahrs_evidence[3]},
 };
 
 static const struct mip_profile_port cx7_ahrs_ports[] = {
@@ -1958,7 +2260,8 @@ const struct mip_profile mip_profile_cx7_ahrs = {
     0,    /* other names */
     1,    /* what is not known */
     87,   /* fields */
-    0,    /* refused fields */
+    15,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     3,    /* ports */
@@ -1969,7 +2272,8 @@ const struct mip_profile mip_profile_cx7_ahrs = {
     NULL,
     cx7_ahrs_incomplete,
     cx7_ahrs_fields,
-    NULL,
+    cx7_ahrs_refuses,
+    cx7_ahrs_absent_sets,
     NULL,
     NULL,
     cx7_ahrs_ports,
@@ -1986,60 +2290,88 @@ static const char *const cx7_ar_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx7_ar_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
-                           "Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field cx7_ar_fields[] = {
-    {0x01, 0x01, "", &cx7_ar_evidence[2]},       {0x01, 0x02, "", &cx7_ar_evidence[2]},
-    {0x01, 0x03, "", &cx7_ar_evidence[2]},       {0x01, 0x04, "", &cx7_ar_evidence[2]},
-    {0x01, 0x05, "", &cx7_ar_evidence[3]},       {0x01, 0x06, "", &cx7_ar_evidence[2]},
-    {0x01, 0x07, "", &cx7_ar_evidence[2]},       {0x01, 0x08, "", &cx7_ar_evidence[3]},
-    {0x01, 0x09, "WRSLD", &cx7_ar_evidence[3]},  {0x01, 0x72, "WRA", &cx7_ar_evidence[3]},
-    {0x01, 0x7E, "", &cx7_ar_evidence[3]},       {0x0C, 0x0D, "", &cx7_ar_evidence[3]},
-    {0x0C, 0x0E, "", &cx7_ar_evidence[2]},       {0x0C, 0x0F, "WRSLD", &cx7_ar_evidence[2]},
-    {0x0C, 0x10, "", &cx7_ar_evidence[3]},       {0x0C, 0x11, "WRSLD", &cx7_ar_evidence[3]},
-    {0x0C, 0x28, "WRSLD", &cx7_ar_evidence[0]},  {0x0C, 0x2A, "", &cx7_ar_evidence[3]},
-    {0x0C, 0x2B, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x2C, "", &cx7_ar_evidence[3]},
-    {0x0C, 0x2D, "", &cx7_ar_evidence[3]},       {0x0C, 0x2E, "WRSLD", &cx7_ar_evidence[3]},
-    {0x0C, 0x2F, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x30, "SLD", &cx7_ar_evidence[2]},
-    {0x0C, 0x31, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x32, "WRSLD", &cx7_ar_evidence[3]},
-    {0x0C, 0x33, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x37, "WRSLDA", &cx7_ar_evidence[3]},
-    {0x0C, 0x38, "WRSLDA", &cx7_ar_evidence[3]}, {0x0C, 0x39, "", &cx7_ar_evidence[3]},
-    {0x0C, 0x3A, "WRSLDA", &cx7_ar_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &cx7_ar_evidence[3]},
-    {0x0C, 0x41, "WRSLD", &cx7_ar_evidence[0]},  {0x0C, 0x42, "WR", &cx7_ar_evidence[3]},
-    {0x0C, 0x50, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x51, "WRSLD", &cx7_ar_evidence[3]},
-    {0x0C, 0x52, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x53, "", &cx7_ar_evidence[3]},
-    {0x0C, 0x54, "WRSLD", &cx7_ar_evidence[3]},  {0x0D, 0x01, "", &cx7_ar_evidence[3]},
-    {0x0D, 0x03, "", &cx7_ar_evidence[3]},       {0x0D, 0x1A, "WRSLD", &cx7_ar_evidence[3]},
-    {0x0D, 0x1B, "WRSLD", &cx7_ar_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cx7_ar_evidence[3]},
-    {0x0D, 0x20, "WRSLD", &cx7_ar_evidence[3]},  {0x0D, 0x28, "WRSLD", &cx7_ar_evidence[3]},
-    {0x0D, 0x43, "WRSLD", &cx7_ar_evidence[0]},  {0x0D, 0x50, "WRSLD", &cx7_ar_evidence[0]},
-    {0x0D, 0x53, "WRSLD", &cx7_ar_evidence[0]},  {0x13, 0x01, "WRSLD", &cx7_ar_evidence[3]},
-    {0x13, 0x1F, "WRSLD", &cx7_ar_evidence[3]},  {0x13, 0x31, "", &cx7_ar_evidence[3]},
-    {0x13, 0x32, "", &cx7_ar_evidence[3]},       {0x80, 0x04, "", &cx7_ar_evidence[1]},
-    {0x80, 0x05, "", &cx7_ar_evidence[1]},       {0x80, 0x06, "", &cx7_ar_evidence[1]},
-    {0x80, 0x07, "", &cx7_ar_evidence[3]},       {0x80, 0x08, "", &cx7_ar_evidence[3]},
-    {0x80, 0x09, "", &cx7_ar_evidence[1]},       {0x80, 0x0A, "", &cx7_ar_evidence[1]},
-    {0x80, 0x0C, "", &cx7_ar_evidence[1]},       {0x80, 0x14, "", &cx7_ar_evidence[3]},
-    {0x80, 0x17, "", &cx7_ar_evidence[1]},       {0x80, 0x18, "", &cx7_ar_evidence[3]},
-    {0x82, 0x03, "", &cx7_ar_evidence[1]},       {0x82, 0x04, "", &cx7_ar_evidence[3]},
-    {0x82, 0x05, "", &cx7_ar_evidence[1]},       {0x82, 0x06, "", &cx7_ar_evidence[1]},
-    {0x82, 0x0A, "", &cx7_ar_evidence[1]},       {0x82, 0x0B, "", &cx7_ar_evidence[1]},
-    {0x82, 0x0D, "", &cx7_ar_evidence[1]},       {0x82, 0x0E, "", &cx7_ar_evidence[1]},
-    {0x82, 0x10, "", &cx7_ar_evidence[1]},       {0x82, 0x12, "", &cx7_ar_evidence[1]},
-    {0x82, 0x13, "", &cx7_ar_evidence[1]},       {0x82, 0x1C, "", &cx7_ar_evidence[1]},
-    {0x82, 0x21, "", &cx7_ar_evidence[1]},       {0xA0, 0x01, "", &cx7_ar_evidence[3]},
-    {0xA0, 0x02, "", &cx7_ar_evidence[1]},       {0xA0, 0x03, "", &cx7_ar_evidence[1]},
-    {0xFF, 0xD0, "", &cx7_ar_evidence[3]},       {0xFF, 0xD3, "", &cx7_ar_evidence[1]},
-    {0xFF, 0xD4, "", &cx7_ar_evidence[3]},       {0xFF, 0xD5, "", &cx7_ar_evidence[1]},
-    {0xFF, 0xD6, "", &cx7_ar_evidence[3]},       {0xFF, 0xD7, "", &cx7_ar_evidence[1]},
-    {0xFF, 0xD8, "", &cx7_ar_evidence[3]},
+    {0x01, 0x01, "", &cx7_ar_evidence[1]},       {0x01, 0x02, "", &cx7_ar_evidence[1]},
+    {0x01, 0x03, "", &cx7_ar_evidence[1]},       {0x01, 0x04, "", &cx7_ar_evidence[1]},
+    {0x01, 0x05, "", &cx7_ar_evidence[2]},       {0x01, 0x06, "", &cx7_ar_evidence[1]},
+    {0x01, 0x07, "", &cx7_ar_evidence[1]},       {0x01, 0x08, "", &cx7_ar_evidence[2]},
+    {0x01, 0x09, "WRSLD", &cx7_ar_evidence[2]},  {0x01, 0x72, "WRA", &cx7_ar_evidence[2]},
+    {0x01, 0x7E, "", &cx7_ar_evidence[2]},       {0x0C, 0x0D, "", &cx7_ar_evidence[2]},
+    {0x0C, 0x0E, "", &cx7_ar_evidence[1]},       {0x0C, 0x0F, "WRSLD", &cx7_ar_evidence[1]},
+    {0x0C, 0x10, "", &cx7_ar_evidence[2]},       {0x0C, 0x11, "WRSLD", &cx7_ar_evidence[2]},
+    {0x0C, 0x28, "WRSLD", &cx7_ar_evidence[0]},  {0x0C, 0x2A, "", &cx7_ar_evidence[2]},
+    {0x0C, 0x2B, "WRSLD", &cx7_ar_evidence[2]},  {0x0C, 0x2C, "", &cx7_ar_evidence[2]},
+    {0x0C, 0x2D, "", &cx7_ar_evidence[2]},       {0x0C, 0x2E, "WRSLD", &cx7_ar_evidence[2]},
+    {0x0C, 0x2F, "WRSLD", &cx7_ar_evidence[2]},  {0x0C, 0x30, "SLD", &cx7_ar_evidence[1]},
+    {0x0C, 0x31, "WRSLD", &cx7_ar_evidence[2]},  {0x0C, 0x32, "WRSLD", &cx7_ar_evidence[2]},
+    {0x0C, 0x33, "WRSLD", &cx7_ar_evidence[2]},  {0x0C, 0x37, "WRSLDA", &cx7_ar_evidence[2]},
+    {0x0C, 0x38, "WRSLDA", &cx7_ar_evidence[2]}, {0x0C, 0x39, "", &cx7_ar_evidence[2]},
+    {0x0C, 0x41, "WRSLD", &cx7_ar_evidence[0]},  {0x0C, 0x42, "WR", &cx7_ar_evidence[2]},
+    {0x0C, 0x50, "WRSLD", &cx7_ar_evidence[2]},  {0x0C, 0x51, "WRSLD", &cx7_ar_evidence[2]},
+    {0x0C, 0x52, "WRSLD", &cx7_ar_evidence[2]},  {0x0C, 0x53, "", &cx7_ar_evidence[2]},
+    {0x0C, 0x54, "WRSLD", &cx7_ar_evidence[2]},  {0x0D, 0x01, "", &cx7_ar_evidence[2]},
+    {0x0D, 0x03, "", &cx7_ar_evidence[2]},       {0x0D, 0x1A, "WRSLD", &cx7_ar_evidence[2]},
+    {0x0D, 0x1B, "WRSLD", &cx7_ar_evidence[2]},  {0x0D, 0x1D, "WRSLD", &cx7_ar_evidence[2]},
+    {0x0D, 0x20, "WRSLD", &cx7_ar_evidence[2]},  {0x0D, 0x28, "WRSLD", &cx7_ar_evidence[2]},
+    {0x0D, 0x50, "WRSLD", &cx7_ar_evidence[0]},  {0x0D, 0x53, "WRSLD", &cx7_ar_evidence[0]},
+    {0x13, 0x01, "WRSLD", &cx7_ar_evidence[2]},  {0x13, 0x1F, "WRSLD", &cx7_ar_evidence[2]},
+    {0x13, 0x31, "", &cx7_ar_evidence[2]},       {0x13, 0x32, "", &cx7_ar_evidence[2]},
+    {0x80, 0x04, "", &cx7_ar_evidence[2]},       {0x80, 0x05, "", &cx7_ar_evidence[2]},
+    {0x80, 0x07, "", &cx7_ar_evidence[2]},       {0x80, 0x08, "", &cx7_ar_evidence[2]},
+    {0x80, 0x09, "", &cx7_ar_evidence[2]},       {0x80, 0x0A, "", &cx7_ar_evidence[2]},
+    {0x80, 0x0C, "", &cx7_ar_evidence[2]},       {0x80, 0x14, "", &cx7_ar_evidence[2]},
+    {0x80, 0x17, "", &cx7_ar_evidence[2]},       {0x80, 0x18, "", &cx7_ar_evidence[2]},
+    {0x82, 0x03, "", &cx7_ar_evidence[2]},       {0x82, 0x04, "", &cx7_ar_evidence[2]},
+    {0x82, 0x05, "", &cx7_ar_evidence[2]},       {0x82, 0x06, "", &cx7_ar_evidence[2]},
+    {0x82, 0x0A, "", &cx7_ar_evidence[2]},       {0x82, 0x0B, "", &cx7_ar_evidence[2]},
+    {0x82, 0x0D, "", &cx7_ar_evidence[2]},       {0x82, 0x0E, "", &cx7_ar_evidence[2]},
+    {0x82, 0x10, "", &cx7_ar_evidence[2]},       {0x82, 0x12, "", &cx7_ar_evidence[2]},
+    {0x82, 0x13, "", &cx7_ar_evidence[2]},       {0x82, 0x1C, "", &cx7_ar_evidence[2]},
+    {0x82, 0x21, "", &cx7_ar_evidence[2]},       {0xA0, 0x01, "", &cx7_ar_evidence[2]},
+    {0xA0, 0x02, "", &cx7_ar_evidence[2]},       {0xA0, 0x03, "", &cx7_ar_evidence[2]},
+    {0xFF, 0xD0, "", &cx7_ar_evidence[2]},       {0xFF, 0xD3, "", &cx7_ar_evidence[2]},
+    {0xFF, 0xD4, "", &cx7_ar_evidence[2]},       {0xFF, 0xD5, "", &cx7_ar_evidence[2]},
+    {0xFF, 0xD6, "", &cx7_ar_evidence[2]},       {0xFF, 0xD7, "", &cx7_ar_evidence[2]},
+    {0xFF, 0xD8, "", &cx7_ar_evidence[2]},
+};
+
+static const struct mip_profile_field cx7_ar_refuses[] = {
+    {0x0C, 0x02, "", &cx7_ar_evidence[3]}, {0x0C, 0x07, "", &cx7_ar_evidence[3]},
+    {0x0C, 0x09, "", &cx7_ar_evidence[3]}, {0x0C, 0x20, "", &cx7_ar_evidence[3]},
+    {0x0C, 0x21, "", &cx7_ar_evidence[3]}, {0x0C, 0x22, "", &cx7_ar_evidence[3]},
+    {0x0C, 0x23, "", &cx7_ar_evidence[3]}, {0x0C, 0x24, "", &cx7_ar_evidence[3]},
+    {0x0C, 0x34, "", &cx7_ar_evidence[3]}, {0x0C, 0x3A, "", &cx7_ar_evidence[4]},
+    {0x0C, 0x3B, "", &cx7_ar_evidence[4]}, {0x0C, 0x62, "", &cx7_ar_evidence[3]},
+    {0x0D, 0x27, "", &cx7_ar_evidence[4]}, {0x0D, 0x2B, "", &cx7_ar_evidence[4]},
+    {0x0D, 0x2C, "", &cx7_ar_evidence[4]}, {0x0D, 0x42, "", &cx7_ar_evidence[4]},
+    {0x0D, 0x43, "", &cx7_ar_evidence[4]}, {0x0D, 0x45, "", &cx7_ar_evidence[4]},
+    {0x0D, 0x46, "", &cx7_ar_evidence[4]}, {0x0D, 0x4C, "", &cx7_ar_evidence[4]},
+    {0x0D, 0x4D, "", &cx7_ar_evidence[4]}, {0x0D, 0x54, "", &cx7_ar_evidence[3]},
+    {0x0D, 0x64, "", &cx7_ar_evidence[3]}, {0x80, 0x03, "", &cx7_ar_evidence[4]},
+    {0x80, 0x06, "", &cx7_ar_evidence[4]}, {0x82, 0x1A, "", &cx7_ar_evidence[4]},
+    {0x82, 0x1B, "", &cx7_ar_evidence[4]}, {0x82, 0x25, "", &cx7_ar_evidence[4]},
+    {0x82, 0x26, "", &cx7_ar_evidence[4]}, {0x82, 0x28, "", &cx7_ar_evidence[4]},
+    {0x82, 0x29, "", &cx7_ar_evidence[4]}, {0x82, 0x2A, "", &cx7_ar_evidence[4]},
+    {0x82, 0x2C, "", &cx7_ar_evidence[4]}, {0x82, 0x34, "", &cx7_ar_evidence[3]},
+    {0x82, 0x35, "", &cx7_ar_evidence[3]}, {0x82, 0x49, "", &cx7_ar_evidence[5]},
+};
+
+static const struct mip_profile_field cx7_ar_absent_sets[] = {
+    {0x81, 0, "", &cx7_ar_evidence[3]},
+    {0x91, 0, "", &cx7_ar_evidence[3]},
+    {0x92, 0, "", &cx7_ar_evidence[3]},
+    {0x93, 0, "", &cx7_ar_evidence[3]},
 };
 
 static const struct mip_profile_port cx7_ar_ports[] = {
@@ -2103,8 +2435,9 @@ const struct mip_profile mip_profile_cx7_ar = {
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    87,   /* fields */
-    0,    /* refused fields */
+    83,   /* fields */
+    36,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     3,    /* ports */
@@ -2115,7 +2448,8 @@ const struct mip_profile mip_profile_cx7_ar = {
     NULL,
     cx7_ar_incomplete,
     cx7_ar_fields,
-    NULL,
+    cx7_ar_refuses,
+    cx7_ar_absent_sets,
     NULL,
     NULL,
     cx7_ar_ports,
@@ -2132,79 +2466,98 @@ static const char *const cx7_ins_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx7_ins_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
-                           "Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field cx7_ins_fields[] = {
-    {0x01, 0x01, "", &cx7_ins_evidence[2]},       {0x01, 0x02, "", &cx7_ins_evidence[2]},
-    {0x01, 0x03, "", &cx7_ins_evidence[2]},       {0x01, 0x04, "", &cx7_ins_evidence[2]},
-    {0x01, 0x05, "", &cx7_ins_evidence[3]},       {0x01, 0x06, "", &cx7_ins_evidence[2]},
-    {0x01, 0x07, "", &cx7_ins_evidence[2]},       {0x01, 0x08, "", &cx7_ins_evidence[3]},
-    {0x01, 0x09, "WRSLD", &cx7_ins_evidence[3]},  {0x01, 0x72, "WRA", &cx7_ins_evidence[3]},
-    {0x01, 0x7E, "", &cx7_ins_evidence[3]},       {0x0C, 0x04, "", &cx7_ins_evidence[3]},
-    {0x0C, 0x0C, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x0D, "", &cx7_ins_evidence[3]},
-    {0x0C, 0x0E, "", &cx7_ins_evidence[2]},       {0x0C, 0x0F, "WRSLD", &cx7_ins_evidence[2]},
-    {0x0C, 0x10, "", &cx7_ins_evidence[3]},       {0x0C, 0x11, "WRSLD", &cx7_ins_evidence[3]},
-    {0x0C, 0x28, "WRSLD", &cx7_ins_evidence[0]},  {0x0C, 0x2A, "", &cx7_ins_evidence[3]},
-    {0x0C, 0x2B, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x2C, "", &cx7_ins_evidence[3]},
-    {0x0C, 0x2D, "", &cx7_ins_evidence[3]},       {0x0C, 0x2E, "WRSLD", &cx7_ins_evidence[3]},
-    {0x0C, 0x2F, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x30, "SLD", &cx7_ins_evidence[2]},
-    {0x0C, 0x31, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x32, "WRSLD", &cx7_ins_evidence[3]},
-    {0x0C, 0x33, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x37, "WRSLDA", &cx7_ins_evidence[3]},
-    {0x0C, 0x38, "WRSLDA", &cx7_ins_evidence[3]}, {0x0C, 0x39, "", &cx7_ins_evidence[3]},
-    {0x0C, 0x3A, "WRSLDA", &cx7_ins_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &cx7_ins_evidence[3]},
-    {0x0C, 0x41, "WRSLD", &cx7_ins_evidence[0]},  {0x0C, 0x42, "WR", &cx7_ins_evidence[3]},
-    {0x0C, 0x50, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x51, "WRSLD", &cx7_ins_evidence[3]},
-    {0x0C, 0x52, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x53, "", &cx7_ins_evidence[3]},
-    {0x0C, 0x54, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x01, "", &cx7_ins_evidence[3]},
-    {0x0D, 0x03, "", &cx7_ins_evidence[3]},       {0x0D, 0x05, "", &cx7_ins_evidence[3]},
-    {0x0D, 0x13, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x15, "WRSLD", &cx7_ins_evidence[3]},
-    {0x0D, 0x17, "", &cx7_ins_evidence[3]},       {0x0D, 0x1A, "WRSLD", &cx7_ins_evidence[3]},
-    {0x0D, 0x1B, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x1C, "WRSLD", &cx7_ins_evidence[3]},
-    {0x0D, 0x1D, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x1F, "", &cx7_ins_evidence[3]},
-    {0x0D, 0x20, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x28, "WRSLD", &cx7_ins_evidence[3]},
+    {0x01, 0x01, "", &cx7_ins_evidence[1]},       {0x01, 0x02, "", &cx7_ins_evidence[1]},
+    {0x01, 0x03, "", &cx7_ins_evidence[1]},       {0x01, 0x04, "", &cx7_ins_evidence[1]},
+    {0x01, 0x05, "", &cx7_ins_evidence[2]},       {0x01, 0x06, "", &cx7_ins_evidence[1]},
+    {0x01, 0x07, "", &cx7_ins_evidence[1]},       {0x01, 0x08, "", &cx7_ins_evidence[2]},
+    {0x01, 0x09, "WRSLD", &cx7_ins_evidence[2]},  {0x01, 0x72, "WRA", &cx7_ins_evidence[2]},
+    {0x01, 0x7E, "", &cx7_ins_evidence[2]},       {0x0C, 0x04, "", &cx7_ins_evidence[2]},
+    {0x0C, 0x0C, "WRSLD", &cx7_ins_evidence[2]},  {0x0C, 0x0D, "", &cx7_ins_evidence[2]},
+    {0x0C, 0x0E, "", &cx7_ins_evidence[1]},       {0x0C, 0x0F, "WRSLD", &cx7_ins_evidence[1]},
+    {0x0C, 0x10, "", &cx7_ins_evidence[2]},       {0x0C, 0x11, "WRSLD", &cx7_ins_evidence[2]},
+    {0x0C, 0x28, "WRSLD", &cx7_ins_evidence[0]},  {0x0C, 0x2A, "", &cx7_ins_evidence[2]},
+    {0x0C, 0x2B, "WRSLD", &cx7_ins_evidence[2]},  {0x0C, 0x2C, "", &cx7_ins_evidence[2]},
+    {0x0C, 0x2D, "", &cx7_ins_evidence[2]},       {0x0C, 0x2E, "WRSLD", &cx7_ins_evidence[2]},
+    {0x0C, 0x2F, "WRSLD", &cx7_ins_evidence[2]},  {0x0C, 0x30, "SLD", &cx7_ins_evidence[1]},
+    {0x0C, 0x31, "WRSLD", &cx7_ins_evidence[2]},  {0x0C, 0x32, "WRSLD", &cx7_ins_evidence[2]},
+    {0x0C, 0x33, "WRSLD", &cx7_ins_evidence[2]},  {0x0C, 0x37, "WRSLDA", &cx7_ins_evidence[2]},
+    {0x0C, 0x38, "WRSLDA", &cx7_ins_evidence[2]}, {0x0C, 0x39, "", &cx7_ins_evidence[2]},
+    {0x0C, 0x3A, "WRSLDA", &cx7_ins_evidence[2]}, {0x0C, 0x3B, "WRSLDA", &cx7_ins_evidence[2]},
+    {0x0C, 0x41, "WRSLD", &cx7_ins_evidence[0]},  {0x0C, 0x42, "WR", &cx7_ins_evidence[2]},
+    {0x0C, 0x50, "WRSLD", &cx7_ins_evidence[2]},  {0x0C, 0x51, "WRSLD", &cx7_ins_evidence[2]},
+    {0x0C, 0x52, "WRSLD", &cx7_ins_evidence[2]},  {0x0C, 0x53, "", &cx7_ins_evidence[2]},
+    {0x0C, 0x54, "WRSLD", &cx7_ins_evidence[2]},  {0x0D, 0x01, "", &cx7_ins_evidence[2]},
+    {0x0D, 0x03, "", &cx7_ins_evidence[2]},       {0x0D, 0x05, "", &cx7_ins_evidence[2]},
+    {0x0D, 0x13, "WRSLD", &cx7_ins_evidence[2]},  {0x0D, 0x15, "WRSLD", &cx7_ins_evidence[2]},
+    {0x0D, 0x17, "", &cx7_ins_evidence[2]},       {0x0D, 0x1A, "WRSLD", &cx7_ins_evidence[2]},
+    {0x0D, 0x1B, "WRSLD", &cx7_ins_evidence[2]},  {0x0D, 0x1C, "WRSLD", &cx7_ins_evidence[2]},
+    {0x0D, 0x1D, "WRSLD", &cx7_ins_evidence[2]},  {0x0D, 0x1F, "", &cx7_ins_evidence[2]},
+    {0x0D, 0x20, "WRSLD", &cx7_ins_evidence[2]},  {0x0D, 0x28, "WRSLD", &cx7_ins_evidence[2]},
     {0x0D, 0x43, "WRSLD", &cx7_ins_evidence[0]},  {0x0D, 0x50, "WRSLD", &cx7_ins_evidence[0]},
-    {0x0D, 0x52, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x53, "WRSLD", &cx7_ins_evidence[0]},
-    {0x0D, 0x55, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x56, "WRSLD", &cx7_ins_evidence[3]},
-    {0x13, 0x01, "WRSLD", &cx7_ins_evidence[3]},  {0x13, 0x1F, "WRSLD", &cx7_ins_evidence[3]},
-    {0x13, 0x21, "", &cx7_ins_evidence[3]},       {0x13, 0x22, "", &cx7_ins_evidence[3]},
-    {0x13, 0x23, "", &cx7_ins_evidence[3]},       {0x13, 0x28, "", &cx7_ins_evidence[3]},
-    {0x13, 0x29, "", &cx7_ins_evidence[3]},       {0x13, 0x2A, "", &cx7_ins_evidence[3]},
-    {0x13, 0x31, "", &cx7_ins_evidence[3]},       {0x13, 0x32, "", &cx7_ins_evidence[3]},
-    {0x13, 0x33, "", &cx7_ins_evidence[3]},       {0x80, 0x04, "", &cx7_ins_evidence[1]},
-    {0x80, 0x05, "", &cx7_ins_evidence[1]},       {0x80, 0x06, "", &cx7_ins_evidence[1]},
-    {0x80, 0x07, "", &cx7_ins_evidence[3]},       {0x80, 0x08, "", &cx7_ins_evidence[3]},
-    {0x80, 0x09, "", &cx7_ins_evidence[1]},       {0x80, 0x0A, "", &cx7_ins_evidence[1]},
-    {0x80, 0x0C, "", &cx7_ins_evidence[1]},       {0x80, 0x14, "", &cx7_ins_evidence[3]},
-    {0x80, 0x17, "", &cx7_ins_evidence[1]},       {0x80, 0x18, "", &cx7_ins_evidence[3]},
-    {0x82, 0x01, "", &cx7_ins_evidence[3]},       {0x82, 0x02, "", &cx7_ins_evidence[3]},
-    {0x82, 0x03, "", &cx7_ins_evidence[1]},       {0x82, 0x04, "", &cx7_ins_evidence[3]},
-    {0x82, 0x05, "", &cx7_ins_evidence[1]},       {0x82, 0x06, "", &cx7_ins_evidence[1]},
-    {0x82, 0x07, "", &cx7_ins_evidence[1]},       {0x82, 0x08, "", &cx7_ins_evidence[3]},
-    {0x82, 0x09, "", &cx7_ins_evidence[3]},       {0x82, 0x0A, "", &cx7_ins_evidence[1]},
-    {0x82, 0x0B, "", &cx7_ins_evidence[1]},       {0x82, 0x0C, "", &cx7_ins_evidence[1]},
-    {0x82, 0x0D, "", &cx7_ins_evidence[1]},       {0x82, 0x0E, "", &cx7_ins_evidence[1]},
-    {0x82, 0x10, "", &cx7_ins_evidence[1]},       {0x82, 0x12, "", &cx7_ins_evidence[1]},
-    {0x82, 0x13, "", &cx7_ins_evidence[1]},       {0x82, 0x15, "", &cx7_ins_evidence[3]},
-    {0x82, 0x1C, "", &cx7_ins_evidence[1]},       {0x82, 0x21, "", &cx7_ins_evidence[1]},
-    {0x82, 0x36, "", &cx7_ins_evidence[3]},       {0x82, 0x37, "", &cx7_ins_evidence[3]},
-    {0x82, 0x40, "", &cx7_ins_evidence[3]},       {0x82, 0x41, "", &cx7_ins_evidence[3]},
-    {0x82, 0x42, "", &cx7_ins_evidence[3]},       {0x82, 0x43, "", &cx7_ins_evidence[3]},
-    {0x82, 0x46, "", &cx7_ins_evidence[3]},       {0x82, 0x50, "", &cx7_ins_evidence[3]},
-    {0x82, 0x51, "", &cx7_ins_evidence[3]},       {0x94, 0x03, "", &cx7_ins_evidence[3]},
-    {0x94, 0x05, "", &cx7_ins_evidence[3]},       {0x94, 0x08, "", &cx7_ins_evidence[3]},
-    {0x94, 0x0B, "", &cx7_ins_evidence[3]},       {0x94, 0x20, "", &cx7_ins_evidence[3]},
-    {0xA0, 0x01, "", &cx7_ins_evidence[3]},       {0xA0, 0x02, "", &cx7_ins_evidence[1]},
-    {0xA0, 0x03, "", &cx7_ins_evidence[1]},       {0xFF, 0xD0, "", &cx7_ins_evidence[3]},
-    {0xFF, 0xD3, "", &cx7_ins_evidence[1]},       {0xFF, 0xD4, "", &cx7_ins_evidence[3]},
-    {0xFF, 0xD5, "", &cx7_ins_evidence[1]},       {0xFF, 0xD6, "", &cx7_ins_evidence[3]},
-    {0xFF, 0xD7, "", &cx7_ins_evidence[1]},       {0xFF, 0xD8, "", &cx7_ins_evidence[3]},
+    {0x0D, 0x52, "WRSLD", &cx7_ins_evidence[2]},  {0x0D, 0x53, "WRSLD", &cx7_ins_evidence[0]},
+    {0x0D, 0x55, "WRSLD", &cx7_ins_evidence[2]},  {0x0D, 0x56, "WRSLD", &cx7_ins_evidence[2]},
+    {0x13, 0x01, "WRSLD", &cx7_ins_evidence[2]},  {0x13, 0x1F, "WRSLD", &cx7_ins_evidence[2]},
+    {0x13, 0x21, "", &cx7_ins_evidence[2]},       {0x13, 0x22, "", &cx7_ins_evidence[2]},
+    {0x13, 0x23, "", &cx7_ins_evidence[2]},       {0x13, 0x28, "", &cx7_ins_evidence[2]},
+    {0x13, 0x29, "", &cx7_ins_evidence[2]},       {0x13, 0x2A, "", &cx7_ins_evidence[2]},
+    {0x13, 0x31, "", &cx7_ins_evidence[2]},       {0x13, 0x32, "", &cx7_ins_evidence[2]},
+    {0x13, 0x33, "", &cx7_ins_evidence[2]},       {0x80, 0x04, "", &cx7_ins_evidence[2]},
+    {0x80, 0x05, "", &cx7_ins_evidence[2]},       {0x80, 0x06, "", &cx7_ins_evidence[2]},
+    {0x80, 0x07, "", &cx7_ins_evidence[2]},       {0x80, 0x08, "", &cx7_ins_evidence[2]},
+    {0x80, 0x09, "", &cx7_ins_evidence[2]},       {0x80, 0x0A, "", &cx7_ins_evidence[2]},
+    {0x80, 0x0C, "", &cx7_ins_evidence[2]},       {0x80, 0x14, "", &cx7_ins_evidence[2]},
+    {0x80, 0x17, "", &cx7_ins_evidence[2]},       {0x80, 0x18, "", &cx7_ins_evidence[2]},
+    {0x82, 0x01, "", &cx7_ins_evidence[2]},       {0x82, 0x02, "", &cx7_ins_evidence[2]},
+    {0x82, 0x03, "", &cx7_ins_evidence[2]},       {0x82, 0x04, "", &cx7_ins_evidence[2]},
+    {0x82, 0x05, "", &cx7_ins_evidence[2]},       {0x82, 0x06, "", &cx7_ins_evidence[2]},
+    {0x82, 0x07, "", &cx7_ins_evidence[2]},       {0x82, 0x08, "", &cx7_ins_evidence[2]},
+    {0x82, 0x09, "", &cx7_ins_evidence[2]},       {0x82, 0x0A, "", &cx7_ins_evidence[2]},
+    {0x82, 0x0B, "", &cx7_ins_evidence[2]},       {0x82, 0x0C, "", &cx7_ins_evidence[2]},
+    {0x82, 0x0D, "", &cx7_ins_evidence[2]},       {0x82, 0x0E, "", &cx7_ins_evidence[2]},
+    {0x82, 0x10, "", &cx7_ins_evidence[2]},       {0x82, 0x12, "", &cx7_ins_evidence[2]},
+    {0x82, 0x13, "", &cx7_ins_evidence[2]},       {0x82, 0x15, "", &cx7_ins_evidence[2]},
+    {0x82, 0x1C, "", &cx7_ins_evidence[2]},       {0x82, 0x21, "", &cx7_ins_evidence[2]},
+    {0x82, 0x36, "", &cx7_ins_evidence[2]},       {0x82, 0x37, "", &cx7_ins_evidence[2]},
+    {0x82, 0x40, "", &cx7_ins_evidence[2]},       {0x82, 0x41, "", &cx7_ins_evidence[2]},
+    {0x82, 0x42, "", &cx7_ins_evidence[2]},       {0x82, 0x43, "", &cx7_ins_evidence[2]},
+    {0x82, 0x46, "", &cx7_ins_evidence[2]},       {0x82, 0x50, "", &cx7_ins_evidence[2]},
+    {0x82, 0x51, "", &cx7_ins_evidence[2]},       {0x94, 0x03, "", &cx7_ins_evidence[2]},
+    {0x94, 0x05, "", &cx7_ins_evidence[2]},       {0x94, 0x08, "", &cx7_ins_evidence[2]},
+    {0x94, 0x0B, "", &cx7_ins_evidence[2]},       {0x94, 0x20, "", &cx7_ins_evidence[2]},
+    {0xA0, 0x01, "", &cx7_ins_evidence[2]},       {0xA0, 0x02, "", &cx7_ins_evidence[2]},
+    {0xA0, 0x03, "", &cx7_ins_evidence[2]},       {0xFF, 0xD0, "", &cx7_ins_evidence[2]},
+    {0xFF, 0xD3, "", &cx7_ins_evidence[2]},       {0xFF, 0xD4, "", &cx7_ins_evidence[2]},
+    {0xFF, 0xD5, "", &cx7_ins_evidence[2]},       {0xFF, 0xD6, "", &cx7_ins_evidence[2]},
+    {0xFF, 0xD7, "", &cx7_ins_evidence[2]},       {0xFF, 0xD8, "", &cx7_ins_evidence[2]},
+};
+
+static const struct mip_profile_field cx7_ins_refuses[] = {
+    {0x0C, 0x02, "", &cx7_ins_evidence[3]}, {0x0C, 0x07, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x09, "", &cx7_ins_evidence[3]}, {0x0C, 0x20, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x21, "", &cx7_ins_evidence[3]}, {0x0C, 0x22, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x23, "", &cx7_ins_evidence[3]}, {0x0C, 0x24, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x34, "", &cx7_ins_evidence[3]}, {0x0C, 0x62, "", &cx7_ins_evidence[3]},
+    {0x0D, 0x54, "", &cx7_ins_evidence[3]}, {0x0D, 0x64, "", &cx7_ins_evidence[3]},
+    {0x82, 0x34, "", &cx7_ins_evidence[3]}, {0x82, 0x35, "", &cx7_ins_evidence[3]},
+    {0x82, 0x49, "", &cx7_ins_evidence[4]},
+};
+
+static const struct mip_profile_field cx7_ins_absent_sets[] = {
+    {0x81, 0, "", &cx7_ins_evidence[3]},
+    {0x91, 0, "", &cx7_ins_evidence[3]},
+    {0x92, 0, "", &cx7_ins_evidence[3]},
+    {0x93, 0, "", &cx7_ins_evidence[3]},
 };
 
 static const struct mip_profile_port cx7_ins_ports[] = {
@@ -2271,7 +2624,8 @@ const struct mip_profile mip_profile_cx7_ins = {
     0,    /* other names */
     1,    /* what is not known */
     126,  /* fields */
-    0,    /* refused fields */
+    15,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     5,    /* ports */
@@ -2282,7 +2636,8 @@ const struct mip_profile mip_profile_cx7_ins = {
     NULL,
     cx7_ins_incomplete,
     cx7_ins_fields,
-    NULL,
+    cx7_ins_refuses,
+    cx7_ins_absent_sets,
     NULL,
     NULL,
     cx7_ins_ports,
@@ -2299,8 +2654,8 @@ static const char *const dh3_incomplete[] = {
 };
 
 static const struct mip_profile_evidence dh3_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
 };
 
 static const struct mip_profile_field dh3_fields[] = {
@@ -2315,13 +2670,14 @@ static const struct mip_profile_reading dh3_readings[] = {
 };
 
 const struct mip_profile mip_profile_dh3 = {
-    "3dm-dh3", "3DM-DH3",      "",         "Device of generation 3.",
+    "3dm-dh3", "3DM-DH3",      "",           "Device of generation 3.",
     6219, /* model number */
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
     6,    /* fields */
     0,    /* refused fields */
+    0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -2329,9 +2685,9 @@ const struct mip_profile mip_profile_dh3 = {
     0,    /* notes */
     2,    /* readings */
     0,    /* acknowledge codes */
-    NULL,      dh3_incomplete, dh3_fields, NULL,
-    NULL,      NULL,           NULL,       NULL,
-    NULL,      dh3_readings,   NULL,
+    NULL,      dh3_incomplete, dh3_fields,   NULL,
+    NULL,      NULL,           NULL,         NULL,
+    NULL,      NULL,           dh3_readings, NULL,
 };
 
 /* 3DM-GQ4-45. */
@@ -2343,8 +2699,13 @@ static const char *const gq4_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gq4_45_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-RQ1-45-LT and 3DM-GX4-45."},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-RQ1-45-LT and 3DM-GX4-45.",
+     ""},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
+    {MIP_SUPPORT_NO, "Requires 2 receivers, which the device lacks.",
+     "has fewer than 2 GNSS receivers"},
 };
 
 static const struct mip_profile_field gq4_45_fields[] = {
@@ -2385,6 +2746,14 @@ static const struct mip_profile_field gq4_45_fields[] = {
     {0x82, 0x02, "", &gq4_45_evidence[1]},       {0x82, 0x05, "", &gq4_45_evidence[1]},
 };
 
+static const struct mip_profile_field gq4_45_refuses[] = {
+    {0x82, 0x49, "", &gq4_45_evidence[2]},
+};
+
+static const struct mip_profile_field gq4_45_absent_sets[] = {
+    {0x92, 0, "", &gq4_45_evidence[3]},
+};
+
 static const struct mip_profile_note gq4_45_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
@@ -2412,7 +2781,8 @@ const struct mip_profile mip_profile_gq4_45 = {
     0,    /* other names */
     2,    /* what is not known */
     70,   /* fields */
-    0,    /* refused fields */
+    1,    /* refused fields */
+    1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -2423,7 +2793,8 @@ const struct mip_profile mip_profile_gq4_45 = {
     NULL,
     gq4_45_incomplete,
     gq4_45_fields,
-    NULL,
+    gq4_45_refuses,
+    gq4_45_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -2446,19 +2817,24 @@ static const char *const gq7_incomplete[] = {
 
 static const struct mip_profile_evidence gq7_evidence[] = {
     {MIP_SUPPORT_YES,
-     "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages)."},
+     "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages).",
+     ""},
     {MIP_SUPPORT_YES,
-     "Documented (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)."},
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the "
-                      "wiki of the ROS driver)."},
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (PX4: Driver of the vendor's sensors)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+     "Documented (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications).", ""},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_YES,
+     "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS "
+     "driver).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver of the vendor: Example configurations).", ""},
+    {MIP_SUPPORT_LIKELY, "Used by programs for this model (PX4: Driver of the vendor's sensors).",
+     ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
 };
 
 static const struct mip_profile_field gq7_fields[] = {
@@ -2634,6 +3010,7 @@ const struct mip_profile mip_profile_gq7 = {
     2,    /* what is not known */
     167,  /* fields */
     0,    /* refused fields */
+    0,    /* absent sets */
     6,    /* fields of some firmware */
     6,    /* base rates */
     2,    /* ports */
@@ -2644,6 +3021,7 @@ const struct mip_profile mip_profile_gq7 = {
     gq7_also,
     gq7_incomplete,
     gq7_fields,
+    NULL,
     NULL,
     gq7_firmware,
     gq7_rates,
@@ -2661,64 +3039,83 @@ static const char *const gv7_ahrs_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gv7_ahrs_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
-                           "Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver of the vendor: Example configurations).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field gv7_ahrs_fields[] = {
     {0x01, 0x01, "", &gv7_ahrs_evidence[0]},       {0x01, 0x02, "", &gv7_ahrs_evidence[0]},
-    {0x01, 0x03, "", &gv7_ahrs_evidence[0]},       {0x01, 0x04, "", &gv7_ahrs_evidence[4]},
-    {0x01, 0x05, "", &gv7_ahrs_evidence[5]},       {0x01, 0x06, "", &gv7_ahrs_evidence[0]},
-    {0x01, 0x07, "", &gv7_ahrs_evidence[4]},       {0x01, 0x08, "", &gv7_ahrs_evidence[5]},
-    {0x01, 0x09, "WRSLD", &gv7_ahrs_evidence[5]},  {0x01, 0x72, "WRA", &gv7_ahrs_evidence[5]},
-    {0x01, 0x7E, "", &gv7_ahrs_evidence[5]},       {0x0C, 0x0D, "", &gv7_ahrs_evidence[5]},
+    {0x01, 0x03, "", &gv7_ahrs_evidence[0]},       {0x01, 0x04, "", &gv7_ahrs_evidence[3]},
+    {0x01, 0x05, "", &gv7_ahrs_evidence[4]},       {0x01, 0x06, "", &gv7_ahrs_evidence[0]},
+    {0x01, 0x07, "", &gv7_ahrs_evidence[3]},       {0x01, 0x08, "", &gv7_ahrs_evidence[4]},
+    {0x01, 0x09, "WRSLD", &gv7_ahrs_evidence[4]},  {0x01, 0x72, "WRA", &gv7_ahrs_evidence[4]},
+    {0x01, 0x7E, "", &gv7_ahrs_evidence[4]},       {0x0C, 0x0D, "", &gv7_ahrs_evidence[4]},
     {0x0C, 0x0E, "", &gv7_ahrs_evidence[0]},       {0x0C, 0x0F, "WRSLD", &gv7_ahrs_evidence[0]},
-    {0x0C, 0x10, "", &gv7_ahrs_evidence[5]},       {0x0C, 0x11, "WRSLD", &gv7_ahrs_evidence[5]},
-    {0x0C, 0x28, "WRSLD", &gv7_ahrs_evidence[1]},  {0x0C, 0x2A, "", &gv7_ahrs_evidence[5]},
-    {0x0C, 0x2B, "WRSLD", &gv7_ahrs_evidence[0]},  {0x0C, 0x2C, "", &gv7_ahrs_evidence[5]},
-    {0x0C, 0x2D, "", &gv7_ahrs_evidence[5]},       {0x0C, 0x2E, "WRSLD", &gv7_ahrs_evidence[0]},
+    {0x0C, 0x10, "", &gv7_ahrs_evidence[4]},       {0x0C, 0x11, "WRSLD", &gv7_ahrs_evidence[4]},
+    {0x0C, 0x28, "WRSLD", &gv7_ahrs_evidence[1]},  {0x0C, 0x2A, "", &gv7_ahrs_evidence[4]},
+    {0x0C, 0x2B, "WRSLD", &gv7_ahrs_evidence[0]},  {0x0C, 0x2C, "", &gv7_ahrs_evidence[4]},
+    {0x0C, 0x2D, "", &gv7_ahrs_evidence[4]},       {0x0C, 0x2E, "WRSLD", &gv7_ahrs_evidence[0]},
     {0x0C, 0x2F, "WRSLD", &gv7_ahrs_evidence[0]},  {0x0C, 0x30, "SLD", &gv7_ahrs_evidence[0]},
-    {0x0C, 0x31, "WRSLD", &gv7_ahrs_evidence[0]},  {0x0C, 0x32, "WRSLD", &gv7_ahrs_evidence[5]},
-    {0x0C, 0x33, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0C, 0x37, "WRSLDA", &gv7_ahrs_evidence[5]},
-    {0x0C, 0x38, "WRSLDA", &gv7_ahrs_evidence[5]}, {0x0C, 0x39, "", &gv7_ahrs_evidence[0]},
-    {0x0C, 0x3A, "WRSLDA", &gv7_ahrs_evidence[5]}, {0x0C, 0x3B, "WRSLDA", &gv7_ahrs_evidence[5]},
-    {0x0C, 0x41, "WRSLD", &gv7_ahrs_evidence[2]},  {0x0C, 0x42, "WR", &gv7_ahrs_evidence[5]},
-    {0x0C, 0x50, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0C, 0x51, "WRSLD", &gv7_ahrs_evidence[5]},
-    {0x0C, 0x52, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0C, 0x53, "", &gv7_ahrs_evidence[5]},
-    {0x0C, 0x54, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0D, 0x01, "", &gv7_ahrs_evidence[0]},
-    {0x0D, 0x03, "", &gv7_ahrs_evidence[5]},       {0x0D, 0x1A, "WRSLD", &gv7_ahrs_evidence[5]},
-    {0x0D, 0x1B, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0D, 0x1D, "WRSLD", &gv7_ahrs_evidence[5]},
-    {0x0D, 0x20, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0D, 0x28, "WRSLD", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x31, "WRSLD", &gv7_ahrs_evidence[0]},  {0x0C, 0x32, "WRSLD", &gv7_ahrs_evidence[4]},
+    {0x0C, 0x33, "WRSLD", &gv7_ahrs_evidence[4]},  {0x0C, 0x37, "WRSLDA", &gv7_ahrs_evidence[4]},
+    {0x0C, 0x38, "WRSLDA", &gv7_ahrs_evidence[4]}, {0x0C, 0x39, "", &gv7_ahrs_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &gv7_ahrs_evidence[4]}, {0x0C, 0x3B, "WRSLDA", &gv7_ahrs_evidence[4]},
+    {0x0C, 0x41, "WRSLD", &gv7_ahrs_evidence[2]},  {0x0C, 0x42, "WR", &gv7_ahrs_evidence[4]},
+    {0x0C, 0x50, "WRSLD", &gv7_ahrs_evidence[4]},  {0x0C, 0x51, "WRSLD", &gv7_ahrs_evidence[4]},
+    {0x0C, 0x52, "WRSLD", &gv7_ahrs_evidence[4]},  {0x0C, 0x53, "", &gv7_ahrs_evidence[4]},
+    {0x0C, 0x54, "WRSLD", &gv7_ahrs_evidence[4]},  {0x0D, 0x01, "", &gv7_ahrs_evidence[0]},
+    {0x0D, 0x03, "", &gv7_ahrs_evidence[4]},       {0x0D, 0x1A, "WRSLD", &gv7_ahrs_evidence[4]},
+    {0x0D, 0x1B, "WRSLD", &gv7_ahrs_evidence[4]},  {0x0D, 0x1D, "WRSLD", &gv7_ahrs_evidence[4]},
+    {0x0D, 0x20, "WRSLD", &gv7_ahrs_evidence[4]},  {0x0D, 0x28, "WRSLD", &gv7_ahrs_evidence[4]},
     {0x0D, 0x43, "WRSLD", &gv7_ahrs_evidence[1]},  {0x0D, 0x50, "WRSLD", &gv7_ahrs_evidence[0]},
-    {0x0D, 0x53, "WRSLD", &gv7_ahrs_evidence[1]},  {0x13, 0x01, "WRSLD", &gv7_ahrs_evidence[5]},
-    {0x13, 0x1F, "WRSLD", &gv7_ahrs_evidence[5]},  {0x13, 0x31, "", &gv7_ahrs_evidence[5]},
-    {0x13, 0x32, "", &gv7_ahrs_evidence[5]},       {0x80, 0x04, "", &gv7_ahrs_evidence[3]},
-    {0x80, 0x05, "", &gv7_ahrs_evidence[3]},       {0x80, 0x06, "", &gv7_ahrs_evidence[3]},
-    {0x80, 0x07, "", &gv7_ahrs_evidence[5]},       {0x80, 0x08, "", &gv7_ahrs_evidence[5]},
-    {0x80, 0x09, "", &gv7_ahrs_evidence[3]},       {0x80, 0x0A, "", &gv7_ahrs_evidence[3]},
-    {0x80, 0x0C, "", &gv7_ahrs_evidence[3]},       {0x80, 0x14, "", &gv7_ahrs_evidence[5]},
-    {0x80, 0x17, "", &gv7_ahrs_evidence[3]},       {0x80, 0x18, "", &gv7_ahrs_evidence[5]},
-    {0x82, 0x03, "", &gv7_ahrs_evidence[3]},       {0x82, 0x04, "", &gv7_ahrs_evidence[5]},
-    {0x82, 0x05, "", &gv7_ahrs_evidence[0]},       {0x82, 0x06, "", &gv7_ahrs_evidence[3]},
-    {0x82, 0x0A, "", &gv7_ahrs_evidence[3]},       {0x82, 0x0B, "", &gv7_ahrs_evidence[3]},
-    {0x82, 0x0D, "", &gv7_ahrs_evidence[3]},       {0x82, 0x0E, "", &gv7_ahrs_evidence[3]},
-    {0x82, 0x10, "", &gv7_ahrs_evidence[0]},       {0x82, 0x12, "", &gv7_ahrs_evidence[3]},
-    {0x82, 0x13, "", &gv7_ahrs_evidence[3]},       {0x82, 0x1C, "", &gv7_ahrs_evidence[3]},
-    {0x82, 0x21, "", &gv7_ahrs_evidence[3]},       {0xA0, 0x01, "", &gv7_ahrs_evidence[5]},
-    {0xA0, 0x02, "", &gv7_ahrs_evidence[1]},       {0xA0, 0x03, "", &gv7_ahrs_evidence[3]},
+    {0x0D, 0x53, "WRSLD", &gv7_ahrs_evidence[1]},  {0x13, 0x01, "WRSLD", &gv7_ahrs_evidence[4]},
+    {0x13, 0x1F, "WRSLD", &gv7_ahrs_evidence[4]},  {0x13, 0x31, "", &gv7_ahrs_evidence[4]},
+    {0x13, 0x32, "", &gv7_ahrs_evidence[4]},       {0x80, 0x04, "", &gv7_ahrs_evidence[4]},
+    {0x80, 0x05, "", &gv7_ahrs_evidence[4]},       {0x80, 0x06, "", &gv7_ahrs_evidence[4]},
+    {0x80, 0x07, "", &gv7_ahrs_evidence[4]},       {0x80, 0x08, "", &gv7_ahrs_evidence[4]},
+    {0x80, 0x09, "", &gv7_ahrs_evidence[4]},       {0x80, 0x0A, "", &gv7_ahrs_evidence[4]},
+    {0x80, 0x0C, "", &gv7_ahrs_evidence[4]},       {0x80, 0x14, "", &gv7_ahrs_evidence[4]},
+    {0x80, 0x17, "", &gv7_ahrs_evidence[4]},       {0x80, 0x18, "", &gv7_ahrs_evidence[4]},
+    {0x82, 0x03, "", &gv7_ahrs_evidence[4]},       {0x82, 0x04, "", &gv7_ahrs_evidence[4]},
+    {0x82, 0x05, "", &gv7_ahrs_evidence[0]},       {0x82, 0x06, "", &gv7_ahrs_evidence[4]},
+    {0x82, 0x0A, "", &gv7_ahrs_evidence[4]},       {0x82, 0x0B, "", &gv7_ahrs_evidence[4]},
+    {0x82, 0x0D, "", &gv7_ahrs_evidence[4]},       {0x82, 0x0E, "", &gv7_ahrs_evidence[4]},
+    {0x82, 0x10, "", &gv7_ahrs_evidence[0]},       {0x82, 0x12, "", &gv7_ahrs_evidence[4]},
+    {0x82, 0x13, "", &gv7_ahrs_evidence[4]},       {0x82, 0x1C, "", &gv7_ahrs_evidence[4]},
+    {0x82, 0x21, "", &gv7_ahrs_evidence[4]},       {0xA0, 0x01, "", &gv7_ahrs_evidence[4]},
+    {0xA0, 0x02, "", &gv7_ahrs_evidence[1]},       {0xA0, 0x03, "", &gv7_ahrs_evidence[4]},
     {0xFF, 0xD0, "", &gv7_ahrs_evidence[0]},       {0xFF, 0xD3, "", &gv7_ahrs_evidence[0]},
-    {0xFF, 0xD4, "", &gv7_ahrs_evidence[5]},       {0xFF, 0xD5, "", &gv7_ahrs_evidence[3]},
-    {0xFF, 0xD6, "", &gv7_ahrs_evidence[5]},       {0xFF, 0xD7, "", &gv7_ahrs_evidence[3]},
-    {0xFF, 0xD8, "", &gv7_ahrs_evidence[5]},
+    {0xFF, 0xD4, "", &gv7_ahrs_evidence[4]},       {0xFF, 0xD5, "", &gv7_ahrs_evidence[4]},
+    {0xFF, 0xD6, "", &gv7_ahrs_evidence[4]},       {0xFF, 0xD7, "", &gv7_ahrs_evidence[4]},
+    {0xFF, 0xD8, "", &gv7_ahrs_evidence[4]},
+};
+
+static const struct mip_profile_field gv7_ahrs_refuses[] = {
+    {0x0C, 0x02, "", &gv7_ahrs_evidence[5]}, {0x0C, 0x07, "", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x09, "", &gv7_ahrs_evidence[5]}, {0x0C, 0x20, "", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x21, "", &gv7_ahrs_evidence[5]}, {0x0C, 0x22, "", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x23, "", &gv7_ahrs_evidence[5]}, {0x0C, 0x24, "", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x34, "", &gv7_ahrs_evidence[5]}, {0x0C, 0x62, "", &gv7_ahrs_evidence[5]},
+    {0x0D, 0x54, "", &gv7_ahrs_evidence[5]}, {0x0D, 0x64, "", &gv7_ahrs_evidence[5]},
+    {0x82, 0x34, "", &gv7_ahrs_evidence[5]}, {0x82, 0x35, "", &gv7_ahrs_evidence[5]},
+    {0x82, 0x49, "", &gv7_ahrs_evidence[6]},
+};
+
+static const struct mip_profile_field gv7_ahrs_absent_sets[] = {
+    {0x81, 0, "", &gv7_ahrs_evidence[5]},
+    {0x91, 0, "", &gv7_ahrs_evidence[5]},
+    {0x92, 0, "", &gv7_ahrs_evidence[5]},
+    {0x93, 0, "", &gv7_ahrs_evidence[5]},
 };
 
 static const struct mip_profile_port gv7_ahrs_ports[] = {
@@ -2781,7 +3178,8 @@ const struct mip_profile mip_profile_gv7_ahrs = {
     0,    /* other names */
     1,    /* what is not known */
     87,   /* fields */
-    0,    /* refused fields */
+    15,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     3,    /* ports */
@@ -2792,7 +3190,8 @@ const struct mip_profile mip_profile_gv7_ahrs = {
     NULL,
     gv7_ahrs_incomplete,
     gv7_ahrs_fields,
-    NULL,
+    gv7_ahrs_refuses,
+    gv7_ahrs_absent_sets,
     NULL,
     NULL,
     gv7_ahrs_ports,
@@ -2809,64 +3208,92 @@ static const char *const gv7_ar_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gv7_ar_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
-                           "Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver of the vendor: Example configurations).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field gv7_ar_fields[] = {
     {0x01, 0x01, "", &gv7_ar_evidence[0]},       {0x01, 0x02, "", &gv7_ar_evidence[0]},
-    {0x01, 0x03, "", &gv7_ar_evidence[0]},       {0x01, 0x04, "", &gv7_ar_evidence[4]},
-    {0x01, 0x05, "", &gv7_ar_evidence[5]},       {0x01, 0x06, "", &gv7_ar_evidence[0]},
-    {0x01, 0x07, "", &gv7_ar_evidence[4]},       {0x01, 0x08, "", &gv7_ar_evidence[5]},
-    {0x01, 0x09, "WRSLD", &gv7_ar_evidence[5]},  {0x01, 0x72, "WRA", &gv7_ar_evidence[5]},
-    {0x01, 0x7E, "", &gv7_ar_evidence[5]},       {0x0C, 0x0D, "", &gv7_ar_evidence[5]},
+    {0x01, 0x03, "", &gv7_ar_evidence[0]},       {0x01, 0x04, "", &gv7_ar_evidence[3]},
+    {0x01, 0x05, "", &gv7_ar_evidence[4]},       {0x01, 0x06, "", &gv7_ar_evidence[0]},
+    {0x01, 0x07, "", &gv7_ar_evidence[3]},       {0x01, 0x08, "", &gv7_ar_evidence[4]},
+    {0x01, 0x09, "WRSLD", &gv7_ar_evidence[4]},  {0x01, 0x72, "WRA", &gv7_ar_evidence[4]},
+    {0x01, 0x7E, "", &gv7_ar_evidence[4]},       {0x0C, 0x0D, "", &gv7_ar_evidence[4]},
     {0x0C, 0x0E, "", &gv7_ar_evidence[0]},       {0x0C, 0x0F, "WRSLD", &gv7_ar_evidence[0]},
-    {0x0C, 0x10, "", &gv7_ar_evidence[5]},       {0x0C, 0x11, "WRSLD", &gv7_ar_evidence[5]},
-    {0x0C, 0x28, "WRSLD", &gv7_ar_evidence[1]},  {0x0C, 0x2A, "", &gv7_ar_evidence[5]},
-    {0x0C, 0x2B, "WRSLD", &gv7_ar_evidence[0]},  {0x0C, 0x2C, "", &gv7_ar_evidence[5]},
-    {0x0C, 0x2D, "", &gv7_ar_evidence[5]},       {0x0C, 0x2E, "WRSLD", &gv7_ar_evidence[0]},
+    {0x0C, 0x10, "", &gv7_ar_evidence[4]},       {0x0C, 0x11, "WRSLD", &gv7_ar_evidence[4]},
+    {0x0C, 0x28, "WRSLD", &gv7_ar_evidence[1]},  {0x0C, 0x2A, "", &gv7_ar_evidence[4]},
+    {0x0C, 0x2B, "WRSLD", &gv7_ar_evidence[0]},  {0x0C, 0x2C, "", &gv7_ar_evidence[4]},
+    {0x0C, 0x2D, "", &gv7_ar_evidence[4]},       {0x0C, 0x2E, "WRSLD", &gv7_ar_evidence[0]},
     {0x0C, 0x2F, "WRSLD", &gv7_ar_evidence[0]},  {0x0C, 0x30, "SLD", &gv7_ar_evidence[0]},
-    {0x0C, 0x31, "WRSLD", &gv7_ar_evidence[0]},  {0x0C, 0x32, "WRSLD", &gv7_ar_evidence[5]},
-    {0x0C, 0x33, "WRSLD", &gv7_ar_evidence[5]},  {0x0C, 0x37, "WRSLDA", &gv7_ar_evidence[5]},
-    {0x0C, 0x38, "WRSLDA", &gv7_ar_evidence[5]}, {0x0C, 0x39, "", &gv7_ar_evidence[0]},
-    {0x0C, 0x3A, "WRSLDA", &gv7_ar_evidence[5]}, {0x0C, 0x3B, "WRSLDA", &gv7_ar_evidence[5]},
-    {0x0C, 0x41, "WRSLD", &gv7_ar_evidence[2]},  {0x0C, 0x42, "WR", &gv7_ar_evidence[5]},
-    {0x0C, 0x50, "WRSLD", &gv7_ar_evidence[5]},  {0x0C, 0x51, "WRSLD", &gv7_ar_evidence[5]},
-    {0x0C, 0x52, "WRSLD", &gv7_ar_evidence[5]},  {0x0C, 0x53, "", &gv7_ar_evidence[5]},
-    {0x0C, 0x54, "WRSLD", &gv7_ar_evidence[5]},  {0x0D, 0x01, "", &gv7_ar_evidence[0]},
-    {0x0D, 0x03, "", &gv7_ar_evidence[5]},       {0x0D, 0x1A, "WRSLD", &gv7_ar_evidence[5]},
-    {0x0D, 0x1B, "WRSLD", &gv7_ar_evidence[5]},  {0x0D, 0x1D, "WRSLD", &gv7_ar_evidence[5]},
-    {0x0D, 0x20, "WRSLD", &gv7_ar_evidence[5]},  {0x0D, 0x28, "WRSLD", &gv7_ar_evidence[5]},
-    {0x0D, 0x43, "WRSLD", &gv7_ar_evidence[1]},  {0x0D, 0x50, "WRSLD", &gv7_ar_evidence[1]},
-    {0x0D, 0x53, "WRSLD", &gv7_ar_evidence[1]},  {0x13, 0x01, "WRSLD", &gv7_ar_evidence[5]},
-    {0x13, 0x1F, "WRSLD", &gv7_ar_evidence[5]},  {0x13, 0x31, "", &gv7_ar_evidence[5]},
-    {0x13, 0x32, "", &gv7_ar_evidence[5]},       {0x80, 0x04, "", &gv7_ar_evidence[3]},
-    {0x80, 0x05, "", &gv7_ar_evidence[3]},       {0x80, 0x06, "", &gv7_ar_evidence[3]},
-    {0x80, 0x07, "", &gv7_ar_evidence[5]},       {0x80, 0x08, "", &gv7_ar_evidence[5]},
-    {0x80, 0x09, "", &gv7_ar_evidence[3]},       {0x80, 0x0A, "", &gv7_ar_evidence[3]},
-    {0x80, 0x0C, "", &gv7_ar_evidence[3]},       {0x80, 0x14, "", &gv7_ar_evidence[5]},
-    {0x80, 0x17, "", &gv7_ar_evidence[3]},       {0x80, 0x18, "", &gv7_ar_evidence[5]},
-    {0x82, 0x03, "", &gv7_ar_evidence[3]},       {0x82, 0x04, "", &gv7_ar_evidence[5]},
-    {0x82, 0x05, "", &gv7_ar_evidence[0]},       {0x82, 0x06, "", &gv7_ar_evidence[3]},
-    {0x82, 0x0A, "", &gv7_ar_evidence[3]},       {0x82, 0x0B, "", &gv7_ar_evidence[3]},
-    {0x82, 0x0D, "", &gv7_ar_evidence[3]},       {0x82, 0x0E, "", &gv7_ar_evidence[3]},
-    {0x82, 0x10, "", &gv7_ar_evidence[0]},       {0x82, 0x12, "", &gv7_ar_evidence[3]},
-    {0x82, 0x13, "", &gv7_ar_evidence[3]},       {0x82, 0x1C, "", &gv7_ar_evidence[3]},
-    {0x82, 0x21, "", &gv7_ar_evidence[3]},       {0xA0, 0x01, "", &gv7_ar_evidence[5]},
-    {0xA0, 0x02, "", &gv7_ar_evidence[1]},       {0xA0, 0x03, "", &gv7_ar_evidence[3]},
+    {0x0C, 0x31, "WRSLD", &gv7_ar_evidence[0]},  {0x0C, 0x32, "WRSLD", &gv7_ar_evidence[4]},
+    {0x0C, 0x33, "WRSLD", &gv7_ar_evidence[4]},  {0x0C, 0x37, "WRSLDA", &gv7_ar_evidence[4]},
+    {0x0C, 0x38, "WRSLDA", &gv7_ar_evidence[4]}, {0x0C, 0x39, "", &gv7_ar_evidence[0]},
+    {0x0C, 0x41, "WRSLD", &gv7_ar_evidence[2]},  {0x0C, 0x42, "WR", &gv7_ar_evidence[4]},
+    {0x0C, 0x50, "WRSLD", &gv7_ar_evidence[4]},  {0x0C, 0x51, "WRSLD", &gv7_ar_evidence[4]},
+    {0x0C, 0x52, "WRSLD", &gv7_ar_evidence[4]},  {0x0C, 0x53, "", &gv7_ar_evidence[4]},
+    {0x0C, 0x54, "WRSLD", &gv7_ar_evidence[4]},  {0x0D, 0x01, "", &gv7_ar_evidence[0]},
+    {0x0D, 0x03, "", &gv7_ar_evidence[4]},       {0x0D, 0x1A, "WRSLD", &gv7_ar_evidence[4]},
+    {0x0D, 0x1B, "WRSLD", &gv7_ar_evidence[4]},  {0x0D, 0x1D, "WRSLD", &gv7_ar_evidence[4]},
+    {0x0D, 0x20, "WRSLD", &gv7_ar_evidence[4]},  {0x0D, 0x28, "WRSLD", &gv7_ar_evidence[4]},
+    {0x0D, 0x50, "WRSLD", &gv7_ar_evidence[1]},  {0x0D, 0x53, "WRSLD", &gv7_ar_evidence[1]},
+    {0x13, 0x01, "WRSLD", &gv7_ar_evidence[4]},  {0x13, 0x1F, "WRSLD", &gv7_ar_evidence[4]},
+    {0x13, 0x31, "", &gv7_ar_evidence[4]},       {0x13, 0x32, "", &gv7_ar_evidence[4]},
+    {0x80, 0x04, "", &gv7_ar_evidence[4]},       {0x80, 0x05, "", &gv7_ar_evidence[4]},
+    {0x80, 0x07, "", &gv7_ar_evidence[4]},       {0x80, 0x08, "", &gv7_ar_evidence[4]},
+    {0x80, 0x09, "", &gv7_ar_evidence[4]},       {0x80, 0x0A, "", &gv7_ar_evidence[4]},
+    {0x80, 0x0C, "", &gv7_ar_evidence[4]},       {0x80, 0x14, "", &gv7_ar_evidence[4]},
+    {0x80, 0x17, "", &gv7_ar_evidence[4]},       {0x80, 0x18, "", &gv7_ar_evidence[4]},
+    {0x82, 0x03, "", &gv7_ar_evidence[4]},       {0x82, 0x04, "", &gv7_ar_evidence[4]},
+    {0x82, 0x05, "", &gv7_ar_evidence[0]},       {0x82, 0x06, "", &gv7_ar_evidence[4]},
+    {0x82, 0x0A, "", &gv7_ar_evidence[4]},       {0x82, 0x0B, "", &gv7_ar_evidence[4]},
+    {0x82, 0x0D, "", &gv7_ar_evidence[4]},       {0x82, 0x0E, "", &gv7_ar_evidence[4]},
+    {0x82, 0x10, "", &gv7_ar_evidence[0]},       {0x82, 0x12, "", &gv7_ar_evidence[4]},
+    {0x82, 0x13, "", &gv7_ar_evidence[4]},       {0x82, 0x1C, "", &gv7_ar_evidence[4]},
+    {0x82, 0x21, "", &gv7_ar_evidence[4]},       {0xA0, 0x01, "", &gv7_ar_evidence[4]},
+    {0xA0, 0x02, "", &gv7_ar_evidence[1]},       {0xA0, 0x03, "", &gv7_ar_evidence[4]},
     {0xFF, 0xD0, "", &gv7_ar_evidence[0]},       {0xFF, 0xD3, "", &gv7_ar_evidence[0]},
-    {0xFF, 0xD4, "", &gv7_ar_evidence[5]},       {0xFF, 0xD5, "", &gv7_ar_evidence[3]},
-    {0xFF, 0xD6, "", &gv7_ar_evidence[5]},       {0xFF, 0xD7, "", &gv7_ar_evidence[3]},
-    {0xFF, 0xD8, "", &gv7_ar_evidence[5]},
+    {0xFF, 0xD4, "", &gv7_ar_evidence[4]},       {0xFF, 0xD5, "", &gv7_ar_evidence[4]},
+    {0xFF, 0xD6, "", &gv7_ar_evidence[4]},       {0xFF, 0xD7, "", &gv7_ar_evidence[4]},
+    {0xFF, 0xD8, "", &gv7_ar_evidence[4]},
+};
+
+static const struct mip_profile_field gv7_ar_refuses[] = {
+    {0x0C, 0x02, "", &gv7_ar_evidence[5]}, {0x0C, 0x07, "", &gv7_ar_evidence[5]},
+    {0x0C, 0x09, "", &gv7_ar_evidence[5]}, {0x0C, 0x20, "", &gv7_ar_evidence[5]},
+    {0x0C, 0x21, "", &gv7_ar_evidence[5]}, {0x0C, 0x22, "", &gv7_ar_evidence[5]},
+    {0x0C, 0x23, "", &gv7_ar_evidence[5]}, {0x0C, 0x24, "", &gv7_ar_evidence[5]},
+    {0x0C, 0x34, "", &gv7_ar_evidence[5]}, {0x0C, 0x3A, "", &gv7_ar_evidence[6]},
+    {0x0C, 0x3B, "", &gv7_ar_evidence[6]}, {0x0C, 0x62, "", &gv7_ar_evidence[5]},
+    {0x0D, 0x27, "", &gv7_ar_evidence[6]}, {0x0D, 0x2B, "", &gv7_ar_evidence[6]},
+    {0x0D, 0x2C, "", &gv7_ar_evidence[6]}, {0x0D, 0x42, "", &gv7_ar_evidence[6]},
+    {0x0D, 0x43, "", &gv7_ar_evidence[6]}, {0x0D, 0x45, "", &gv7_ar_evidence[6]},
+    {0x0D, 0x46, "", &gv7_ar_evidence[6]}, {0x0D, 0x4C, "", &gv7_ar_evidence[6]},
+    {0x0D, 0x4D, "", &gv7_ar_evidence[6]}, {0x0D, 0x54, "", &gv7_ar_evidence[5]},
+    {0x0D, 0x64, "", &gv7_ar_evidence[5]}, {0x80, 0x03, "", &gv7_ar_evidence[6]},
+    {0x80, 0x06, "", &gv7_ar_evidence[6]}, {0x82, 0x1A, "", &gv7_ar_evidence[6]},
+    {0x82, 0x1B, "", &gv7_ar_evidence[6]}, {0x82, 0x25, "", &gv7_ar_evidence[6]},
+    {0x82, 0x26, "", &gv7_ar_evidence[6]}, {0x82, 0x28, "", &gv7_ar_evidence[6]},
+    {0x82, 0x29, "", &gv7_ar_evidence[6]}, {0x82, 0x2A, "", &gv7_ar_evidence[6]},
+    {0x82, 0x2C, "", &gv7_ar_evidence[6]}, {0x82, 0x34, "", &gv7_ar_evidence[5]},
+    {0x82, 0x35, "", &gv7_ar_evidence[5]}, {0x82, 0x49, "", &gv7_ar_evidence[7]},
+};
+
+static const struct mip_profile_field gv7_ar_absent_sets[] = {
+    {0x81, 0, "", &gv7_ar_evidence[5]},
+    {0x91, 0, "", &gv7_ar_evidence[5]},
+    {0x92, 0, "", &gv7_ar_evidence[5]},
+    {0x93, 0, "", &gv7_ar_evidence[5]},
 };
 
 static const struct mip_profile_port gv7_ar_ports[] = {
@@ -2928,8 +3355,9 @@ const struct mip_profile mip_profile_gv7_ar = {
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    87,   /* fields */
-    0,    /* refused fields */
+    83,   /* fields */
+    36,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     3,    /* ports */
@@ -2940,7 +3368,8 @@ const struct mip_profile mip_profile_gv7_ar = {
     NULL,
     gv7_ar_incomplete,
     gv7_ar_fields,
-    NULL,
+    gv7_ar_refuses,
+    gv7_ar_absent_sets,
     NULL,
     NULL,
     gv7_ar_ports,
@@ -2957,83 +3386,102 @@ static const char *const gv7_ins_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gv7_ins_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
-                           "Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver of the vendor: Example configurations).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field gv7_ins_fields[] = {
     {0x01, 0x01, "", &gv7_ins_evidence[0]},       {0x01, 0x02, "", &gv7_ins_evidence[0]},
-    {0x01, 0x03, "", &gv7_ins_evidence[0]},       {0x01, 0x04, "", &gv7_ins_evidence[4]},
-    {0x01, 0x05, "", &gv7_ins_evidence[5]},       {0x01, 0x06, "", &gv7_ins_evidence[0]},
-    {0x01, 0x07, "", &gv7_ins_evidence[4]},       {0x01, 0x08, "", &gv7_ins_evidence[5]},
-    {0x01, 0x09, "WRSLD", &gv7_ins_evidence[1]},  {0x01, 0x72, "WRA", &gv7_ins_evidence[5]},
-    {0x01, 0x7E, "", &gv7_ins_evidence[5]},       {0x0C, 0x04, "", &gv7_ins_evidence[5]},
-    {0x0C, 0x0C, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x0D, "", &gv7_ins_evidence[5]},
+    {0x01, 0x03, "", &gv7_ins_evidence[0]},       {0x01, 0x04, "", &gv7_ins_evidence[3]},
+    {0x01, 0x05, "", &gv7_ins_evidence[4]},       {0x01, 0x06, "", &gv7_ins_evidence[0]},
+    {0x01, 0x07, "", &gv7_ins_evidence[3]},       {0x01, 0x08, "", &gv7_ins_evidence[4]},
+    {0x01, 0x09, "WRSLD", &gv7_ins_evidence[1]},  {0x01, 0x72, "WRA", &gv7_ins_evidence[4]},
+    {0x01, 0x7E, "", &gv7_ins_evidence[4]},       {0x0C, 0x04, "", &gv7_ins_evidence[4]},
+    {0x0C, 0x0C, "WRSLD", &gv7_ins_evidence[4]},  {0x0C, 0x0D, "", &gv7_ins_evidence[4]},
     {0x0C, 0x0E, "", &gv7_ins_evidence[0]},       {0x0C, 0x0F, "WRSLD", &gv7_ins_evidence[0]},
-    {0x0C, 0x10, "", &gv7_ins_evidence[5]},       {0x0C, 0x11, "WRSLD", &gv7_ins_evidence[5]},
-    {0x0C, 0x28, "WRSLD", &gv7_ins_evidence[1]},  {0x0C, 0x2A, "", &gv7_ins_evidence[5]},
-    {0x0C, 0x2B, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x2C, "", &gv7_ins_evidence[5]},
-    {0x0C, 0x2D, "", &gv7_ins_evidence[5]},       {0x0C, 0x2E, "WRSLD", &gv7_ins_evidence[5]},
-    {0x0C, 0x2F, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x30, "SLD", &gv7_ins_evidence[0]},
-    {0x0C, 0x31, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x32, "WRSLD", &gv7_ins_evidence[5]},
-    {0x0C, 0x33, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x37, "WRSLDA", &gv7_ins_evidence[5]},
-    {0x0C, 0x38, "WRSLDA", &gv7_ins_evidence[5]}, {0x0C, 0x39, "", &gv7_ins_evidence[0]},
-    {0x0C, 0x3A, "WRSLDA", &gv7_ins_evidence[5]}, {0x0C, 0x3B, "WRSLDA", &gv7_ins_evidence[5]},
+    {0x0C, 0x10, "", &gv7_ins_evidence[4]},       {0x0C, 0x11, "WRSLD", &gv7_ins_evidence[4]},
+    {0x0C, 0x28, "WRSLD", &gv7_ins_evidence[1]},  {0x0C, 0x2A, "", &gv7_ins_evidence[4]},
+    {0x0C, 0x2B, "WRSLD", &gv7_ins_evidence[4]},  {0x0C, 0x2C, "", &gv7_ins_evidence[4]},
+    {0x0C, 0x2D, "", &gv7_ins_evidence[4]},       {0x0C, 0x2E, "WRSLD", &gv7_ins_evidence[4]},
+    {0x0C, 0x2F, "WRSLD", &gv7_ins_evidence[4]},  {0x0C, 0x30, "SLD", &gv7_ins_evidence[0]},
+    {0x0C, 0x31, "WRSLD", &gv7_ins_evidence[4]},  {0x0C, 0x32, "WRSLD", &gv7_ins_evidence[4]},
+    {0x0C, 0x33, "WRSLD", &gv7_ins_evidence[4]},  {0x0C, 0x37, "WRSLDA", &gv7_ins_evidence[4]},
+    {0x0C, 0x38, "WRSLDA", &gv7_ins_evidence[4]}, {0x0C, 0x39, "", &gv7_ins_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &gv7_ins_evidence[4]}, {0x0C, 0x3B, "WRSLDA", &gv7_ins_evidence[4]},
     {0x0C, 0x41, "WRSLD", &gv7_ins_evidence[1]},  {0x0C, 0x42, "WR", &gv7_ins_evidence[1]},
-    {0x0C, 0x50, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x51, "WRSLD", &gv7_ins_evidence[5]},
-    {0x0C, 0x52, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x53, "", &gv7_ins_evidence[5]},
-    {0x0C, 0x54, "WRSLD", &gv7_ins_evidence[5]},  {0x0D, 0x01, "", &gv7_ins_evidence[0]},
-    {0x0D, 0x03, "", &gv7_ins_evidence[5]},       {0x0D, 0x05, "", &gv7_ins_evidence[5]},
-    {0x0D, 0x13, "WRSLD", &gv7_ins_evidence[1]},  {0x0D, 0x15, "WRSLD", &gv7_ins_evidence[5]},
-    {0x0D, 0x17, "", &gv7_ins_evidence[5]},       {0x0D, 0x1A, "WRSLD", &gv7_ins_evidence[5]},
-    {0x0D, 0x1B, "WRSLD", &gv7_ins_evidence[5]},  {0x0D, 0x1C, "WRSLD", &gv7_ins_evidence[5]},
-    {0x0D, 0x1D, "WRSLD", &gv7_ins_evidence[5]},  {0x0D, 0x1F, "", &gv7_ins_evidence[5]},
-    {0x0D, 0x20, "WRSLD", &gv7_ins_evidence[5]},  {0x0D, 0x28, "WRSLD", &gv7_ins_evidence[5]},
+    {0x0C, 0x50, "WRSLD", &gv7_ins_evidence[4]},  {0x0C, 0x51, "WRSLD", &gv7_ins_evidence[4]},
+    {0x0C, 0x52, "WRSLD", &gv7_ins_evidence[4]},  {0x0C, 0x53, "", &gv7_ins_evidence[4]},
+    {0x0C, 0x54, "WRSLD", &gv7_ins_evidence[4]},  {0x0D, 0x01, "", &gv7_ins_evidence[0]},
+    {0x0D, 0x03, "", &gv7_ins_evidence[4]},       {0x0D, 0x05, "", &gv7_ins_evidence[4]},
+    {0x0D, 0x13, "WRSLD", &gv7_ins_evidence[1]},  {0x0D, 0x15, "WRSLD", &gv7_ins_evidence[4]},
+    {0x0D, 0x17, "", &gv7_ins_evidence[4]},       {0x0D, 0x1A, "WRSLD", &gv7_ins_evidence[4]},
+    {0x0D, 0x1B, "WRSLD", &gv7_ins_evidence[4]},  {0x0D, 0x1C, "WRSLD", &gv7_ins_evidence[4]},
+    {0x0D, 0x1D, "WRSLD", &gv7_ins_evidence[4]},  {0x0D, 0x1F, "", &gv7_ins_evidence[4]},
+    {0x0D, 0x20, "WRSLD", &gv7_ins_evidence[4]},  {0x0D, 0x28, "WRSLD", &gv7_ins_evidence[4]},
     {0x0D, 0x43, "WRSLD", &gv7_ins_evidence[1]},  {0x0D, 0x50, "WRSLD", &gv7_ins_evidence[0]},
     {0x0D, 0x52, "WRSLD", &gv7_ins_evidence[0]},  {0x0D, 0x53, "WRSLD", &gv7_ins_evidence[2]},
-    {0x0D, 0x55, "WRSLD", &gv7_ins_evidence[1]},  {0x0D, 0x56, "WRSLD", &gv7_ins_evidence[5]},
-    {0x13, 0x01, "WRSLD", &gv7_ins_evidence[0]},  {0x13, 0x1F, "WRSLD", &gv7_ins_evidence[5]},
-    {0x13, 0x21, "", &gv7_ins_evidence[5]},       {0x13, 0x22, "", &gv7_ins_evidence[0]},
-    {0x13, 0x23, "", &gv7_ins_evidence[5]},       {0x13, 0x28, "", &gv7_ins_evidence[5]},
+    {0x0D, 0x55, "WRSLD", &gv7_ins_evidence[1]},  {0x0D, 0x56, "WRSLD", &gv7_ins_evidence[4]},
+    {0x13, 0x01, "WRSLD", &gv7_ins_evidence[0]},  {0x13, 0x1F, "WRSLD", &gv7_ins_evidence[4]},
+    {0x13, 0x21, "", &gv7_ins_evidence[4]},       {0x13, 0x22, "", &gv7_ins_evidence[0]},
+    {0x13, 0x23, "", &gv7_ins_evidence[4]},       {0x13, 0x28, "", &gv7_ins_evidence[4]},
     {0x13, 0x29, "", &gv7_ins_evidence[0]},       {0x13, 0x2A, "", &gv7_ins_evidence[0]},
-    {0x13, 0x31, "", &gv7_ins_evidence[0]},       {0x13, 0x32, "", &gv7_ins_evidence[5]},
-    {0x13, 0x33, "", &gv7_ins_evidence[5]},       {0x80, 0x04, "", &gv7_ins_evidence[3]},
-    {0x80, 0x05, "", &gv7_ins_evidence[3]},       {0x80, 0x06, "", &gv7_ins_evidence[3]},
-    {0x80, 0x07, "", &gv7_ins_evidence[5]},       {0x80, 0x08, "", &gv7_ins_evidence[5]},
-    {0x80, 0x09, "", &gv7_ins_evidence[3]},       {0x80, 0x0A, "", &gv7_ins_evidence[3]},
-    {0x80, 0x0C, "", &gv7_ins_evidence[3]},       {0x80, 0x14, "", &gv7_ins_evidence[5]},
-    {0x80, 0x17, "", &gv7_ins_evidence[3]},       {0x80, 0x18, "", &gv7_ins_evidence[5]},
+    {0x13, 0x31, "", &gv7_ins_evidence[0]},       {0x13, 0x32, "", &gv7_ins_evidence[4]},
+    {0x13, 0x33, "", &gv7_ins_evidence[4]},       {0x80, 0x04, "", &gv7_ins_evidence[4]},
+    {0x80, 0x05, "", &gv7_ins_evidence[4]},       {0x80, 0x06, "", &gv7_ins_evidence[4]},
+    {0x80, 0x07, "", &gv7_ins_evidence[4]},       {0x80, 0x08, "", &gv7_ins_evidence[4]},
+    {0x80, 0x09, "", &gv7_ins_evidence[4]},       {0x80, 0x0A, "", &gv7_ins_evidence[4]},
+    {0x80, 0x0C, "", &gv7_ins_evidence[4]},       {0x80, 0x14, "", &gv7_ins_evidence[4]},
+    {0x80, 0x17, "", &gv7_ins_evidence[4]},       {0x80, 0x18, "", &gv7_ins_evidence[4]},
     {0x82, 0x01, "", &gv7_ins_evidence[0]},       {0x82, 0x02, "", &gv7_ins_evidence[0]},
-    {0x82, 0x03, "", &gv7_ins_evidence[3]},       {0x82, 0x04, "", &gv7_ins_evidence[5]},
-    {0x82, 0x05, "", &gv7_ins_evidence[0]},       {0x82, 0x06, "", &gv7_ins_evidence[3]},
-    {0x82, 0x07, "", &gv7_ins_evidence[3]},       {0x82, 0x08, "", &gv7_ins_evidence[5]},
-    {0x82, 0x09, "", &gv7_ins_evidence[5]},       {0x82, 0x0A, "", &gv7_ins_evidence[3]},
-    {0x82, 0x0B, "", &gv7_ins_evidence[3]},       {0x82, 0x0C, "", &gv7_ins_evidence[3]},
-    {0x82, 0x0D, "", &gv7_ins_evidence[3]},       {0x82, 0x0E, "", &gv7_ins_evidence[3]},
-    {0x82, 0x10, "", &gv7_ins_evidence[0]},       {0x82, 0x12, "", &gv7_ins_evidence[3]},
-    {0x82, 0x13, "", &gv7_ins_evidence[3]},       {0x82, 0x15, "", &gv7_ins_evidence[5]},
-    {0x82, 0x1C, "", &gv7_ins_evidence[3]},       {0x82, 0x21, "", &gv7_ins_evidence[3]},
-    {0x82, 0x36, "", &gv7_ins_evidence[1]},       {0x82, 0x37, "", &gv7_ins_evidence[5]},
-    {0x82, 0x40, "", &gv7_ins_evidence[1]},       {0x82, 0x41, "", &gv7_ins_evidence[5]},
-    {0x82, 0x42, "", &gv7_ins_evidence[1]},       {0x82, 0x43, "", &gv7_ins_evidence[5]},
-    {0x82, 0x46, "", &gv7_ins_evidence[1]},       {0x82, 0x50, "", &gv7_ins_evidence[5]},
-    {0x82, 0x51, "", &gv7_ins_evidence[5]},       {0x94, 0x03, "", &gv7_ins_evidence[5]},
-    {0x94, 0x05, "", &gv7_ins_evidence[5]},       {0x94, 0x08, "", &gv7_ins_evidence[5]},
-    {0x94, 0x0B, "", &gv7_ins_evidence[5]},       {0x94, 0x20, "", &gv7_ins_evidence[5]},
-    {0xA0, 0x01, "", &gv7_ins_evidence[5]},       {0xA0, 0x02, "", &gv7_ins_evidence[3]},
-    {0xA0, 0x03, "", &gv7_ins_evidence[3]},       {0xFF, 0xD0, "", &gv7_ins_evidence[5]},
-    {0xFF, 0xD3, "", &gv7_ins_evidence[0]},       {0xFF, 0xD4, "", &gv7_ins_evidence[5]},
-    {0xFF, 0xD5, "", &gv7_ins_evidence[3]},       {0xFF, 0xD6, "", &gv7_ins_evidence[5]},
-    {0xFF, 0xD7, "", &gv7_ins_evidence[3]},       {0xFF, 0xD8, "", &gv7_ins_evidence[5]},
+    {0x82, 0x03, "", &gv7_ins_evidence[4]},       {0x82, 0x04, "", &gv7_ins_evidence[4]},
+    {0x82, 0x05, "", &gv7_ins_evidence[0]},       {0x82, 0x06, "", &gv7_ins_evidence[4]},
+    {0x82, 0x07, "", &gv7_ins_evidence[4]},       {0x82, 0x08, "", &gv7_ins_evidence[4]},
+    {0x82, 0x09, "", &gv7_ins_evidence[4]},       {0x82, 0x0A, "", &gv7_ins_evidence[4]},
+    {0x82, 0x0B, "", &gv7_ins_evidence[4]},       {0x82, 0x0C, "", &gv7_ins_evidence[4]},
+    {0x82, 0x0D, "", &gv7_ins_evidence[4]},       {0x82, 0x0E, "", &gv7_ins_evidence[4]},
+    {0x82, 0x10, "", &gv7_ins_evidence[0]},       {0x82, 0x12, "", &gv7_ins_evidence[4]},
+    {0x82, 0x13, "", &gv7_ins_evidence[4]},       {0x82, 0x15, "", &gv7_ins_evidence[4]},
+    {0x82, 0x1C, "", &gv7_ins_evidence[4]},       {0x82, 0x21, "", &gv7_ins_evidence[4]},
+    {0x82, 0x36, "", &gv7_ins_evidence[1]},       {0x82, 0x37, "", &gv7_ins_evidence[4]},
+    {0x82, 0x40, "", &gv7_ins_evidence[1]},       {0x82, 0x41, "", &gv7_ins_evidence[4]},
+    {0x82, 0x42, "", &gv7_ins_evidence[1]},       {0x82, 0x43, "", &gv7_ins_evidence[4]},
+    {0x82, 0x46, "", &gv7_ins_evidence[1]},       {0x82, 0x50, "", &gv7_ins_evidence[4]},
+    {0x82, 0x51, "", &gv7_ins_evidence[4]},       {0x94, 0x03, "", &gv7_ins_evidence[4]},
+    {0x94, 0x05, "", &gv7_ins_evidence[4]},       {0x94, 0x08, "", &gv7_ins_evidence[4]},
+    {0x94, 0x0B, "", &gv7_ins_evidence[4]},       {0x94, 0x20, "", &gv7_ins_evidence[4]},
+    {0xA0, 0x01, "", &gv7_ins_evidence[4]},       {0xA0, 0x02, "", &gv7_ins_evidence[4]},
+    {0xA0, 0x03, "", &gv7_ins_evidence[4]},       {0xFF, 0xD0, "", &gv7_ins_evidence[4]},
+    {0xFF, 0xD3, "", &gv7_ins_evidence[0]},       {0xFF, 0xD4, "", &gv7_ins_evidence[4]},
+    {0xFF, 0xD5, "", &gv7_ins_evidence[4]},       {0xFF, 0xD6, "", &gv7_ins_evidence[4]},
+    {0xFF, 0xD7, "", &gv7_ins_evidence[4]},       {0xFF, 0xD8, "", &gv7_ins_evidence[4]},
+};
+
+static const struct mip_profile_field gv7_ins_refuses[] = {
+    {0x0C, 0x02, "", &gv7_ins_evidence[5]}, {0x0C, 0x07, "", &gv7_ins_evidence[5]},
+    {0x0C, 0x09, "", &gv7_ins_evidence[5]}, {0x0C, 0x20, "", &gv7_ins_evidence[5]},
+    {0x0C, 0x21, "", &gv7_ins_evidence[5]}, {0x0C, 0x22, "", &gv7_ins_evidence[5]},
+    {0x0C, 0x23, "", &gv7_ins_evidence[5]}, {0x0C, 0x24, "", &gv7_ins_evidence[5]},
+    {0x0C, 0x34, "", &gv7_ins_evidence[5]}, {0x0C, 0x62, "", &gv7_ins_evidence[5]},
+    {0x0D, 0x54, "", &gv7_ins_evidence[5]}, {0x0D, 0x64, "", &gv7_ins_evidence[5]},
+    {0x82, 0x34, "", &gv7_ins_evidence[5]}, {0x82, 0x35, "", &gv7_ins_evidence[5]},
+    {0x82, 0x49, "", &gv7_ins_evidence[6]},
+};
+
+static const struct mip_profile_field gv7_ins_absent_sets[] = {
+    {0x81, 0, "", &gv7_ins_evidence[5]},
+    {0x91, 0, "", &gv7_ins_evidence[5]},
+    {0x92, 0, "", &gv7_ins_evidence[5]},
+    {0x93, 0, "", &gv7_ins_evidence[5]},
 };
 
 static const struct mip_profile_port gv7_ins_ports[] = {
@@ -3099,7 +3547,8 @@ const struct mip_profile mip_profile_gv7_ins = {
     0,    /* other names */
     1,    /* what is not known */
     126,  /* fields */
-    0,    /* refused fields */
+    15,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     4,    /* ports */
@@ -3110,7 +3559,8 @@ const struct mip_profile mip_profile_gv7_ins = {
     NULL,
     gv7_ins_incomplete,
     gv7_ins_fields,
-    NULL,
+    gv7_ins_refuses,
+    gv7_ins_absent_sets,
     NULL,
     NULL,
     gv7_ins_ports,
@@ -3127,9 +3577,13 @@ static const char *const gx3_15_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx3_15_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX3-35."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX3-35.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires a pressure sensor, which the device lacks.",
+     "has no pressure sensor"},
 };
 
 static const struct mip_profile_field gx3_15_fields[] = {
@@ -3141,7 +3595,24 @@ static const struct mip_profile_field gx3_15_fields[] = {
     {0x0C, 0x35, "WRSLD", &gx3_15_evidence[0]}, {0x0C, 0x36, "WR", &gx3_15_evidence[1]},
     {0x0C, 0x61, "WRSLD", &gx3_15_evidence[1]}, {0x0C, 0x64, "", &gx3_15_evidence[1]},
     {0x80, 0x04, "", &gx3_15_evidence[1]},      {0x80, 0x05, "", &gx3_15_evidence[1]},
-    {0x80, 0x06, "", &gx3_15_evidence[1]},
+};
+
+static const struct mip_profile_field gx3_15_refuses[] = {
+    {0x0C, 0x02, "", &gx3_15_evidence[2]}, {0x0C, 0x07, "", &gx3_15_evidence[2]},
+    {0x0C, 0x09, "", &gx3_15_evidence[2]}, {0x0C, 0x20, "", &gx3_15_evidence[2]},
+    {0x0C, 0x21, "", &gx3_15_evidence[2]}, {0x0C, 0x22, "", &gx3_15_evidence[2]},
+    {0x0C, 0x23, "", &gx3_15_evidence[2]}, {0x0C, 0x24, "", &gx3_15_evidence[2]},
+    {0x0C, 0x34, "", &gx3_15_evidence[2]}, {0x0C, 0x3A, "", &gx3_15_evidence[3]},
+    {0x0C, 0x3B, "", &gx3_15_evidence[3]}, {0x0C, 0x62, "", &gx3_15_evidence[2]},
+    {0x80, 0x03, "", &gx3_15_evidence[3]}, {0x80, 0x06, "", &gx3_15_evidence[3]},
+    {0x80, 0x16, "", &gx3_15_evidence[4]}, {0x80, 0x17, "", &gx3_15_evidence[4]},
+};
+
+static const struct mip_profile_field gx3_15_absent_sets[] = {
+    {0x81, 0, "", &gx3_15_evidence[2]},
+    {0x91, 0, "", &gx3_15_evidence[2]},
+    {0x92, 0, "", &gx3_15_evidence[2]},
+    {0x93, 0, "", &gx3_15_evidence[2]},
 };
 
 static const struct mip_profile_reading gx3_15_readings[] = {
@@ -3158,8 +3629,9 @@ const struct mip_profile mip_profile_gx3_15 = {
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    17,   /* fields */
-    0,    /* refused fields */
+    16,   /* fields */
+    16,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -3170,7 +3642,8 @@ const struct mip_profile mip_profile_gx3_15 = {
     NULL,
     gx3_15_incomplete,
     gx3_15_fields,
-    NULL,
+    gx3_15_refuses,
+    gx3_15_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -3187,14 +3660,17 @@ static const char *const gx3_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx3_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX3-35."},
-    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 347)."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MIP SDK of 2014: Examples, one for each model).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX3-35.", ""},
+    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 347).", ""},
     {MIP_SUPPORT_NO,
-     "Rejected by the device (firmware 2.0.06; ROS driver of the vendor: Issue 213)."},
+     "Rejected by the device (firmware 2.0.06; ROS driver of the vendor: Issue 213).", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a pressure sensor, which the device lacks.",
+     "has no pressure sensor"},
 };
 
 static const struct mip_profile_field gx3_25_fields[] = {
@@ -3210,20 +3686,33 @@ static const struct mip_profile_field gx3_25_fields[] = {
 };
 
 static const struct mip_profile_field gx3_25_refuses[] = {
-    {0x0C, 0x0C, "WRSLD", &gx3_25_evidence[3]}, {0x0C, 0x22, "WRSLD", &gx3_25_evidence[3]},
-    {0x0C, 0x43, "WRSLD", &gx3_25_evidence[3]}, {0x0D, 0x10, "WRSLD", &gx3_25_evidence[3]},
-    {0x0D, 0x13, "WRSLD", &gx3_25_evidence[3]}, {0x0D, 0x43, "WRSLD", &gx3_25_evidence[3]},
-    {0x0D, 0x54, "WRSLD", &gx3_25_evidence[3]}, {0x0E, 0x02, "WRSLD", &gx3_25_evidence[3]},
-    {0x0E, 0x10, "WRSLD", &gx3_25_evidence[3]}, {0x81, 0x03, "", &gx3_25_evidence[4]},
-    {0x81, 0x05, "", &gx3_25_evidence[4]},      {0x81, 0x0B, "", &gx3_25_evidence[4]},
-    {0x82, 0x01, "", &gx3_25_evidence[3]},      {0x82, 0x02, "", &gx3_25_evidence[3]},
-    {0x82, 0x03, "", &gx3_25_evidence[3]},      {0x82, 0x08, "", &gx3_25_evidence[3]},
-    {0x82, 0x09, "", &gx3_25_evidence[3]},      {0x82, 0x0A, "", &gx3_25_evidence[3]},
-    {0x82, 0x0E, "", &gx3_25_evidence[3]},      {0x82, 0x10, "", &gx3_25_evidence[3]},
-    {0x82, 0x36, "", &gx3_25_evidence[3]},      {0x82, 0x37, "", &gx3_25_evidence[3]},
-    {0x82, 0x40, "", &gx3_25_evidence[3]},      {0x82, 0x41, "", &gx3_25_evidence[3]},
-    {0x82, 0x43, "", &gx3_25_evidence[4]},      {0x91, 0x03, "", &gx3_25_evidence[4]},
-    {0x91, 0x05, "", &gx3_25_evidence[4]},      {0x91, 0x0B, "", &gx3_25_evidence[4]},
+    {0x0C, 0x02, "", &gx3_25_evidence[5]},      {0x0C, 0x07, "", &gx3_25_evidence[5]},
+    {0x0C, 0x09, "", &gx3_25_evidence[5]},      {0x0C, 0x0C, "WRSLD", &gx3_25_evidence[3]},
+    {0x0C, 0x20, "", &gx3_25_evidence[5]},      {0x0C, 0x21, "", &gx3_25_evidence[5]},
+    {0x0C, 0x22, "WRSLD", &gx3_25_evidence[3]}, {0x0C, 0x23, "", &gx3_25_evidence[5]},
+    {0x0C, 0x24, "", &gx3_25_evidence[5]},      {0x0C, 0x34, "", &gx3_25_evidence[5]},
+    {0x0C, 0x43, "WRSLD", &gx3_25_evidence[3]}, {0x0C, 0x62, "", &gx3_25_evidence[5]},
+    {0x0D, 0x10, "WRSLD", &gx3_25_evidence[3]}, {0x0D, 0x13, "WRSLD", &gx3_25_evidence[3]},
+    {0x0D, 0x43, "WRSLD", &gx3_25_evidence[3]}, {0x0D, 0x54, "WRSLD", &gx3_25_evidence[3]},
+    {0x0E, 0x02, "WRSLD", &gx3_25_evidence[3]}, {0x0E, 0x10, "WRSLD", &gx3_25_evidence[3]},
+    {0x80, 0x16, "", &gx3_25_evidence[6]},      {0x80, 0x17, "", &gx3_25_evidence[6]},
+    {0x81, 0x03, "", &gx3_25_evidence[4]},      {0x81, 0x05, "", &gx3_25_evidence[4]},
+    {0x81, 0x0B, "", &gx3_25_evidence[4]},      {0x82, 0x01, "", &gx3_25_evidence[3]},
+    {0x82, 0x02, "", &gx3_25_evidence[3]},      {0x82, 0x03, "", &gx3_25_evidence[3]},
+    {0x82, 0x08, "", &gx3_25_evidence[3]},      {0x82, 0x09, "", &gx3_25_evidence[3]},
+    {0x82, 0x0A, "", &gx3_25_evidence[3]},      {0x82, 0x0E, "", &gx3_25_evidence[3]},
+    {0x82, 0x10, "", &gx3_25_evidence[3]},      {0x82, 0x36, "", &gx3_25_evidence[3]},
+    {0x82, 0x37, "", &gx3_25_evidence[3]},      {0x82, 0x40, "", &gx3_25_evidence[3]},
+    {0x82, 0x41, "", &gx3_25_evidence[3]},      {0x82, 0x43, "", &gx3_25_evidence[4]},
+    {0x91, 0x03, "", &gx3_25_evidence[4]},      {0x91, 0x05, "", &gx3_25_evidence[4]},
+    {0x91, 0x0B, "", &gx3_25_evidence[4]},
+};
+
+static const struct mip_profile_field gx3_25_absent_sets[] = {
+    {0x81, 0, "", &gx3_25_evidence[5]},
+    {0x91, 0, "", &gx3_25_evidence[5]},
+    {0x92, 0, "", &gx3_25_evidence[5]},
+    {0x93, 0, "", &gx3_25_evidence[5]},
 };
 
 static const struct mip_profile_reading gx3_25_readings[] = {
@@ -3241,7 +3730,8 @@ const struct mip_profile mip_profile_gx3_25 = {
     0,    /* other names */
     1,    /* what is not known */
     17,   /* fields */
-    28,   /* refused fields */
+    39,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -3253,6 +3743,7 @@ const struct mip_profile mip_profile_gx3_25 = {
     gx3_25_incomplete,
     gx3_25_fields,
     gx3_25_refuses,
+    gx3_25_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -3269,10 +3760,15 @@ static const char *const gx3_35_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx3_35_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
-                           "Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MIP SDK of 2014: Examples, one for each model).", ""},
+    {MIP_SUPPORT_NO, "Requires a pressure sensor, which the device lacks.",
+     "has no pressure sensor"},
+    {MIP_SUPPORT_NO, "Requires 2 receivers, which the device lacks.",
+     "has fewer than 2 GNSS receivers"},
 };
 
 static const struct mip_profile_field gx3_35_fields[] = {
@@ -3290,6 +3786,15 @@ static const struct mip_profile_field gx3_35_fields[] = {
     {0x80, 0x05, "", &gx3_35_evidence[0]},      {0x80, 0x06, "", &gx3_35_evidence[0]},
     {0x81, 0x03, "", &gx3_35_evidence[0]},      {0x81, 0x05, "", &gx3_35_evidence[0]},
     {0x81, 0x09, "", &gx3_35_evidence[0]},
+};
+
+static const struct mip_profile_field gx3_35_refuses[] = {
+    {0x80, 0x16, "", &gx3_35_evidence[2]},
+    {0x80, 0x17, "", &gx3_35_evidence[2]},
+};
+
+static const struct mip_profile_field gx3_35_absent_sets[] = {
+    {0x92, 0, "", &gx3_35_evidence[3]},
 };
 
 static const struct mip_profile_note gx3_35_notes[] = {
@@ -3311,7 +3816,8 @@ const struct mip_profile mip_profile_gx3_35 = {
     0,    /* other names */
     1,    /* what is not known */
     27,   /* fields */
-    0,    /* refused fields */
+    2,    /* refused fields */
+    1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -3322,7 +3828,8 @@ const struct mip_profile mip_profile_gx3_35 = {
     NULL,
     gx3_35_incomplete,
     gx3_35_fields,
-    NULL,
+    gx3_35_refuses,
+    gx3_35_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -3339,11 +3846,18 @@ static const char *const gx3_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx3_45_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
-                           "Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX3-35."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX3-35.", ""},
+    {MIP_SUPPORT_NO, "Requires a pressure sensor, which the device lacks.",
+     "has no pressure sensor"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
+    {MIP_SUPPORT_NO, "Requires 2 receivers, which the device lacks.",
+     "has fewer than 2 GNSS receivers"},
 };
 
 static const struct mip_profile_field gx3_45_fields[] = {
@@ -3372,6 +3886,16 @@ static const struct mip_profile_field gx3_45_fields[] = {
     {0x82, 0x05, "", &gx3_45_evidence[0]},
 };
 
+static const struct mip_profile_field gx3_45_refuses[] = {
+    {0x0D, 0x29, "", &gx3_45_evidence[3]}, {0x0D, 0x47, "", &gx3_45_evidence[3]},
+    {0x80, 0x16, "", &gx3_45_evidence[3]}, {0x80, 0x17, "", &gx3_45_evidence[3]},
+    {0x82, 0x21, "", &gx3_45_evidence[3]}, {0x82, 0x49, "", &gx3_45_evidence[4]},
+};
+
+static const struct mip_profile_field gx3_45_absent_sets[] = {
+    {0x92, 0, "", &gx3_45_evidence[5]},
+};
+
 static const struct mip_profile_reading gx3_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -3387,7 +3911,8 @@ const struct mip_profile mip_profile_gx3_45 = {
     0,    /* other names */
     1,    /* what is not known */
     45,   /* fields */
-    0,    /* refused fields */
+    6,    /* refused fields */
+    1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -3398,7 +3923,8 @@ const struct mip_profile mip_profile_gx3_45 = {
     NULL,
     gx3_45_incomplete,
     gx3_45_fields,
-    NULL,
+    gx3_45_refuses,
+    gx3_45_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -3415,25 +3941,28 @@ static const char *const gx4_15_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx4_15_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
-                           "Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX4-25."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+     ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX4-25.", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field gx4_15_fields[] = {
     {0x01, 0x01, "", &gx4_15_evidence[0]},       {0x01, 0x02, "", &gx4_15_evidence[0]},
     {0x01, 0x03, "", &gx4_15_evidence[0]},       {0x01, 0x04, "", &gx4_15_evidence[0]},
-    {0x01, 0x05, "", &gx4_15_evidence[0]},       {0x01, 0x06, "", &gx4_15_evidence[2]},
-    {0x01, 0x7E, "", &gx4_15_evidence[2]},       {0x0C, 0x01, "", &gx4_15_evidence[0]},
+    {0x01, 0x05, "", &gx4_15_evidence[0]},       {0x01, 0x06, "", &gx4_15_evidence[1]},
+    {0x01, 0x7E, "", &gx4_15_evidence[1]},       {0x0C, 0x01, "", &gx4_15_evidence[0]},
     {0x0C, 0x03, "", &gx4_15_evidence[0]},       {0x0C, 0x06, "", &gx4_15_evidence[0]},
     {0x0C, 0x08, "WRSLD", &gx4_15_evidence[0]},  {0x0C, 0x0A, "WRSLD", &gx4_15_evidence[0]},
     {0x0C, 0x0B, "", &gx4_15_evidence[0]},       {0x0C, 0x11, "WRSLD", &gx4_15_evidence[0]},
-    {0x0C, 0x30, "SLD", &gx4_15_evidence[2]},    {0x0C, 0x37, "WRSLDA", &gx4_15_evidence[0]},
+    {0x0C, 0x30, "SLD", &gx4_15_evidence[1]},    {0x0C, 0x37, "WRSLDA", &gx4_15_evidence[0]},
     {0x0C, 0x38, "WRSLDA", &gx4_15_evidence[0]}, {0x0C, 0x39, "", &gx4_15_evidence[0]},
-    {0x0C, 0x3E, "WRSLD", &gx4_15_evidence[2]},  {0x0C, 0x40, "WRSLD", &gx4_15_evidence[2]},
-    {0x0C, 0x50, "WRSLD", &gx4_15_evidence[2]},  {0x0C, 0x51, "WRSLD", &gx4_15_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &gx4_15_evidence[1]},  {0x0C, 0x40, "WRSLD", &gx4_15_evidence[1]},
+    {0x0C, 0x50, "WRSLD", &gx4_15_evidence[1]},  {0x0C, 0x51, "WRSLD", &gx4_15_evidence[0]},
     {0x0C, 0x64, "", &gx4_15_evidence[0]},       {0x0D, 0x01, "", &gx4_15_evidence[0]},
     {0x0D, 0x02, "", &gx4_15_evidence[0]},       {0x0D, 0x03, "", &gx4_15_evidence[0]},
     {0x0D, 0x14, "WRSLD", &gx4_15_evidence[0]},  {0x0D, 0x19, "WRSLD", &gx4_15_evidence[0]},
@@ -3441,20 +3970,47 @@ static const struct mip_profile_field gx4_15_fields[] = {
     {0x0D, 0x1D, "WRSLD", &gx4_15_evidence[0]},  {0x0D, 0x20, "WRSLD", &gx4_15_evidence[0]},
     {0x0D, 0x21, "WRSLD", &gx4_15_evidence[0]},  {0x0D, 0x23, "", &gx4_15_evidence[0]},
     {0x0D, 0x26, "WRSLD", &gx4_15_evidence[0]},  {0x0D, 0x44, "WRSLD", &gx4_15_evidence[0]},
-    {0x0D, 0x45, "WRSLD", &gx4_15_evidence[1]},  {0x7F, 0x10, "WRSLD", &gx4_15_evidence[0]},
-    {0x80, 0x04, "", &gx4_15_evidence[0]},       {0x80, 0x05, "", &gx4_15_evidence[0]},
-    {0x80, 0x06, "", &gx4_15_evidence[0]},       {0x80, 0x07, "", &gx4_15_evidence[2]},
-    {0x80, 0x08, "", &gx4_15_evidence[2]},       {0x80, 0x09, "", &gx4_15_evidence[2]},
-    {0x80, 0x0A, "", &gx4_15_evidence[2]},       {0x80, 0x0C, "", &gx4_15_evidence[2]},
-    {0x80, 0x10, "", &gx4_15_evidence[2]},       {0x80, 0x11, "", &gx4_15_evidence[2]},
-    {0x80, 0x12, "", &gx4_15_evidence[2]},       {0x80, 0x17, "", &gx4_15_evidence[2]},
-    {0x82, 0x03, "", &gx4_15_evidence[2]},       {0x82, 0x04, "", &gx4_15_evidence[2]},
-    {0x82, 0x05, "", &gx4_15_evidence[0]},       {0x82, 0x06, "", &gx4_15_evidence[2]},
-    {0x82, 0x0A, "", &gx4_15_evidence[2]},       {0x82, 0x0B, "", &gx4_15_evidence[2]},
-    {0x82, 0x0D, "", &gx4_15_evidence[2]},       {0x82, 0x0E, "", &gx4_15_evidence[2]},
-    {0x82, 0x0F, "", &gx4_15_evidence[2]},       {0x82, 0x10, "", &gx4_15_evidence[2]},
-    {0x82, 0x11, "", &gx4_15_evidence[2]},       {0x82, 0x12, "", &gx4_15_evidence[2]},
-    {0x82, 0x13, "", &gx4_15_evidence[2]},
+    {0x7F, 0x10, "WRSLD", &gx4_15_evidence[0]},  {0x80, 0x04, "", &gx4_15_evidence[0]},
+    {0x80, 0x05, "", &gx4_15_evidence[0]},       {0x80, 0x07, "", &gx4_15_evidence[1]},
+    {0x80, 0x08, "", &gx4_15_evidence[1]},       {0x80, 0x09, "", &gx4_15_evidence[1]},
+    {0x80, 0x0A, "", &gx4_15_evidence[1]},       {0x80, 0x0C, "", &gx4_15_evidence[1]},
+    {0x80, 0x10, "", &gx4_15_evidence[1]},       {0x80, 0x11, "", &gx4_15_evidence[1]},
+    {0x80, 0x12, "", &gx4_15_evidence[1]},       {0x80, 0x17, "", &gx4_15_evidence[1]},
+    {0x82, 0x03, "", &gx4_15_evidence[1]},       {0x82, 0x04, "", &gx4_15_evidence[1]},
+    {0x82, 0x05, "", &gx4_15_evidence[0]},       {0x82, 0x06, "", &gx4_15_evidence[1]},
+    {0x82, 0x0A, "", &gx4_15_evidence[1]},       {0x82, 0x0B, "", &gx4_15_evidence[1]},
+    {0x82, 0x0D, "", &gx4_15_evidence[1]},       {0x82, 0x0E, "", &gx4_15_evidence[1]},
+    {0x82, 0x0F, "", &gx4_15_evidence[1]},       {0x82, 0x10, "", &gx4_15_evidence[1]},
+    {0x82, 0x11, "", &gx4_15_evidence[1]},       {0x82, 0x12, "", &gx4_15_evidence[1]},
+    {0x82, 0x13, "", &gx4_15_evidence[1]},
+};
+
+static const struct mip_profile_field gx4_15_refuses[] = {
+    {0x0C, 0x02, "", &gx4_15_evidence[2]}, {0x0C, 0x07, "", &gx4_15_evidence[2]},
+    {0x0C, 0x09, "", &gx4_15_evidence[2]}, {0x0C, 0x20, "", &gx4_15_evidence[2]},
+    {0x0C, 0x21, "", &gx4_15_evidence[2]}, {0x0C, 0x22, "", &gx4_15_evidence[2]},
+    {0x0C, 0x23, "", &gx4_15_evidence[2]}, {0x0C, 0x24, "", &gx4_15_evidence[2]},
+    {0x0C, 0x34, "", &gx4_15_evidence[2]}, {0x0C, 0x3A, "", &gx4_15_evidence[3]},
+    {0x0C, 0x3B, "", &gx4_15_evidence[3]}, {0x0C, 0x62, "", &gx4_15_evidence[2]},
+    {0x0D, 0x27, "", &gx4_15_evidence[3]}, {0x0D, 0x2B, "", &gx4_15_evidence[3]},
+    {0x0D, 0x2C, "", &gx4_15_evidence[3]}, {0x0D, 0x42, "", &gx4_15_evidence[3]},
+    {0x0D, 0x43, "", &gx4_15_evidence[3]}, {0x0D, 0x45, "", &gx4_15_evidence[3]},
+    {0x0D, 0x46, "", &gx4_15_evidence[3]}, {0x0D, 0x4C, "", &gx4_15_evidence[3]},
+    {0x0D, 0x4D, "", &gx4_15_evidence[3]}, {0x0D, 0x54, "", &gx4_15_evidence[2]},
+    {0x0D, 0x64, "", &gx4_15_evidence[2]}, {0x80, 0x03, "", &gx4_15_evidence[3]},
+    {0x80, 0x06, "", &gx4_15_evidence[3]}, {0x82, 0x1A, "", &gx4_15_evidence[3]},
+    {0x82, 0x1B, "", &gx4_15_evidence[3]}, {0x82, 0x25, "", &gx4_15_evidence[3]},
+    {0x82, 0x26, "", &gx4_15_evidence[3]}, {0x82, 0x28, "", &gx4_15_evidence[3]},
+    {0x82, 0x29, "", &gx4_15_evidence[3]}, {0x82, 0x2A, "", &gx4_15_evidence[3]},
+    {0x82, 0x2C, "", &gx4_15_evidence[3]}, {0x82, 0x34, "", &gx4_15_evidence[2]},
+    {0x82, 0x35, "", &gx4_15_evidence[2]}, {0x82, 0x49, "", &gx4_15_evidence[4]},
+};
+
+static const struct mip_profile_field gx4_15_absent_sets[] = {
+    {0x81, 0, "", &gx4_15_evidence[2]},
+    {0x91, 0, "", &gx4_15_evidence[2]},
+    {0x92, 0, "", &gx4_15_evidence[2]},
+    {0x93, 0, "", &gx4_15_evidence[2]},
 };
 
 static const struct mip_profile_note gx4_15_notes[] = {
@@ -3472,6 +4028,7 @@ static const struct mip_profile_note gx4_15_notes[] = {
 static const struct mip_profile_reading gx4_15_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -3486,19 +4043,21 @@ const struct mip_profile mip_profile_gx4_15 = {
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    63,   /* fields */
-    0,    /* refused fields */
+    61,   /* fields */
+    36,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     2,    /* notes */
-    5,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gx4_15_incomplete,
     gx4_15_fields,
-    NULL,
+    gx4_15_refuses,
+    gx4_15_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -3515,12 +4074,16 @@ static const char *const gx4_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx4_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
-                           "Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (Public programs of users: Driver imu_3dm_gx4)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-25."},
-    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 30)."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (Public programs of users: Driver imu_3dm_gx4).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-25.", ""},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 30).", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field gx4_25_fields[] = {
@@ -3565,7 +4128,21 @@ static const struct mip_profile_field gx4_25_fields[] = {
 };
 
 static const struct mip_profile_field gx4_25_refuses[] = {
-    {0x82, 0x07, "", &gx4_25_evidence[3]},
+    {0x0C, 0x02, "", &gx4_25_evidence[4]}, {0x0C, 0x07, "", &gx4_25_evidence[4]},
+    {0x0C, 0x09, "", &gx4_25_evidence[4]}, {0x0C, 0x20, "", &gx4_25_evidence[4]},
+    {0x0C, 0x21, "", &gx4_25_evidence[4]}, {0x0C, 0x22, "", &gx4_25_evidence[4]},
+    {0x0C, 0x23, "", &gx4_25_evidence[4]}, {0x0C, 0x24, "", &gx4_25_evidence[4]},
+    {0x0C, 0x34, "", &gx4_25_evidence[4]}, {0x0C, 0x62, "", &gx4_25_evidence[4]},
+    {0x0D, 0x54, "", &gx4_25_evidence[4]}, {0x0D, 0x64, "", &gx4_25_evidence[4]},
+    {0x82, 0x07, "", &gx4_25_evidence[3]}, {0x82, 0x34, "", &gx4_25_evidence[4]},
+    {0x82, 0x35, "", &gx4_25_evidence[4]}, {0x82, 0x49, "", &gx4_25_evidence[5]},
+};
+
+static const struct mip_profile_field gx4_25_absent_sets[] = {
+    {0x81, 0, "", &gx4_25_evidence[4]},
+    {0x91, 0, "", &gx4_25_evidence[4]},
+    {0x92, 0, "", &gx4_25_evidence[4]},
+    {0x93, 0, "", &gx4_25_evidence[4]},
 };
 
 static const struct mip_profile_rate gx4_25_rates[] = {
@@ -3588,6 +4165,7 @@ static const struct mip_profile_note gx4_25_notes[] = {
 static const struct mip_profile_reading gx4_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -3603,18 +4181,20 @@ const struct mip_profile mip_profile_gx4_25 = {
     0,    /* other names */
     1,    /* what is not known */
     75,   /* fields */
-    1,    /* refused fields */
+    16,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     2,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     2,    /* notes */
-    5,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gx4_25_incomplete,
     gx4_25_fields,
     gx4_25_refuses,
+    gx4_25_absent_sets,
     NULL,
     gx4_25_rates,
     NULL,
@@ -3631,9 +4211,14 @@ static const char *const gx4_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx4_45_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
-                           "Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-25."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+     ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-25.", ""},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
+    {MIP_SUPPORT_NO, "Requires 2 receivers, which the device lacks.",
+     "has fewer than 2 GNSS receivers"},
 };
 
 static const struct mip_profile_field gx4_45_fields[] = {
@@ -3684,6 +4269,14 @@ static const struct mip_profile_field gx4_45_fields[] = {
     {0x82, 0x15, "", &gx4_45_evidence[1]},
 };
 
+static const struct mip_profile_field gx4_45_refuses[] = {
+    {0x82, 0x49, "", &gx4_45_evidence[2]},
+};
+
+static const struct mip_profile_field gx4_45_absent_sets[] = {
+    {0x92, 0, "", &gx4_45_evidence[3]},
+};
+
 static const struct mip_profile_note gx4_45_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
@@ -3700,6 +4293,7 @@ static const struct mip_profile_reading gx4_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.device_status_basic_response.system_state", "3dm.gx4_system_state"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -3715,18 +4309,20 @@ const struct mip_profile mip_profile_gx4_45 = {
     0,    /* other names */
     1,    /* what is not known */
     89,   /* fields */
-    0,    /* refused fields */
+    1,    /* refused fields */
+    1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     2,    /* notes */
-    6,    /* readings */
+    7,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gx4_45_incomplete,
     gx4_45_fields,
-    NULL,
+    gx4_45_refuses,
+    gx4_45_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -3743,9 +4339,10 @@ static const char *const gx4_imu_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx4_imu_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
-                           "Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-GX4-25."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+     ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-GX4-25.", ""},
 };
 
 static const struct mip_profile_field gx4_imu_fields[] = {
@@ -3771,6 +4368,7 @@ const struct mip_profile mip_profile_gx4_imu = {
     1,    /* what is not known */
     17,   /* fields */
     0,    /* refused fields */
+    0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -3789,6 +4387,7 @@ const struct mip_profile mip_profile_gx4_imu = {
     NULL,
     NULL,
     NULL,
+    NULL,
 };
 
 /* 3DM-GX5-15. */
@@ -3798,8 +4397,12 @@ static const char *const gx5_15_also[] = {
 };
 
 static const struct mip_profile_evidence gx5_15_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 301)."},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 301).", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
 };
 
 static const struct mip_profile_field gx5_15_fields[] = {
@@ -3843,8 +4446,32 @@ static const struct mip_profile_field gx5_15_fields[] = {
 };
 
 static const struct mip_profile_field gx5_15_refuses[] = {
-    {0x80, 0x01, "", &gx5_15_evidence[1]},
-    {0x80, 0x02, "", &gx5_15_evidence[1]},
+    {0x0C, 0x02, "", &gx5_15_evidence[2]}, {0x0C, 0x07, "", &gx5_15_evidence[2]},
+    {0x0C, 0x09, "", &gx5_15_evidence[2]}, {0x0C, 0x20, "", &gx5_15_evidence[2]},
+    {0x0C, 0x21, "", &gx5_15_evidence[2]}, {0x0C, 0x22, "", &gx5_15_evidence[2]},
+    {0x0C, 0x23, "", &gx5_15_evidence[2]}, {0x0C, 0x24, "", &gx5_15_evidence[2]},
+    {0x0C, 0x34, "", &gx5_15_evidence[2]}, {0x0C, 0x3A, "", &gx5_15_evidence[3]},
+    {0x0C, 0x3B, "", &gx5_15_evidence[3]}, {0x0C, 0x62, "", &gx5_15_evidence[2]},
+    {0x0D, 0x27, "", &gx5_15_evidence[3]}, {0x0D, 0x2B, "", &gx5_15_evidence[3]},
+    {0x0D, 0x2C, "", &gx5_15_evidence[3]}, {0x0D, 0x42, "", &gx5_15_evidence[3]},
+    {0x0D, 0x43, "", &gx5_15_evidence[3]}, {0x0D, 0x45, "", &gx5_15_evidence[3]},
+    {0x0D, 0x46, "", &gx5_15_evidence[3]}, {0x0D, 0x4C, "", &gx5_15_evidence[3]},
+    {0x0D, 0x4D, "", &gx5_15_evidence[3]}, {0x0D, 0x54, "", &gx5_15_evidence[2]},
+    {0x0D, 0x64, "", &gx5_15_evidence[2]}, {0x80, 0x01, "", &gx5_15_evidence[1]},
+    {0x80, 0x02, "", &gx5_15_evidence[1]}, {0x80, 0x03, "", &gx5_15_evidence[3]},
+    {0x80, 0x06, "", &gx5_15_evidence[3]}, {0x82, 0x1A, "", &gx5_15_evidence[3]},
+    {0x82, 0x1B, "", &gx5_15_evidence[3]}, {0x82, 0x25, "", &gx5_15_evidence[3]},
+    {0x82, 0x26, "", &gx5_15_evidence[3]}, {0x82, 0x28, "", &gx5_15_evidence[3]},
+    {0x82, 0x29, "", &gx5_15_evidence[3]}, {0x82, 0x2A, "", &gx5_15_evidence[3]},
+    {0x82, 0x2C, "", &gx5_15_evidence[3]}, {0x82, 0x34, "", &gx5_15_evidence[2]},
+    {0x82, 0x35, "", &gx5_15_evidence[2]}, {0x82, 0x49, "", &gx5_15_evidence[4]},
+};
+
+static const struct mip_profile_field gx5_15_absent_sets[] = {
+    {0x81, 0, "", &gx5_15_evidence[2]},
+    {0x91, 0, "", &gx5_15_evidence[2]},
+    {0x92, 0, "", &gx5_15_evidence[2]},
+    {0x93, 0, "", &gx5_15_evidence[2]},
 };
 
 static const struct mip_profile_rate gx5_15_rates[] = {
@@ -3923,7 +4550,8 @@ const struct mip_profile mip_profile_gx5_15 = {
     1,    /* other names */
     0,    /* what is not known */
     73,   /* fields */
-    2,    /* refused fields */
+    38,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     2,    /* base rates */
     2,    /* ports */
@@ -3935,6 +4563,7 @@ const struct mip_profile mip_profile_gx5_15 = {
     NULL,
     gx5_15_fields,
     gx5_15_refuses,
+    gx5_15_absent_sets,
     NULL,
     gx5_15_rates,
     gx5_15_ports,
@@ -3955,24 +4584,32 @@ static const char *const gx5_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Transcribed from the manual by others (Public programs of users: "
-                           "Parser of 3DM-GX5-25 data in MATLAB, 2018)."},
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver microstrain_mips: Conditions by model)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45."},
-    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 238)."},
+    {MIP_SUPPORT_LIKELY,
+     "Transcribed from the manual by others (Public programs of users: Parser of 3DM-GX5-25 data "
+     "in MATLAB, 2018).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver microstrain_mips: Conditions by model).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.", ""},
+    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 238).", ""},
     {MIP_SUPPORT_NO,
-     "Rejected by the device (firmware 1.1.76; ROS driver of the vendor: Issue 368)."},
-    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 59; MicroStrain "
-                     "Communication Library: Issue 200)."},
+     "Rejected by the device (firmware 1.1.76; ROS driver of the vendor: Issue 368).", ""},
+    {MIP_SUPPORT_NO,
+     "Rejected by the device (ROS driver of the vendor: Issue 59; MicroStrain Communication "
+     "Library: Issue 200).",
+     ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
 };
 
 static const struct mip_profile_field gx5_25_fields[] = {
@@ -4025,14 +4662,28 @@ static const struct mip_profile_field gx5_25_fields[] = {
 };
 
 static const struct mip_profile_field gx5_25_refuses[] = {
-    {0x0C, 0x41, "WRSLD", &gx5_25_evidence[7]}, {0x80, 0x18, "", &gx5_25_evidence[8]},
-    {0x81, 0x03, "", &gx5_25_evidence[7]},      {0x81, 0x0B, "", &gx5_25_evidence[7]},
-    {0x82, 0x01, "", &gx5_25_evidence[8]},      {0x82, 0x02, "", &gx5_25_evidence[9]},
-    {0x82, 0x08, "", &gx5_25_evidence[8]},      {0x82, 0x43, "", &gx5_25_evidence[7]},
-    {0x82, 0x49, "", &gx5_25_evidence[7]},      {0x91, 0x03, "", &gx5_25_evidence[7]},
-    {0x91, 0x0B, "", &gx5_25_evidence[7]},      {0x92, 0x0B, "", &gx5_25_evidence[8]},
-    {0x92, 0x12, "", &gx5_25_evidence[8]},      {0x92, 0x14, "", &gx5_25_evidence[8]},
+    {0x0C, 0x02, "", &gx5_25_evidence[10]}, {0x0C, 0x07, "", &gx5_25_evidence[10]},
+    {0x0C, 0x09, "", &gx5_25_evidence[10]}, {0x0C, 0x20, "", &gx5_25_evidence[10]},
+    {0x0C, 0x21, "", &gx5_25_evidence[10]}, {0x0C, 0x22, "", &gx5_25_evidence[10]},
+    {0x0C, 0x23, "", &gx5_25_evidence[10]}, {0x0C, 0x24, "", &gx5_25_evidence[10]},
+    {0x0C, 0x34, "", &gx5_25_evidence[10]}, {0x0C, 0x41, "WRSLD", &gx5_25_evidence[7]},
+    {0x0C, 0x62, "", &gx5_25_evidence[10]}, {0x0D, 0x54, "", &gx5_25_evidence[10]},
+    {0x0D, 0x64, "", &gx5_25_evidence[10]}, {0x80, 0x18, "", &gx5_25_evidence[8]},
+    {0x81, 0x03, "", &gx5_25_evidence[7]},  {0x81, 0x0B, "", &gx5_25_evidence[7]},
+    {0x82, 0x01, "", &gx5_25_evidence[8]},  {0x82, 0x02, "", &gx5_25_evidence[9]},
+    {0x82, 0x08, "", &gx5_25_evidence[8]},  {0x82, 0x34, "", &gx5_25_evidence[10]},
+    {0x82, 0x35, "", &gx5_25_evidence[10]}, {0x82, 0x43, "", &gx5_25_evidence[7]},
+    {0x82, 0x49, "", &gx5_25_evidence[7]},  {0x91, 0x03, "", &gx5_25_evidence[7]},
+    {0x91, 0x0B, "", &gx5_25_evidence[7]},  {0x92, 0x0B, "", &gx5_25_evidence[8]},
+    {0x92, 0x12, "", &gx5_25_evidence[8]},  {0x92, 0x14, "", &gx5_25_evidence[8]},
     {0x93, 0x31, "", &gx5_25_evidence[7]},
+};
+
+static const struct mip_profile_field gx5_25_absent_sets[] = {
+    {0x81, 0, "", &gx5_25_evidence[10]},
+    {0x91, 0, "", &gx5_25_evidence[10]},
+    {0x92, 0, "", &gx5_25_evidence[10]},
+    {0x93, 0, "", &gx5_25_evidence[10]},
 };
 
 static const struct mip_profile_note gx5_25_notes[] = {
@@ -4046,6 +4697,7 @@ static const struct mip_profile_reading gx5_25_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -4061,18 +4713,20 @@ const struct mip_profile mip_profile_gx5_25 = {
     1,    /* other names */
     1,    /* what is not known */
     91,   /* fields */
-    15,   /* refused fields */
+    29,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    6,    /* readings */
+    7,    /* readings */
     0,    /* acknowledge codes */
     gx5_25_also,
     gx5_25_incomplete,
     gx5_25_fields,
     gx5_25_refuses,
+    gx5_25_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -4093,10 +4747,12 @@ static const char *const gx5_35_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_35_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.", ""},
+    {MIP_SUPPORT_NO, "Requires 2 receivers, which the device lacks.",
+     "has fewer than 2 GNSS receivers"},
 };
 
 static const struct mip_profile_field gx5_35_fields[] = {
@@ -4129,6 +4785,10 @@ static const struct mip_profile_field gx5_35_fields[] = {
     {0x81, 0x0B, "", &gx5_35_evidence[2]},       {0x81, 0x0C, "", &gx5_35_evidence[2]},
     {0x81, 0x0D, "", &gx5_35_evidence[2]},       {0x81, 0x0E, "", &gx5_35_evidence[0]},
     {0x81, 0x0F, "", &gx5_35_evidence[2]},
+};
+
+static const struct mip_profile_field gx5_35_absent_sets[] = {
+    {0x92, 0, "", &gx5_35_evidence[3]},
 };
 
 static const struct mip_profile_rate gx5_35_rates[] = {
@@ -4170,6 +4830,7 @@ const struct mip_profile mip_profile_gx5_35 = {
     1,    /* what is not known */
     57,   /* fields */
     0,    /* refused fields */
+    1,    /* absent sets */
     0,    /* fields of some firmware */
     2,    /* base rates */
     0,    /* ports */
@@ -4181,6 +4842,7 @@ const struct mip_profile mip_profile_gx5_35 = {
     gx5_35_incomplete,
     gx5_35_fields,
     NULL,
+    gx5_35_absent_sets,
     NULL,
     gx5_35_rates,
     NULL,
@@ -4202,23 +4864,31 @@ static const char *const gx5_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_45_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_YES, "Documented (LORD 3DM-GX5-45 DCP Manual: Single pages)."},
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
-                           "versions 1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-35."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
-    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 43)."},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_YES, "Documented (LORD 3DM-GX5-45 DCP Manual: Single pages).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples "
+     "of the versions 1 to 3).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions).",
+     ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5).", ""},
+    {MIP_SUPPORT_ASSUMED,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-35.", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+     ""},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 43).", ""},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
+    {MIP_SUPPORT_NO, "Requires 2 receivers, which the device lacks.",
+     "has fewer than 2 GNSS receivers"},
 };
 
 static const struct mip_profile_field gx5_45_fields[] = {
@@ -4289,6 +4959,11 @@ static const struct mip_profile_field gx5_45_fields[] = {
 
 static const struct mip_profile_field gx5_45_refuses[] = {
     {0x80, 0x01, "", &gx5_45_evidence[10]},
+    {0x82, 0x49, "", &gx5_45_evidence[11]},
+};
+
+static const struct mip_profile_field gx5_45_absent_sets[] = {
+    {0x92, 0, "", &gx5_45_evidence[12]},
 };
 
 static const struct mip_profile_rate gx5_45_rates[] = {
@@ -4328,6 +5003,7 @@ static const struct mip_profile_note gx5_45_notes[] = {
 static const struct mip_profile_reading gx5_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -4343,18 +5019,20 @@ const struct mip_profile mip_profile_gx5_45 = {
     1,    /* other names */
     2,    /* what is not known */
     126,  /* fields */
-    1,    /* refused fields */
+    2,    /* refused fields */
+    1,    /* absent sets */
     0,    /* fields of some firmware */
     3,    /* base rates */
     2,    /* ports */
     2,    /* limits */
     3,    /* notes */
-    5,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     gx5_45_also,
     gx5_45_incomplete,
     gx5_45_fields,
     gx5_45_refuses,
+    gx5_45_absent_sets,
     NULL,
     gx5_45_rates,
     gx5_45_ports,
@@ -4375,14 +5053,32 @@ static const char *const mv5_ar_incomplete[] = {
 };
 
 static const struct mip_profile_evidence mv5_ar_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
+    {MIP_SUPPORT_NO, "Requires a receiver, which the device lacks.", "has no GNSS receiver"},
+    {MIP_SUPPORT_NO, "Requires a magnetometer, which the device lacks.", "has no magnetometer"},
 };
 
 static const struct mip_profile_field mv5_ar_fields[] = {
     {0x01, 0x01, "", &mv5_ar_evidence[0]}, {0x01, 0x02, "", &mv5_ar_evidence[0]},
     {0x01, 0x03, "", &mv5_ar_evidence[0]}, {0x01, 0x04, "", &mv5_ar_evidence[0]},
     {0x01, 0x06, "", &mv5_ar_evidence[0]}, {0x0C, 0x11, "WRSLD", &mv5_ar_evidence[0]},
+};
+
+static const struct mip_profile_field mv5_ar_refuses[] = {
+    {0x0C, 0x02, "", &mv5_ar_evidence[1]}, {0x0C, 0x07, "", &mv5_ar_evidence[1]},
+    {0x0C, 0x09, "", &mv5_ar_evidence[1]}, {0x0C, 0x20, "", &mv5_ar_evidence[1]},
+    {0x0C, 0x21, "", &mv5_ar_evidence[1]}, {0x0C, 0x22, "", &mv5_ar_evidence[1]},
+    {0x0C, 0x23, "", &mv5_ar_evidence[1]}, {0x0C, 0x24, "", &mv5_ar_evidence[1]},
+    {0x0C, 0x34, "", &mv5_ar_evidence[1]}, {0x0C, 0x3A, "", &mv5_ar_evidence[2]},
+    {0x0C, 0x3B, "", &mv5_ar_evidence[2]}, {0x0C, 0x62, "", &mv5_ar_evidence[1]},
+};
+
+static const struct mip_profile_field mv5_ar_absent_sets[] = {
+    {0x81, 0, "", &mv5_ar_evidence[1]},
+    {0x91, 0, "", &mv5_ar_evidence[1]},
+    {0x92, 0, "", &mv5_ar_evidence[1]},
+    {0x93, 0, "", &mv5_ar_evidence[1]},
 };
 
 static const char *const mv5_ar_j1939_cells[] = {
@@ -4419,7 +5115,8 @@ const struct mip_profile mip_profile_mv5_ar = {
     1,    /* other names */
     1,    /* what is not known */
     6,    /* fields */
-    0,    /* refused fields */
+    12,   /* refused fields */
+    4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -4430,7 +5127,8 @@ const struct mip_profile mip_profile_mv5_ar = {
     mv5_ar_also,
     mv5_ar_incomplete,
     mv5_ar_fields,
-    NULL,
+    mv5_ar_refuses,
+    mv5_ar_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -4453,9 +5151,14 @@ static const char *const rq1_45_lt_incomplete[] = {
 };
 
 static const struct mip_profile_evidence rq1_45_lt_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
-                           "Examples, one for each model)."},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+     ""},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
+    {MIP_SUPPORT_NO, "Requires 2 receivers, which the device lacks.",
+     "has fewer than 2 GNSS receivers"},
 };
 
 static const struct mip_profile_field rq1_45_lt_fields[] = {
@@ -4494,6 +5197,14 @@ static const struct mip_profile_field rq1_45_lt_fields[] = {
     {0x82, 0x02, "", &rq1_45_lt_evidence[1]},       {0x82, 0x05, "", &rq1_45_lt_evidence[1]},
 };
 
+static const struct mip_profile_field rq1_45_lt_refuses[] = {
+    {0x82, 0x49, "", &rq1_45_lt_evidence[2]},
+};
+
+static const struct mip_profile_field rq1_45_lt_absent_sets[] = {
+    {0x92, 0, "", &rq1_45_lt_evidence[3]},
+};
+
 static const struct mip_profile_note rq1_45_lt_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
@@ -4526,7 +5237,8 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     1,    /* other names */
     2,    /* what is not known */
     66,   /* fields */
-    0,    /* refused fields */
+    1,    /* refused fields */
+    1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -4537,7 +5249,8 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     rq1_45_lt_also,
     rq1_45_lt_incomplete,
     rq1_45_lt_fields,
-    NULL,
+    rq1_45_lt_refuses,
+    rq1_45_lt_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -4560,8 +5273,12 @@ static const char *const rq1_45_st_incomplete[] = {
 };
 
 static const struct mip_profile_evidence rq1_45_st_evidence[] = {
-    {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_YES, "Documented.", ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by nearly identical devices, 3DM-RQ1-45-LT.", ""},
+    {MIP_SUPPORT_NO, "Requires 2 antennas, which the device lacks.",
+     "has fewer than 2 GNSS antennas"},
+    {MIP_SUPPORT_NO, "Requires 2 receivers, which the device lacks.",
+     "has fewer than 2 GNSS receivers"},
 };
 
 static const struct mip_profile_field rq1_45_st_fields[] = {
@@ -4600,6 +5317,14 @@ static const struct mip_profile_field rq1_45_st_fields[] = {
     {0x82, 0x02, "", &rq1_45_st_evidence[1]},       {0x82, 0x05, "", &rq1_45_st_evidence[1]},
 };
 
+static const struct mip_profile_field rq1_45_st_refuses[] = {
+    {0x82, 0x49, "", &rq1_45_st_evidence[2]},
+};
+
+static const struct mip_profile_field rq1_45_st_absent_sets[] = {
+    {0x92, 0, "", &rq1_45_st_evidence[3]},
+};
+
 static const struct mip_profile_note rq1_45_st_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
@@ -4632,7 +5357,8 @@ const struct mip_profile mip_profile_rq1_45_st = {
     1,    /* other names */
     2,    /* what is not known */
     66,   /* fields */
-    0,    /* refused fields */
+    1,    /* refused fields */
+    1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -4643,7 +5369,8 @@ const struct mip_profile mip_profile_rq1_45_st = {
     rq1_45_st_also,
     rq1_45_st_incomplete,
     rq1_45_st_fields,
-    NULL,
+    rq1_45_st_refuses,
+    rq1_45_st_absent_sets,
     NULL,
     NULL,
     NULL,
@@ -4660,9 +5387,10 @@ static const char *const rq1_imu_incomplete[] = {
 };
 
 static const struct mip_profile_evidence rq1_imu_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
-                           "Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-GX4-25."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+     ""},
+    {MIP_SUPPORT_ASSUMED, "Supported by devices of the same generation, 3DM-GX4-25.", ""},
 };
 
 static const struct mip_profile_field rq1_imu_fields[] = {
@@ -4687,6 +5415,7 @@ const struct mip_profile mip_profile_rq1_imu = {
     1,    /* what is not known */
     15,   /* fields */
     0,    /* refused fields */
+    0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -4705,6 +5434,7 @@ const struct mip_profile mip_profile_rq1_imu = {
     NULL,
     NULL,
     NULL,
+    NULL,
 };
 
 /* 3DM-RTK. */
@@ -4714,8 +5444,8 @@ static const char *const rtk_incomplete[] = {
 };
 
 static const struct mip_profile_evidence rtk_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features).", ""},
 };
 
 static const struct mip_profile_field rtk_fields[] = {
@@ -4739,13 +5469,14 @@ static const struct mip_profile_reading rtk_readings[] = {
 };
 
 const struct mip_profile mip_profile_rtk = {
-    "3dm-rtk", "3DM-RTK",      "",         "Modem for GNSS corrections.",
+    "3dm-rtk", "3DM-RTK",      "",           "Modem for GNSS corrections.",
     6285, /* model number */
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
     12,   /* fields */
     0,    /* refused fields */
+    0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -4753,9 +5484,9 @@ const struct mip_profile mip_profile_rtk = {
     1,    /* notes */
     1,    /* readings */
     0,    /* acknowledge codes */
-    NULL,      rtk_incomplete, rtk_fields, NULL,
-    NULL,      NULL,           NULL,       NULL,
-    rtk_notes, rtk_readings,   NULL,
+    NULL,      rtk_incomplete, rtk_fields,   NULL,
+    NULL,      NULL,           NULL,         NULL,
+    NULL,      rtk_notes,      rtk_readings, NULL,
 };
 
 /* DEMOD-DC. */
@@ -4769,8 +5500,8 @@ static const char *const demod_dc_incomplete[] = {
 };
 
 static const struct mip_profile_evidence demod_dc_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "Used by programs for this model (MicroStrain Communication Library: Displacement node)."},
+    {MIP_SUPPORT_LIKELY,
+     "Used by programs for this model (MicroStrain Communication Library: Displacement node).", ""},
 };
 
 static const struct mip_profile_field demod_dc_fields[] = {
@@ -4793,6 +5524,7 @@ const struct mip_profile mip_profile_demod_dc = {
     1,    /* what is not known */
     11,   /* fields */
     0,    /* refused fields */
+    0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
@@ -4803,6 +5535,7 @@ const struct mip_profile mip_profile_demod_dc = {
     demod_dc_also,
     demod_dc_incomplete,
     demod_dc_fields,
+    NULL,
     NULL,
     NULL,
     NULL,

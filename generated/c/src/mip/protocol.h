@@ -31,7 +31,7 @@ enum mip_function_selector MIP_ENUM_8 {
     MIP_FUNCTION_SELECTOR_APPLY = 6
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_function_selector_name(uint8_t value);
 
 #ifndef MIP_BARRIER_SET
@@ -60,27 +60,9 @@ struct mip_protocol_acknowledge {
     uint8_t code;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_PROTOCOL_ACKNOWLEDGE 0x00F1
-/** Its descriptor. */
 #define MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR 0xF1
-/** Its name in the specification. */
-#define MIP_PROTOCOL_ACKNOWLEDGE_NAME "protocol.acknowledge"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_protocol_acknowledge_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_protocol_acknowledge_decode(struct mip_protocol_acknowledge *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_protocol_acknowledge_codec, 0xF1, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode(
-    const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
-    return mip_encode(&mip_protocol_acknowledge_codec, value, builder);
-}
+MIP_FIELD(mip_protocol_acknowledge, 0xF1);
 
 #ifdef __cplusplus
 }

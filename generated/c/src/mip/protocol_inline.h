@@ -16,14 +16,10 @@
 extern "C" {
 #endif
 
-/** Decodes protocol.acknowledge. On an error the structure is zeroed. */
 static inline mip_error mip_protocol_acknowledge_decode_inline(
     struct mip_protocol_acknowledge *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x00, 0xF1, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->command = mip_get_8(field->data);
@@ -31,7 +27,6 @@ static inline mip_error mip_protocol_acknowledge_decode_inline(
     return MIP_OK;
 }
 
-/** Adds protocol.acknowledge to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode_inline(
     const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
     uint8_t *data;

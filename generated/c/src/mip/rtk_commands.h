@@ -19,16 +19,9 @@ extern "C" {
 /** @addtogroup mip_rtk RTK commands (0x0F)
  * @{ */
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_get_status_flags_command;
+MIP_COMMAND_REPLIES(mip_rtk_get_status_flags);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_get_status_flags_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get status flags. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get status flags: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_get_status_flags(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_rtk_get_status_flags_response *response, uint32_t now) {
@@ -36,7 +29,7 @@ static inline mip_error mip_send_rtk_get_status_flags(
                            &mip_rtk_get_status_flags_response_codec, response, now);
 }
 
-/** Get status flags. See mip_device_call. */
+/** Get status flags. */
 static inline struct mip_result mip_call_rtk_get_status_flags(
     struct mip_device *device, struct mip_rtk_get_status_flags_response *response) {
     return mip_device_request(device, &mip_rtk_get_status_flags_exchange,
@@ -44,16 +37,9 @@ static inline struct mip_result mip_call_rtk_get_status_flags(
                               &mip_rtk_get_status_flags_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_get_imei_command;
+MIP_COMMAND_REPLIES(mip_rtk_get_imei);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_get_imei_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get IMEI. If the command
- * requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get IMEI: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_get_imei(struct mip_client *client,
                                               struct mip_request *request,
                                               struct mip_builder *packet,
@@ -63,7 +49,7 @@ static inline mip_error mip_send_rtk_get_imei(struct mip_client *client,
                            &mip_rtk_get_imei_response_codec, response, now);
 }
 
-/** Get IMEI. See mip_device_call. */
+/** Get IMEI. */
 static inline struct mip_result mip_call_rtk_get_imei(struct mip_device *device,
                                                       struct mip_rtk_get_imei_response *response) {
     return mip_device_request(device, &mip_rtk_get_imei_exchange,
@@ -71,16 +57,9 @@ static inline struct mip_result mip_call_rtk_get_imei(struct mip_device *device,
                               &mip_rtk_get_imei_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_get_imsi_command;
+MIP_COMMAND_REPLIES(mip_rtk_get_imsi);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_get_imsi_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get IMSI. If the command
- * requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get IMSI: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_get_imsi(struct mip_client *client,
                                               struct mip_request *request,
                                               struct mip_builder *packet,
@@ -90,7 +69,7 @@ static inline mip_error mip_send_rtk_get_imsi(struct mip_client *client,
                            &mip_rtk_get_imsi_response_codec, response, now);
 }
 
-/** Get IMSI. See mip_device_call. */
+/** Get IMSI. */
 static inline struct mip_result mip_call_rtk_get_imsi(struct mip_device *device,
                                                       struct mip_rtk_get_imsi_response *response) {
     return mip_device_request(device, &mip_rtk_get_imsi_exchange,
@@ -98,16 +77,9 @@ static inline struct mip_result mip_call_rtk_get_imsi(struct mip_device *device,
                               &mip_rtk_get_imsi_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_get_iccid_command;
+MIP_COMMAND_REPLIES(mip_rtk_get_iccid);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_get_iccid_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get ICCID. If the command
- * requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get ICCID: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_get_iccid(struct mip_client *client,
                                                struct mip_request *request,
                                                struct mip_builder *packet,
@@ -117,7 +89,7 @@ static inline mip_error mip_send_rtk_get_iccid(struct mip_client *client,
                            &mip_rtk_get_iccid_response_codec, response, now);
 }
 
-/** Get ICCID. See mip_device_call. */
+/** Get ICCID. */
 static inline struct mip_result
 mip_call_rtk_get_iccid(struct mip_device *device, struct mip_rtk_get_iccid_response *response) {
     return mip_device_request(device, &mip_rtk_get_iccid_exchange,
@@ -125,16 +97,9 @@ mip_call_rtk_get_iccid(struct mip_device *device, struct mip_rtk_get_iccid_respo
                               &mip_rtk_get_iccid_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_get_rssi_command;
+MIP_COMMAND_REPLIES(mip_rtk_get_rssi);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_get_rssi_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get RSSI. If the command
- * requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get RSSI: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_get_rssi(struct mip_client *client,
                                               struct mip_request *request,
                                               struct mip_builder *packet,
@@ -144,7 +109,7 @@ static inline mip_error mip_send_rtk_get_rssi(struct mip_client *client,
                            &mip_rtk_get_rssi_response_codec, response, now);
 }
 
-/** Get RSSI. See mip_device_call. */
+/** Get RSSI. */
 static inline struct mip_result mip_call_rtk_get_rssi(struct mip_device *device,
                                                       struct mip_rtk_get_rssi_response *response) {
     return mip_device_request(device, &mip_rtk_get_rssi_exchange,
@@ -152,93 +117,35 @@ static inline struct mip_result mip_call_rtk_get_rssi(struct mip_device *device,
                               &mip_rtk_get_rssi_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_connected_device_type_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_connected_device_type_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Connected device type. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_rtk_connected_device_type(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_rtk_connected_device_type *command,
-    struct mip_rtk_connected_device_type_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_rtk_connected_device_type_command, command,
-                           &mip_rtk_connected_device_type_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_rtk_connected_device_type);
+MIP_SEND(mip_send_rtk_connected_device_type, mip_rtk_connected_device_type,
+         mip_rtk_connected_device_type_response);
+MIP_CALL_FOR(mip_call_rtk_connected_device_type_read, mip_rtk_connected_device_type,
+             MIP_FUNCTION_SELECTOR_READ, mip_rtk_connected_device_type_response);
+MIP_CALL(mip_call_rtk_connected_device_type_save, mip_rtk_connected_device_type,
+         MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_rtk_connected_device_type_load, mip_rtk_connected_device_type,
+         MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_rtk_connected_device_type_default, mip_rtk_connected_device_type,
+         MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_rtk_connected_device_type_with, mip_rtk_connected_device_type,
+              mip_rtk_connected_device_type_response);
 
 /**
- * Connected device type: write. Apply the new setting. See mip_device_call.
+ * Connected device type: write.
  *
  * - device_type: Type of device that the modem is connected to. A value of enum
  *   mip_rtk_connected_device. Required for write.
  */
 static inline struct mip_result mip_call_rtk_connected_device_type_write(
     struct mip_device *device, enum mip_rtk_connected_device device_type) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)device_type);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)device_type};
     return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 2);
 }
 
-/** Connected device type: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_rtk_connected_device_type_read(
-    struct mip_device *device, struct mip_rtk_connected_device_type_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_rtk_connected_device_type_exchange, data, 1,
-                              &mip_rtk_connected_device_type_response_codec, response);
-}
+MIP_COMMAND_REPLIES(mip_rtk_get_activation_code);
 
-/**
- * Connected device type: save. Save the current setting to non-volatile memory. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_rtk_connected_device_type_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1);
-}
-
-/** Connected device type: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_rtk_connected_device_type_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1);
-}
-
-/** Connected device type: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result
-mip_call_rtk_connected_device_type_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1);
-}
-
-/**
- * Connected device type: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_rtk_connected_device_type_with(
-    struct mip_device *device, const struct mip_rtk_connected_device_type *command,
-    struct mip_rtk_connected_device_type_response *response) {
-    return mip_device_call(device, &mip_rtk_connected_device_type_command, command,
-                           &mip_rtk_connected_device_type_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_get_activation_code_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_get_activation_code_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get activation code. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get activation code: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_get_activation_code(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_rtk_get_activation_code_response *response, uint32_t now) {
@@ -246,7 +153,7 @@ static inline mip_error mip_send_rtk_get_activation_code(
                            &mip_rtk_get_activation_code_response_codec, response, now);
 }
 
-/** Get activation code. See mip_device_call. */
+/** Get activation code. */
 static inline struct mip_result mip_call_rtk_get_activation_code(
     struct mip_device *device, struct mip_rtk_get_activation_code_response *response) {
     return mip_device_request(device, &mip_rtk_get_activation_code_exchange,
@@ -254,16 +161,9 @@ static inline struct mip_result mip_call_rtk_get_activation_code(
                               &mip_rtk_get_activation_code_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_get_modem_firmware_version_command;
+MIP_COMMAND_REPLIES(mip_rtk_get_modem_firmware_version);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_get_modem_firmware_version_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Get modem firmware
- * version. If the command requests the response, it is stored in `response`, which may be NULL.
- */
+/** Get modem firmware version: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_get_modem_firmware_version(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     struct mip_rtk_get_modem_firmware_version_response *response, uint32_t now) {
@@ -271,7 +171,7 @@ static inline mip_error mip_send_rtk_get_modem_firmware_version(
                            NULL, &mip_rtk_get_modem_firmware_version_response_codec, response, now);
 }
 
-/** Get modem firmware version. See mip_device_call. */
+/** Get modem firmware version. */
 static inline struct mip_result mip_call_rtk_get_modem_firmware_version(
     struct mip_device *device, struct mip_rtk_get_modem_firmware_version_response *response) {
     return mip_device_request(device, &mip_rtk_get_modem_firmware_version_exchange,
@@ -279,42 +179,14 @@ static inline struct mip_result mip_call_rtk_get_modem_firmware_version(
                               &mip_rtk_get_modem_firmware_version_response_codec, response);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_service_status_command;
+MIP_COMMAND_REPLIES(mip_rtk_service_status);
+MIP_SEND(mip_send_rtk_service_status, mip_rtk_service_status, mip_rtk_service_status_response);
+MIP_CALL_WITH(mip_call_rtk_service_status_with, mip_rtk_service_status,
+              mip_rtk_service_status_response);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_service_status_exchange;
+MIP_COMMAND_REPLIES(mip_rtk_erase_storage);
 
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Service status. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_rtk_service_status(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_rtk_service_status *command, struct mip_rtk_service_status_response *response,
-    uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_rtk_service_status_command, command,
-                           &mip_rtk_service_status_response_codec, response, now);
-}
-
-/**
- * Service status: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_rtk_service_status_with(
-    struct mip_device *device, const struct mip_rtk_service_status *command,
-    struct mip_rtk_service_status_response *response) {
-    return mip_device_call(device, &mip_rtk_service_status_command, command,
-                           &mip_rtk_service_status_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_erase_storage_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_erase_storage_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Erase storage. */
+/** Erase storage: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_erase_storage(struct mip_client *client,
                                                    struct mip_request *request,
                                                    struct mip_builder *packet,
@@ -325,33 +197,25 @@ static inline mip_error mip_send_rtk_erase_storage(struct mip_client *client,
 }
 
 /**
- * Erase storage. See mip_device_call.
+ * Erase storage.
  *
  * - media: The medium. A value of enum mip_rtk_storage_medium.
  */
 static inline struct mip_result mip_call_rtk_erase_storage(struct mip_device *device,
                                                            enum mip_rtk_storage_medium media) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)media);
+    const uint8_t data[] = {(uint8_t)media};
     return mip_device_send(device, &mip_rtk_erase_storage_exchange, data, 1);
 }
 
-/**
- * Erase storage: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** Erase storage, with these values, including optional parameters. */
 static inline struct mip_result mip_call_rtk_erase_storage_with(
     struct mip_device *device, const struct mip_rtk_erase_storage *command) {
     return mip_device_call(device, &mip_rtk_erase_storage_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_led_control_command;
+MIP_COMMAND_REPLIES(mip_rtk_led_control);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_led_control_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. LED control. */
+/** LED control: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_led_control(struct mip_client *client,
                                                  struct mip_request *request,
                                                  struct mip_builder *packet,
@@ -362,12 +226,14 @@ static inline mip_error mip_send_rtk_led_control(struct mip_client *client,
 }
 
 /**
- * LED control. See mip_device_call.
+ * LED control.
  *
- * - primary_color: First colour. Uncertain: The order of its parts; red, green, blue is likely.
- * - alternate_color: Second colour. Uncertain: The order of its parts; red, green, blue is likely.
+ * - primary_color: First colour. Uncertain: No source states the order of its parts; red, green,
+ *   blue is likely.
+ * - alternate_color: Second colour. Uncertain: No source states the order of its parts; red, green,
+ *   blue is likely.
  * - action: Pattern. A value of enum mip_rtk_led_action.
- * - period: Period of the pattern. Uncertain: The unit; ms is likely.
+ * - period: Period of the pattern. Uncertain: No source states the unit; ms is likely.
  */
 static inline struct mip_result mip_call_rtk_led_control(struct mip_device *device,
                                                          const uint8_t primary_color[3],
@@ -378,30 +244,23 @@ static inline struct mip_result mip_call_rtk_led_control(struct mip_device *devi
     mip_put_8(data + 6, (uint8_t)action);
     mip_put_32(data + 7, (uint32_t)period);
     for (size_t i = 0; i < 3; i++) {
-        mip_put_8(data + 3 + 1 * i, (uint8_t)alternate_color[i]);
+        mip_put_8(data + 1 * i, (uint8_t)primary_color[i]);
     }
     for (size_t i = 0; i < 3; i++) {
-        mip_put_8(data + 0 + 1 * i, (uint8_t)primary_color[i]);
+        mip_put_8(data + 3 + 1 * i, (uint8_t)alternate_color[i]);
     }
     return mip_device_send(device, &mip_rtk_led_control_exchange, data, 11);
 }
 
-/**
- * LED control: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
+/** LED control, with these values, including optional parameters. */
 static inline struct mip_result mip_call_rtk_led_control_with(
     struct mip_device *device, const struct mip_rtk_led_control *command) {
     return mip_device_call(device, &mip_rtk_led_control_command, command, NULL, NULL);
 }
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_rtk_modem_hard_reset_command;
+MIP_COMMAND_REPLIES(mip_rtk_modem_hard_reset);
 
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_rtk_modem_hard_reset_exchange;
-
-/** Adds the command to a packet and tracks its reply: see mip_client_send. Modem hard reset. */
+/** Modem hard reset: adds the command to a packet. See mip_client_send. */
 static inline mip_error mip_send_rtk_modem_hard_reset(struct mip_client *client,
                                                       struct mip_request *request,
                                                       struct mip_builder *packet, uint32_t now) {
@@ -409,7 +268,7 @@ static inline mip_error mip_send_rtk_modem_hard_reset(struct mip_client *client,
                            NULL, now);
 }
 
-/** Modem hard reset. See mip_device_call. */
+/** Modem hard reset. */
 static inline struct mip_result mip_call_rtk_modem_hard_reset(struct mip_device *device) {
     return mip_device_send(device, &mip_rtk_modem_hard_reset_exchange,
                            MIP_NO_DATA(mip_rtk_modem_hard_reset_exchange), 0);

@@ -17,6 +17,8 @@ MIP_COMMAND_OF(mip_rtk_get_imsi, ::mip::rtk::get_imsi_response)
 MIP_COMMAND_OF(mip_rtk_get_iccid, ::mip::rtk::get_iccid_response)
 MIP_COMMAND_OF(mip_rtk_get_rssi, ::mip::rtk::get_rssi_response)
 MIP_COMMAND_OF(mip_rtk_connected_device_type, ::mip::rtk::connected_device_type_response)
+MIP_CHANGE_OF(mip_rtk_connected_device_type, ::mip::rtk::connected_device_type_response,
+              mip_rtk_connected_device_type_write_from)
 MIP_COMMAND_OF(mip_rtk_get_activation_code, ::mip::rtk::get_activation_code_response)
 MIP_COMMAND_OF(mip_rtk_get_modem_firmware_version, ::mip::rtk::get_modem_firmware_version_response)
 MIP_COMMAND_OF(mip_rtk_service_status, ::mip::rtk::service_status_response)

@@ -16,21 +16,16 @@
 extern "C" {
 #endif
 
-/** Decodes rtk.get_status_flags_response. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_status_flags_response_decode_inline(
     struct mip_rtk_get_status_flags_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x81, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->flags = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds rtk.get_status_flags_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
     const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -42,14 +37,10 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode_inl
     return MIP_OK;
 }
 
-/** Decodes rtk.get_imei_response. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imei_response_decode_inline(
     struct mip_rtk_get_imei_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x82, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 32)) {
         return error;
     }
     memcpy(value->imei, field->data, 32);
@@ -57,7 +48,6 @@ static inline mip_error mip_rtk_get_imei_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds rtk.get_imei_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode_inline(
     const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -69,14 +59,10 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes rtk.get_imsi_response. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imsi_response_decode_inline(
     struct mip_rtk_get_imsi_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x83, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 32)) {
         return error;
     }
     memcpy(value->imsi, field->data, 32);
@@ -84,7 +70,6 @@ static inline mip_error mip_rtk_get_imsi_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds rtk.get_imsi_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode_inline(
     const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -96,14 +81,10 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes rtk.get_iccid_response. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_iccid_response_decode_inline(
     struct mip_rtk_get_iccid_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x84, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 32)) {
         return error;
     }
     memcpy(value->iccid, field->data, 32);
@@ -111,7 +92,6 @@ static inline mip_error mip_rtk_get_iccid_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds rtk.get_iccid_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode_inline(
     const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -123,14 +103,10 @@ MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes rtk.get_rssi_response. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_rssi_response_decode_inline(
     struct mip_rtk_get_rssi_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x85, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 9)) {
         return error;
     }
     value->valid = mip_get_8(field->data);
@@ -139,7 +115,6 @@ static inline mip_error mip_rtk_get_rssi_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds rtk.get_rssi_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode_inline(
     const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -153,21 +128,16 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes rtk.connected_device_type_response. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_connected_device_type_response_decode_inline(
     struct mip_rtk_connected_device_type_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x86, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->device_type = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds rtk.connected_device_type_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
     const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -179,14 +149,10 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encod
     return MIP_OK;
 }
 
-/** Decodes rtk.get_activation_code_response. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_activation_code_response_decode_inline(
     struct mip_rtk_get_activation_code_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x87, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 32)) {
         return error;
     }
     memcpy(value->activation_code, field->data, 32);
@@ -194,7 +160,6 @@ static inline mip_error mip_rtk_get_activation_code_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds rtk.get_activation_code_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
     const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -206,14 +171,10 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode_
     return MIP_OK;
 }
 
-/** Decodes rtk.get_modem_firmware_version_response. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_modem_firmware_version_response_decode_inline(
     struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x88, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 32)) {
         return error;
     }
     memcpy(value->modem_firmware_version, field->data, 32);
@@ -221,8 +182,6 @@ static inline mip_error mip_rtk_get_modem_firmware_version_response_decode_inlin
     return MIP_OK;
 }
 
-/** Adds rtk.get_modem_firmware_version_response to a packet. On an error the packet is unchanged.
- */
 MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inline(
     const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -234,14 +193,10 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_
     return MIP_OK;
 }
 
-/** Decodes rtk.service_status. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_service_status_decode_inline(struct mip_rtk_service_status *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x0A, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 8)) {
         return error;
     }
     value->reserved1 = mip_get_32(field->data);
@@ -249,7 +204,6 @@ static inline mip_error mip_rtk_service_status_decode_inline(struct mip_rtk_serv
     return MIP_OK;
 }
 
-/** Adds rtk.service_status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_service_status_encode_inline(
     const struct mip_rtk_service_status *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -262,14 +216,10 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes rtk.service_status_response. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_service_status_response_decode_inline(
     struct mip_rtk_service_status_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x8A, 17);
-    if (error != MIP_OK || sizeof(*value) != 17) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 17)) {
         return error;
     }
     value->flags = mip_get_8(field->data);
@@ -279,7 +229,6 @@ static inline mip_error mip_rtk_service_status_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds rtk.service_status_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode_inline(
     const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -294,21 +243,16 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes rtk.erase_storage. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_erase_storage_decode_inline(struct mip_rtk_erase_storage *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x20, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->media = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds rtk.erase_storage to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode_inline(
     const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -320,14 +264,10 @@ MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes rtk.led_control. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_led_control_decode_inline(struct mip_rtk_led_control *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x21, 11);
-    if (error != MIP_OK || sizeof(*value) != 11) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 11)) {
         return error;
     }
     memcpy(value->primary_color, field->data, 3);
@@ -337,7 +277,6 @@ static inline mip_error mip_rtk_led_control_decode_inline(struct mip_rtk_led_con
     return MIP_OK;
 }
 
-/** Adds rtk.led_control to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_led_control_encode_inline(
     const struct mip_rtk_led_control *value, struct mip_builder *builder) {
     uint8_t *data;

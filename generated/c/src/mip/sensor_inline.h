@@ -16,14 +16,10 @@
 extern "C" {
 #endif
 
-/** Decodes sensor.raw_accel. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_accel_decode_inline(struct mip_sensor_raw_accel *value,
                                                            const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x01, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -32,7 +28,6 @@ static inline mip_error mip_sensor_raw_accel_decode_inline(struct mip_sensor_raw
     return MIP_OK;
 }
 
-/** Adds sensor.raw_accel to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_raw_accel_encode_inline(
     const struct mip_sensor_raw_accel *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -46,14 +41,10 @@ MIP_CHECKED static inline mip_error mip_sensor_raw_accel_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.raw_gyro. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_gyro_decode_inline(struct mip_sensor_raw_gyro *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x02, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -62,7 +53,6 @@ static inline mip_error mip_sensor_raw_gyro_decode_inline(struct mip_sensor_raw_
     return MIP_OK;
 }
 
-/** Adds sensor.raw_gyro to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_raw_gyro_encode_inline(
     const struct mip_sensor_raw_gyro *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -76,14 +66,10 @@ MIP_CHECKED static inline mip_error mip_sensor_raw_gyro_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.raw_mag. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_mag_decode_inline(struct mip_sensor_raw_mag *value,
                                                          const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x03, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -92,7 +78,6 @@ static inline mip_error mip_sensor_raw_mag_decode_inline(struct mip_sensor_raw_m
     return MIP_OK;
 }
 
-/** Adds sensor.raw_mag to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_raw_mag_encode_inline(
     const struct mip_sensor_raw_mag *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -106,14 +91,10 @@ MIP_CHECKED static inline mip_error mip_sensor_raw_mag_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.scaled_accel. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_accel_decode_inline(struct mip_sensor_scaled_accel *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x04, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -122,7 +103,6 @@ static inline mip_error mip_sensor_scaled_accel_decode_inline(struct mip_sensor_
     return MIP_OK;
 }
 
-/** Adds sensor.scaled_accel to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_scaled_accel_encode_inline(
     const struct mip_sensor_scaled_accel *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -136,14 +116,10 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_accel_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.scaled_gyro. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_gyro_decode_inline(struct mip_sensor_scaled_gyro *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x05, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -152,7 +128,6 @@ static inline mip_error mip_sensor_scaled_gyro_decode_inline(struct mip_sensor_s
     return MIP_OK;
 }
 
-/** Adds sensor.scaled_gyro to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_scaled_gyro_encode_inline(
     const struct mip_sensor_scaled_gyro *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -166,14 +141,10 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_gyro_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.scaled_mag. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_mag_decode_inline(struct mip_sensor_scaled_mag *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x06, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -182,7 +153,6 @@ static inline mip_error mip_sensor_scaled_mag_decode_inline(struct mip_sensor_sc
     return MIP_OK;
 }
 
-/** Adds sensor.scaled_mag to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_scaled_mag_encode_inline(
     const struct mip_sensor_scaled_mag *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -196,14 +166,10 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_mag_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.delta_theta. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_delta_theta_decode_inline(struct mip_sensor_delta_theta *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x07, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -212,7 +178,6 @@ static inline mip_error mip_sensor_delta_theta_decode_inline(struct mip_sensor_d
     return MIP_OK;
 }
 
-/** Adds sensor.delta_theta to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_delta_theta_encode_inline(
     const struct mip_sensor_delta_theta *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -226,14 +191,10 @@ MIP_CHECKED static inline mip_error mip_sensor_delta_theta_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.delta_velocity. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_delta_velocity_decode_inline(
     struct mip_sensor_delta_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x08, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -242,7 +203,6 @@ static inline mip_error mip_sensor_delta_velocity_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.delta_velocity to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_delta_velocity_encode_inline(
     const struct mip_sensor_delta_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -256,14 +216,10 @@ MIP_CHECKED static inline mip_error mip_sensor_delta_velocity_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.comp_orientation_matrix. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_orientation_matrix_decode_inline(
     struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x09, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 36)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -272,7 +228,6 @@ static inline mip_error mip_sensor_comp_orientation_matrix_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.comp_orientation_matrix to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
     const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -286,14 +241,10 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode_in
     return MIP_OK;
 }
 
-/** Decodes sensor.comp_quaternion. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_quaternion_decode_inline(
     struct mip_sensor_comp_quaternion *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0A, 16);
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 16)) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -302,7 +253,6 @@ static inline mip_error mip_sensor_comp_quaternion_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.comp_quaternion to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_comp_quaternion_encode_inline(
     const struct mip_sensor_comp_quaternion *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -316,14 +266,10 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_quaternion_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.comp_orientation_update_matrix. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_orientation_update_matrix_decode_inline(
     struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0B, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 36)) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -332,7 +278,6 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.comp_orientation_update_matrix to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
     const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -346,14 +291,10 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_update_matrix_en
     return MIP_OK;
 }
 
-/** Decodes sensor.comp_euler_angles. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_euler_angles_decode_inline(
     struct mip_sensor_comp_euler_angles *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0C, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -362,7 +303,6 @@ static inline mip_error mip_sensor_comp_euler_angles_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.comp_euler_angles to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
     const struct mip_sensor_comp_euler_angles *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -376,14 +316,10 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.orientation_raw_temperature. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_orientation_raw_temperature_decode_inline(
     struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0D, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 8)) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -392,7 +328,6 @@ static inline mip_error mip_sensor_orientation_raw_temperature_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.orientation_raw_temperature to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
     const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -406,21 +341,16 @@ MIP_CHECKED static inline mip_error mip_sensor_orientation_raw_temperature_encod
     return MIP_OK;
 }
 
-/** Decodes sensor.internal_timestamp. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_internal_timestamp_decode_inline(
     struct mip_sensor_internal_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0E, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->counts = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds sensor.internal_timestamp to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_internal_timestamp_encode_inline(
     const struct mip_sensor_internal_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -432,7 +362,6 @@ MIP_CHECKED static inline mip_error mip_sensor_internal_timestamp_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.pps_timestamp. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_pps_timestamp_decode_inline(
     struct mip_sensor_pps_timestamp *value, const struct mip_field *field) {
     mip_error error = mip_field_check(field, 0x80, 0x0F, 8);
@@ -440,10 +369,7 @@ static inline mip_error mip_sensor_pps_timestamp_decode_inline(
         !mip_codec_matches(&mip_sensor_pps_timestamp_codec, field)) {
         error = MIP_ERROR_LAYOUT;
     }
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 8)) {
         return error;
     }
     value->seconds = mip_get_32(field->data);
@@ -451,7 +377,6 @@ static inline mip_error mip_sensor_pps_timestamp_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.pps_timestamp to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode_inline(
     const struct mip_sensor_pps_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -464,7 +389,6 @@ MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.pps_timestamp_with_flags. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_pps_timestamp_with_flags_decode_inline(
     struct mip_sensor_pps_timestamp_with_flags *value, const struct mip_field *field) {
     mip_error error = mip_field_check(field, 0x80, 0x0F, 9);
@@ -472,10 +396,7 @@ static inline mip_error mip_sensor_pps_timestamp_with_flags_decode_inline(
         !mip_codec_matches(&mip_sensor_pps_timestamp_with_flags_codec, field)) {
         error = MIP_ERROR_LAYOUT;
     }
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 9)) {
         return error;
     }
     value->flags = mip_get_8(field->data);
@@ -484,7 +405,6 @@ static inline mip_error mip_sensor_pps_timestamp_with_flags_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.pps_timestamp_with_flags to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode_inline(
     const struct mip_sensor_pps_timestamp_with_flags *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -498,14 +418,10 @@ MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode_i
     return MIP_OK;
 }
 
-/** Decodes sensor.north_vector. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_north_vector_decode_inline(struct mip_sensor_north_vector *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x10, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -514,7 +430,6 @@ static inline mip_error mip_sensor_north_vector_decode_inline(struct mip_sensor_
     return MIP_OK;
 }
 
-/** Adds sensor.north_vector to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode_inline(
     const struct mip_sensor_north_vector *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -528,14 +443,10 @@ MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.up_vector. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_up_vector_decode_inline(struct mip_sensor_up_vector *value,
                                                            const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x11, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -544,7 +455,6 @@ static inline mip_error mip_sensor_up_vector_decode_inline(struct mip_sensor_up_
     return MIP_OK;
 }
 
-/** Adds sensor.up_vector to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_up_vector_encode_inline(
     const struct mip_sensor_up_vector *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -558,14 +468,10 @@ MIP_CHECKED static inline mip_error mip_sensor_up_vector_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.gps_timestamp. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_gps_timestamp_decode_inline(
     struct mip_sensor_gps_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x12, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -574,7 +480,6 @@ static inline mip_error mip_sensor_gps_timestamp_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.gps_timestamp to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_gps_timestamp_encode_inline(
     const struct mip_sensor_gps_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -588,14 +493,10 @@ MIP_CHECKED static inline mip_error mip_sensor_gps_timestamp_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.temperature_statistics. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_temperature_statistics_decode_inline(
     struct mip_sensor_temperature_statistics *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x14, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_float(&value->min_temperature, field->data);
@@ -604,7 +505,6 @@ static inline mip_error mip_sensor_temperature_statistics_decode_inline(
     return MIP_OK;
 }
 
-/** Adds sensor.temperature_statistics to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_temperature_statistics_encode_inline(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -618,21 +518,16 @@ MIP_CHECKED static inline mip_error mip_sensor_temperature_statistics_encode_inl
     return MIP_OK;
 }
 
-/** Decodes sensor.raw_pressure. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_pressure_decode_inline(struct mip_sensor_raw_pressure *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x16, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     mip_get_float(&value->raw_pressure, field->data);
     return MIP_OK;
 }
 
-/** Adds sensor.raw_pressure to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_raw_pressure_encode_inline(
     const struct mip_sensor_raw_pressure *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -644,21 +539,16 @@ MIP_CHECKED static inline mip_error mip_sensor_raw_pressure_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.scaled_pressure. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_pressure_decode_inline(
     struct mip_sensor_scaled_pressure *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x17, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     mip_get_float(&value->scaled_pressure, field->data);
     return MIP_OK;
 }
 
-/** Adds sensor.scaled_pressure to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_scaled_pressure_encode_inline(
     const struct mip_sensor_scaled_pressure *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -670,21 +560,16 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_pressure_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.overrange_status. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_overrange_status_decode_inline(
     struct mip_sensor_overrange_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x18, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->status = mip_get_16(field->data);
     return MIP_OK;
 }
 
-/** Adds sensor.overrange_status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_overrange_status_encode_inline(
     const struct mip_sensor_overrange_status *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -696,14 +581,10 @@ MIP_CHECKED static inline mip_error mip_sensor_overrange_status_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes sensor.odometer. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_odometer_decode_inline(struct mip_sensor_odometer *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x40, 10);
-    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 10)) {
         return error;
     }
     mip_get_float(&value->speed, field->data);
@@ -712,7 +593,6 @@ static inline mip_error mip_sensor_odometer_decode_inline(struct mip_sensor_odom
     return MIP_OK;
 }
 
-/** Adds sensor.odometer to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_odometer_encode_inline(
     const struct mip_sensor_odometer *value, struct mip_builder *builder) {
     uint8_t *data;

@@ -4,7 +4,7 @@
  * Shared data (0xFF). Fields that every data set can contain. No packet has this descriptor set:
  * the fields are sent in packets of the other data sets.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_SHARED_H
 #define MIP_SHARED_H
@@ -49,8 +49,6 @@ typedef uint16_t mip_shared_external_time_delta_flags;
  *
  * The event trigger that caused the packet.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
- *
  * Put it first in the format of event messages, to distinguish their packets from scheduled ones.
  *
  * - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
@@ -60,36 +58,18 @@ struct mip_shared_event_source {
     uint8_t trigger_id;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_EVENT_SOURCE 0xFFD0
-/** Its descriptor. */
 #define MIP_SHARED_EVENT_SOURCE_DESCRIPTOR 0xD0
-/** Its name in the specification. */
-#define MIP_SHARED_EVENT_SOURCE_NAME "shared.event_source"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_shared_event_source_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
-                                                       const struct mip_field *field) {
-    return mip_decode_only(&mip_shared_event_source_codec, 0xD0, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_shared_event_source_encode(
-    const struct mip_shared_event_source *value, struct mip_builder *builder) {
-    return mip_encode(&mip_shared_event_source_codec, value, builder);
-}
+MIP_FIELD(mip_shared_event_source, 0xD0);
 
 /**
  * Ticks: data (0xFF,0xD1).
  *
  * Base periods since power-up.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: According
- * to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at
- * other rates that time would be longer or shorter.
+ * Known only from the MicroStrain MIP SDK. Uncertain: According to the SDK, the counter returns to
+ * 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates that time would be longer
+ * or shorter.
  *
  * A tick is one period at the base rate of the device.
  *
@@ -100,35 +80,17 @@ struct mip_shared_ticks {
     uint32_t ticks;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_TICKS 0xFFD1
-/** Its descriptor. */
 #define MIP_SHARED_TICKS_DESCRIPTOR 0xD1
-/** Its name in the specification. */
-#define MIP_SHARED_TICKS_NAME "shared.ticks"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_shared_ticks_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value,
-                                                const struct mip_field *field) {
-    return mip_decode_only(&mip_shared_ticks_codec, 0xD1, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
-                                                            struct mip_builder *builder) {
-    return mip_encode(&mip_shared_ticks_codec, value, builder);
-}
+MIP_FIELD(mip_shared_ticks, 0xD1);
 
 /**
  * Delta ticks: data (0xFF,0xD2).
  *
  * Number of base periods between the previous field of this kind and this one.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether
- * each set and each event instance counts separately, as with mip_shared_delta_time.
+ * Known only from the MicroStrain MIP SDK. Uncertain: Each set and each event instance may count
+ * separately, as with mip_shared_delta_time.
  *
  * A tick is one period at the base rate of the device.
  *
@@ -139,34 +101,14 @@ struct mip_shared_delta_ticks {
     uint32_t ticks;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_DELTA_TICKS 0xFFD2
-/** Its descriptor. */
 #define MIP_SHARED_DELTA_TICKS_DESCRIPTOR 0xD2
-/** Its name in the specification. */
-#define MIP_SHARED_DELTA_TICKS_NAME "shared.delta_ticks"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_shared_delta_ticks_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
-                                                      const struct mip_field *field) {
-    return mip_decode_only(&mip_shared_delta_ticks_codec, 0xD2, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode(
-    const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
-    return mip_encode(&mip_shared_delta_ticks_codec, value, builder);
-}
+MIP_FIELD(mip_shared_delta_ticks, 0xD2);
 
 /**
  * GPS timestamp: data (0xFF,0xD3).
  *
  * External time of the data as GPS time of week and week number.
- *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * In event messages it is the time of the trigger.
  *
@@ -197,34 +139,14 @@ struct mip_shared_gps_timestamp {
     mip_shared_gps_timestamp_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_GPS_TIMESTAMP 0xFFD3
-/** Its descriptor. */
 #define MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR 0xD3
-/** Its name in the specification. */
-#define MIP_SHARED_GPS_TIMESTAMP_NAME "shared.gps_timestamp"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_shared_gps_timestamp_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
-                                                        const struct mip_field *field) {
-    return mip_decode_only(&mip_shared_gps_timestamp_codec, 0xD3, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode(
-    const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
-    return mip_encode(&mip_shared_gps_timestamp_codec, value, builder);
-}
+MIP_FIELD(mip_shared_gps_timestamp, 0xD3);
 
 /**
  * Delta time: data (0xFF,0xD4).
  *
  * External time since this field was last sent in the same set and event instance.
- *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is the same as mip_shared_external_time_delta, in other units.
  *
@@ -237,34 +159,14 @@ struct mip_shared_delta_time {
     double seconds;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_DELTA_TIME 0xFFD4
-/** Its descriptor. */
 #define MIP_SHARED_DELTA_TIME_DESCRIPTOR 0xD4
-/** Its name in the specification. */
-#define MIP_SHARED_DELTA_TIME_NAME "shared.delta_time"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_shared_delta_time_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_shared_delta_time_decode(struct mip_shared_delta_time *value,
-                                                     const struct mip_field *field) {
-    return mip_decode_only(&mip_shared_delta_time_codec, 0xD4, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_shared_delta_time_encode(
-    const struct mip_shared_delta_time *value, struct mip_builder *builder) {
-    return mip_encode(&mip_shared_delta_time_codec, value, builder);
-}
+MIP_FIELD(mip_shared_delta_time, 0xD4);
 
 /**
  * Reference timestamp: data (0xFF,0xD5).
  *
  * Time of the data by the internal reference clock.
- *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The clock starts at power-on, only moves forward and never jumps; the value is always valid.
  *
@@ -277,35 +179,14 @@ struct mip_shared_reference_timestamp {
     uint64_t nanoseconds;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP 0xFFD5
-/** Its descriptor. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR 0xD5
-/** Its name in the specification. */
-#define MIP_SHARED_REFERENCE_TIMESTAMP_NAME "shared.reference_timestamp"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_shared_reference_timestamp_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_shared_reference_timestamp_decode(
-    struct mip_shared_reference_timestamp *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_shared_reference_timestamp_codec, 0xD5, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode(
-    const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
-    return mip_encode(&mip_shared_reference_timestamp_codec, value, builder);
-}
+MIP_FIELD(mip_shared_reference_timestamp, 0xD5);
 
 /**
  * Reference time delta: data (0xFF,0xD6).
  *
  * Reference time since this field was last sent in the same set and event instance.
- *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The value is always valid.
  *
@@ -316,35 +197,14 @@ struct mip_shared_reference_time_delta {
     uint64_t dt_nanos;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA 0xFFD6
-/** Its descriptor. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR 0xD6
-/** Its name in the specification. */
-#define MIP_SHARED_REFERENCE_TIME_DELTA_NAME "shared.reference_time_delta"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_shared_reference_time_delta_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_shared_reference_time_delta_decode(
-    struct mip_shared_reference_time_delta *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_shared_reference_time_delta_codec, 0xD6, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode(
-    const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
-    return mip_encode(&mip_shared_reference_time_delta_codec, value, builder);
-}
+MIP_FIELD(mip_shared_reference_time_delta, 0xD6);
 
 /**
  * External timestamp: data (0xFF,0xD7).
  *
  * Time of the data in the external clock domain.
- *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is mip_shared_gps_timestamp in nanoseconds.
  *
@@ -373,35 +233,14 @@ struct mip_shared_external_timestamp {
     mip_shared_external_timestamp_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP 0xFFD7
-/** Its descriptor. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR 0xD7
-/** Its name in the specification. */
-#define MIP_SHARED_EXTERNAL_TIMESTAMP_NAME "shared.external_timestamp"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_shared_external_timestamp_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_shared_external_timestamp_decode(
-    struct mip_shared_external_timestamp *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_shared_external_timestamp_codec, 0xD7, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode(
-    const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
-    return mip_encode(&mip_shared_external_timestamp_codec, value, builder);
-}
+MIP_FIELD(mip_shared_external_timestamp, 0xD7);
 
 /**
  * External time delta: data (0xFF,0xD8).
  *
  * External time since this field was last sent in the same set and event instance.
- *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is the same as mip_shared_delta_time, in other units.
  *
@@ -419,28 +258,9 @@ struct mip_shared_external_time_delta {
     mip_shared_external_time_delta_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA 0xFFD8
-/** Its descriptor. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR 0xD8
-/** Its name in the specification. */
-#define MIP_SHARED_EXTERNAL_TIME_DELTA_NAME "shared.external_time_delta"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_shared_external_time_delta_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_shared_external_time_delta_decode(
-    struct mip_shared_external_time_delta *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_shared_external_time_delta_codec, 0xD8, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode(
-    const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
-    return mip_encode(&mip_shared_external_time_delta_codec, value, builder);
-}
+MIP_FIELD(mip_shared_external_time_delta, 0xD8);
 
 /** @} */
 

@@ -16,21 +16,16 @@
 extern "C" {
 #endif
 
-/** Decodes shared.event_source. On an error the structure is zeroed. */
 static inline mip_error mip_shared_event_source_decode_inline(struct mip_shared_event_source *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD0, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->trigger_id = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds shared.event_source to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_event_source_encode_inline(
     const struct mip_shared_event_source *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -42,21 +37,16 @@ MIP_CHECKED static inline mip_error mip_shared_event_source_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes shared.ticks. On an error the structure is zeroed. */
 static inline mip_error mip_shared_ticks_decode_inline(struct mip_shared_ticks *value,
                                                        const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD1, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->ticks = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds shared.ticks to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_shared_ticks_encode_inline(const struct mip_shared_ticks *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -68,21 +58,16 @@ mip_shared_ticks_encode_inline(const struct mip_shared_ticks *value, struct mip_
     return MIP_OK;
 }
 
-/** Decodes shared.delta_ticks. On an error the structure is zeroed. */
 static inline mip_error mip_shared_delta_ticks_decode_inline(struct mip_shared_delta_ticks *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD2, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 4)) {
         return error;
     }
     value->ticks = mip_get_32(field->data);
     return MIP_OK;
 }
 
-/** Adds shared.delta_ticks to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode_inline(
     const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -94,14 +79,10 @@ MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes shared.gps_timestamp. On an error the structure is zeroed. */
 static inline mip_error mip_shared_gps_timestamp_decode_inline(
     struct mip_shared_gps_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD3, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 12)) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -110,7 +91,6 @@ static inline mip_error mip_shared_gps_timestamp_decode_inline(
     return MIP_OK;
 }
 
-/** Adds shared.gps_timestamp to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode_inline(
     const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -124,21 +104,16 @@ MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes shared.delta_time. On an error the structure is zeroed. */
 static inline mip_error mip_shared_delta_time_decode_inline(struct mip_shared_delta_time *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD4, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 8)) {
         return error;
     }
     mip_get_double(&value->seconds, field->data);
     return MIP_OK;
 }
 
-/** Adds shared.delta_time to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_delta_time_encode_inline(
     const struct mip_shared_delta_time *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -150,21 +125,16 @@ MIP_CHECKED static inline mip_error mip_shared_delta_time_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes shared.reference_timestamp. On an error the structure is zeroed. */
 static inline mip_error mip_shared_reference_timestamp_decode_inline(
     struct mip_shared_reference_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD5, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 8)) {
         return error;
     }
     value->nanoseconds = mip_get_64(field->data);
     return MIP_OK;
 }
 
-/** Adds shared.reference_timestamp to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode_inline(
     const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -176,21 +146,16 @@ MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode_inline
     return MIP_OK;
 }
 
-/** Decodes shared.reference_time_delta. On an error the structure is zeroed. */
 static inline mip_error mip_shared_reference_time_delta_decode_inline(
     struct mip_shared_reference_time_delta *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD6, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 8)) {
         return error;
     }
     value->dt_nanos = mip_get_64(field->data);
     return MIP_OK;
 }
 
-/** Adds shared.reference_time_delta to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode_inline(
     const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -202,14 +167,10 @@ MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode_inlin
     return MIP_OK;
 }
 
-/** Decodes shared.external_timestamp. On an error the structure is zeroed. */
 static inline mip_error mip_shared_external_timestamp_decode_inline(
     struct mip_shared_external_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD7, 10);
-    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 10)) {
         return error;
     }
     value->nanoseconds = mip_get_64(field->data);
@@ -217,7 +178,6 @@ static inline mip_error mip_shared_external_timestamp_decode_inline(
     return MIP_OK;
 }
 
-/** Adds shared.external_timestamp to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode_inline(
     const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -230,14 +190,10 @@ MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes shared.external_time_delta. On an error the structure is zeroed. */
 static inline mip_error mip_shared_external_time_delta_decode_inline(
     struct mip_shared_external_time_delta *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD8, 10);
-    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 10)) {
         return error;
     }
     value->dt_nanos = mip_get_64(field->data);
@@ -245,7 +201,6 @@ static inline mip_error mip_shared_external_time_delta_decode_inline(
     return MIP_OK;
 }
 
-/** Adds shared.external_time_delta to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode_inline(
     const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
     uint8_t *data;

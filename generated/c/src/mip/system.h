@@ -3,7 +3,7 @@
  *
  * System (0x7F). Advanced commands of devices that consist of several intelligent parts.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_SYSTEM_H
 #define MIP_SYSTEM_H
@@ -47,11 +47,11 @@ enum mip_system_protocol_mode MIP_ENUM_8 {
     MIP_SYSTEM_PROTOCOL_MODE_STANDARD = 1,
     /** The internal inertial sensor; the protocol is MIP. */
     MIP_SYSTEM_PROTOCOL_MODE_SENSOR_DIRECT = 2,
-    /** The internal GNSS receiver, if there is one; the protocols are NMEA and UBX. */
+    /** The internal GNSS receiver; the protocols are NMEA and UBX. Requires a receiver. */
     MIP_SYSTEM_PROTOCOL_MODE_GNSS_DIRECT = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
 
 /**
@@ -60,7 +60,6 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  * Sets the protocols that a port receives and sends.
  *
  * Functions: write, read, save, load and default. Response: mip_system_interface_control_response.
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions.
  *
@@ -79,16 +78,13 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Ports
  */
 struct mip_system_interface_control {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: Whether
-     * write and read accept `all`.
+     * Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: No
+     * source states whether write and read accept `all`.
      */
     uint8_t port;
     /** Protocols that the port receives. Required for write. */
@@ -97,36 +93,11 @@ struct mip_system_interface_control {
     mip_system_comm_protocols protocols_outgoing;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_INTERFACE_CONTROL 0x7F02
-/** Its descriptor. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_DESCRIPTOR 0x02
-/** Its name in the specification. */
-#define MIP_SYSTEM_INTERFACE_CONTROL_NAME "system.interface_control"
+MIP_FIELD(mip_system_interface_control, 0x02);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_system_interface_control_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_system_interface_control_decode(
-    struct mip_system_interface_control *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_system_interface_control_codec, 0x02, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_system_interface_control_encode(
-    const struct mip_system_interface_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_system_interface_control_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
- * - protocols_incoming: Protocols that the port receives. Required for write.
- * - protocols_outgoing: Protocols that the port sends. Required for write.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_system_interface_control *mip_system_interface_control_write(
     struct mip_system_interface_control *command, enum mip_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
@@ -138,12 +109,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     return command;
 }
 
-/**
- * Return the current setting in a response. Fills the structure and returns its address.
- *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
- */
+/** Fills the structure for `read`, and returns it. */
 static inline struct mip_system_interface_control *mip_system_interface_control_read(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -152,12 +118,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     return command;
 }
 
-/**
- * Save the current setting to non-volatile memory. Fills the structure and returns its address.
- *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
- */
+/** Fills the structure for `save`, and returns it. */
 static inline struct mip_system_interface_control *mip_system_interface_control_save(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -166,12 +127,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     return command;
 }
 
-/**
- * Load the saved setting. Fills the structure and returns its address.
- *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
- */
+/** Fills the structure for `load`, and returns it. */
 static inline struct mip_system_interface_control *mip_system_interface_control_load(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -180,12 +136,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     return command;
 }
 
-/**
- * Load the factory default setting. Fills the structure and returns its address.
- *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
- */
+/** Fills the structure for `default`, and returns it. */
 static inline struct mip_system_interface_control *mip_system_interface_control_default(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -197,15 +148,15 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 /**
  * Interface control response: response (0x7F,0x82).
  *
- * Response to mip_system_interface_control. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_system_interface_control.
  *
  * - mip-sdk-4: Interface control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
  */
 struct mip_system_interface_control_response {
     /**
-     * Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: Whether
-     * write and read accept `all`.
+     * Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: No
+     * source states whether write and read accept `all`.
      */
     uint8_t port;
     /** Protocols that the port receives. */
@@ -214,27 +165,17 @@ struct mip_system_interface_control_response {
     mip_system_comm_protocols protocols_outgoing;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE 0x7F82
-/** Its descriptor. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_DESCRIPTOR 0x82
-/** Its name in the specification. */
-#define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_NAME "system.interface_control_response"
+MIP_FIELD(mip_system_interface_control_response, 0x82);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_system_interface_control_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_system_interface_control_response_decode(
-    struct mip_system_interface_control_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_system_interface_control_response_codec, 0x82, value,
-                           sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode(
-    const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_system_interface_control_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_system_interface_control *mip_system_interface_control_write_from(
+    struct mip_system_interface_control *command,
+    const struct mip_system_interface_control_response *response) {
+    return mip_system_interface_control_write(command, (enum mip_comm_interface)response->port,
+                                              response->protocols_incoming,
+                                              response->protocols_outgoing);
 }
 
 /**
@@ -243,7 +184,7 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode
  * Switches the port between the device and one of its internal sensors.
  *
  * For advanced use. Functions: write, read, save, load and default. Response:
- * mip_system_comm_mode_response. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * mip_system_comm_mode_response.
  *
  * The ACK is sent in the old mode, just before the switch.
  *
@@ -252,50 +193,29 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
 struct mip_system_comm_mode {
-    /**
-     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
-     * the required ones.
-     */
+    /** Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant. */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Communication mode. A value of enum mip_system_protocol_mode. Default:
-     * MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
+     * MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-CV5-15, -25, 3DM-CX5-15,
+     * -25, 3DM-GX4-15, -25, 3DM-GX5-15 and -25: only MIP_SYSTEM_PROTOCOL_MODE_STANDARD and
+     * MIP_SYSTEM_PROTOCOL_MODE_SENSOR_DIRECT. On the 3DM-GX5-35: default
      * MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
      */
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_COMM_MODE 0x7F10
-/** Its descriptor. */
 #define MIP_SYSTEM_COMM_MODE_DESCRIPTOR 0x10
-/** Its name in the specification. */
-#define MIP_SYSTEM_COMM_MODE_NAME "system.comm_mode"
+MIP_FIELD(mip_system_comm_mode, 0x10);
+MIP_FILL(mip_system_comm_mode, read, MIP_FUNCTION_SELECTOR_READ);
+MIP_FILL(mip_system_comm_mode, save, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_FILL(mip_system_comm_mode, load, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_FILL(mip_system_comm_mode, default, MIP_FUNCTION_SELECTOR_DEFAULT);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_system_comm_mode_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode *value,
-                                                    const struct mip_field *field) {
-    return mip_decode_only(&mip_system_comm_mode_codec, 0x10, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error
-mip_system_comm_mode_encode(const struct mip_system_comm_mode *value, struct mip_builder *builder) {
-    return mip_encode(&mip_system_comm_mode_codec, value, builder);
-}
-
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: Communication mode. A value of enum mip_system_protocol_mode. Default:
- *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
- *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
- */
+/** Fills the structure for `write`, and returns it. */
 static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     struct mip_system_comm_mode *command, enum mip_system_protocol_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -304,42 +224,10 @@ static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     return command;
 }
 
-/** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_system_comm_mode *
-mip_system_comm_mode_read(struct mip_system_comm_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_READ;
-    return command;
-}
-
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_system_comm_mode *
-mip_system_comm_mode_save(struct mip_system_comm_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    return command;
-}
-
-/** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_system_comm_mode *
-mip_system_comm_mode_load(struct mip_system_comm_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    return command;
-}
-
-/** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_system_comm_mode *
-mip_system_comm_mode_default(struct mip_system_comm_mode *command) {
-    memset(command, 0, sizeof(*command));
-    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return command;
-}
-
 /**
  * Communication mode response: response (0x7F,0x90).
  *
- * Response to mip_system_comm_mode. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Response to mip_system_comm_mode.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
@@ -351,27 +239,14 @@ struct mip_system_comm_mode_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE 0x7F90
-/** Its descriptor. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE_DESCRIPTOR 0x90
-/** Its name in the specification. */
-#define MIP_SYSTEM_COMM_MODE_RESPONSE_NAME "system.comm_mode_response"
+MIP_FIELD(mip_system_comm_mode_response, 0x90);
 
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_system_comm_mode_response_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_system_comm_mode_response_decode(
-    struct mip_system_comm_mode_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_system_comm_mode_response_codec, 0x90, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode(
-    const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_system_comm_mode_response_codec, value, builder);
+/** Fills the structure for `write` with the values of a response, and returns it. */
+static inline struct mip_system_comm_mode *mip_system_comm_mode_write_from(
+    struct mip_system_comm_mode *command, const struct mip_system_comm_mode_response *response) {
+    return mip_system_comm_mode_write(command, (enum mip_system_protocol_mode)response->mode);
 }
 
 /** @} */

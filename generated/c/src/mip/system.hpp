@@ -10,12 +10,13 @@
 
 namespace mip {
 
-MIP_LAYOUT(mip_system_interface_control, MIP_SYSTEM_INTERFACE_CONTROL, MIP_SYSTEM_INTERFACE_CONTROL)
-MIP_LAYOUT(mip_system_comm_mode, MIP_SYSTEM_COMM_MODE, MIP_SYSTEM_COMM_MODE)
+MIP_LAYOUT(mip_system_interface_control, MIP_SYSTEM_INTERFACE_CONTROL, MIP_SYSTEM_INTERFACE_CONTROL,
+           "system.interface_control")
+MIP_LAYOUT(mip_system_comm_mode, MIP_SYSTEM_COMM_MODE, MIP_SYSTEM_COMM_MODE, "system.comm_mode")
 MIP_LAYOUT(mip_system_interface_control_response, MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE,
-           MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE)
+           MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE, "system.interface_control_response")
 MIP_LAYOUT(mip_system_comm_mode_response, MIP_SYSTEM_COMM_MODE_RESPONSE,
-           MIP_SYSTEM_COMM_MODE_RESPONSE)
+           MIP_SYSTEM_COMM_MODE_RESPONSE, "system.comm_mode_response")
 
 /** System */
 inline constexpr std::uint8_t system_set = MIP_SYSTEM_SET;

@@ -19,29 +19,17 @@ extern "C" {
 /** @addtogroup mip_system System (0x7F)
  * @{ */
 
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_system_interface_control_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_system_interface_control_exchange;
-
-/**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Interface control. If the
- * command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_system_interface_control(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_system_interface_control *command,
-    struct mip_system_interface_control_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_system_interface_control_command, command,
-                           &mip_system_interface_control_response_codec, response, now);
-}
+MIP_COMMAND_REPLIES(mip_system_interface_control);
+MIP_SEND(mip_send_system_interface_control, mip_system_interface_control,
+         mip_system_interface_control_response);
+MIP_CALL_WITH(mip_call_system_interface_control_with, mip_system_interface_control,
+              mip_system_interface_control_response);
 
 /**
- * Interface control: write. Apply the new setting. See mip_device_call.
+ * Interface control: write.
  *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: No
+ *   source states whether write and read accept `all`.
  * - protocols_incoming: Protocols that the port receives. Required for write.
  * - protocols_outgoing: Protocols that the port sends. Required for write.
  */
@@ -57,150 +45,77 @@ static inline struct mip_result mip_call_system_interface_control_write(
 }
 
 /**
- * Interface control: read. Return the current setting in a response. See mip_device_call.
+ * Interface control: read.
  *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: No
+ *   source states whether write and read accept `all`.
  */
 static inline struct mip_result
 mip_call_system_interface_control_read(struct mip_device *device, enum mip_comm_interface port,
                                        struct mip_system_interface_control_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)port);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_READ, (uint8_t)port};
     return mip_device_request(device, &mip_system_interface_control_exchange, data, 2,
                               &mip_system_interface_control_response_codec, response);
 }
 
 /**
- * Interface control: save. Save the current setting to non-volatile memory. See mip_device_call.
+ * Interface control: save.
  *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: No
+ *   source states whether write and read accept `all`.
  */
 static inline struct mip_result
 mip_call_system_interface_control_save(struct mip_device *device, enum mip_comm_interface port) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    mip_put_8(data + 1, (uint8_t)port);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_SAVE, (uint8_t)port};
     return mip_device_send(device, &mip_system_interface_control_exchange, data, 2);
 }
 
 /**
- * Interface control: load. Load the saved setting. See mip_device_call.
+ * Interface control: load.
  *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: No
+ *   source states whether write and read accept `all`.
  */
 static inline struct mip_result
 mip_call_system_interface_control_load(struct mip_device *device, enum mip_comm_interface port) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    mip_put_8(data + 1, (uint8_t)port);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_LOAD, (uint8_t)port};
     return mip_device_send(device, &mip_system_interface_control_exchange, data, 2);
 }
 
 /**
- * Interface control: default. Load the factory default setting. See mip_device_call.
+ * Interface control: default.
  *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: No
+ *   source states whether write and read accept `all`.
  */
 static inline struct mip_result
 mip_call_system_interface_control_default(struct mip_device *device, enum mip_comm_interface port) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    mip_put_8(data + 1, (uint8_t)port);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT, (uint8_t)port};
     return mip_device_send(device, &mip_system_interface_control_exchange, data, 2);
 }
 
-/**
- * Interface control: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_system_interface_control_with(
-    struct mip_device *device, const struct mip_system_interface_control *command,
-    struct mip_system_interface_control_response *response) {
-    return mip_device_call(device, &mip_system_interface_control_command, command,
-                           &mip_system_interface_control_response_codec, response);
-}
-
-/** The description of the command for the client. */
-extern MIP_API const struct mip_command mip_system_comm_mode_command;
-
-/** The description of its replies. */
-extern MIP_API const struct mip_exchange mip_system_comm_mode_exchange;
+MIP_COMMAND_REPLIES(mip_system_comm_mode);
+MIP_SEND(mip_send_system_comm_mode, mip_system_comm_mode, mip_system_comm_mode_response);
+MIP_CALL_FOR(mip_call_system_comm_mode_read, mip_system_comm_mode, MIP_FUNCTION_SELECTOR_READ,
+             mip_system_comm_mode_response);
+MIP_CALL(mip_call_system_comm_mode_save, mip_system_comm_mode, MIP_FUNCTION_SELECTOR_SAVE);
+MIP_CALL(mip_call_system_comm_mode_load, mip_system_comm_mode, MIP_FUNCTION_SELECTOR_LOAD);
+MIP_CALL(mip_call_system_comm_mode_default, mip_system_comm_mode, MIP_FUNCTION_SELECTOR_DEFAULT);
+MIP_CALL_WITH(mip_call_system_comm_mode_with, mip_system_comm_mode, mip_system_comm_mode_response);
 
 /**
- * Adds the command to a packet and tracks its reply: see mip_client_send. Communication mode. If
- * the command requests the response, it is stored in `response`, which may be NULL.
- */
-static inline mip_error mip_send_system_comm_mode(struct mip_client *client,
-                                                  struct mip_request *request,
-                                                  struct mip_builder *packet,
-                                                  const struct mip_system_comm_mode *command,
-                                                  struct mip_system_comm_mode_response *response,
-                                                  uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_system_comm_mode_command, command,
-                           &mip_system_comm_mode_response_codec, response, now);
-}
-
-/**
- * Communication mode: write. Apply the new setting. See mip_device_call.
+ * Communication mode: write.
  *
  * - mode: Communication mode. A value of enum mip_system_protocol_mode. Default:
- *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
+ *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-CV5-15, -25, 3DM-CX5-15, -25,
+ *   3DM-GX4-15, -25, 3DM-GX5-15 and -25: only MIP_SYSTEM_PROTOCOL_MODE_STANDARD and
+ *   MIP_SYSTEM_PROTOCOL_MODE_SENSOR_DIRECT. On the 3DM-GX5-35: default
  *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
  */
 static inline struct mip_result
 mip_call_system_comm_mode_write(struct mip_device *device, enum mip_system_protocol_mode mode) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)mode);
+    const uint8_t data[] = {(uint8_t)MIP_FUNCTION_SELECTOR_WRITE, (uint8_t)mode};
     return mip_device_send(device, &mip_system_comm_mode_exchange, data, 2);
-}
-
-/** Communication mode: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_system_comm_mode_read(
-    struct mip_device *device, struct mip_system_comm_mode_response *response) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_request(device, &mip_system_comm_mode_exchange, data, 1,
-                              &mip_system_comm_mode_response_codec, response);
-}
-
-/**
- * Communication mode: save. Save the current setting to non-volatile memory. See mip_device_call.
- */
-static inline struct mip_result mip_call_system_comm_mode_save(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1);
-}
-
-/** Communication mode: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_system_comm_mode_load(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1);
-}
-
-/** Communication mode: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_system_comm_mode_default(struct mip_device *device) {
-    uint8_t data[1];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1);
-}
-
-/**
- * Communication mode: calls the command with these values, including optional parameters. See
- * mip_device_call.
- */
-static inline struct mip_result mip_call_system_comm_mode_with(
-    struct mip_device *device, const struct mip_system_comm_mode *command,
-    struct mip_system_comm_mode_response *response) {
-    return mip_device_call(device, &mip_system_comm_mode_command, command,
-                           &mip_system_comm_mode_response_codec, response);
 }
 
 /** @} */

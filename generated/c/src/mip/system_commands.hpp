@@ -12,7 +12,11 @@
 namespace mip {
 
 MIP_COMMAND_OF(mip_system_interface_control, ::mip::system::interface_control_response)
+MIP_CHANGE_OF(mip_system_interface_control, ::mip::system::interface_control_response,
+              mip_system_interface_control_write_from)
 MIP_COMMAND_OF(mip_system_comm_mode, ::mip::system::comm_mode_response)
+MIP_CHANGE_OF(mip_system_comm_mode, ::mip::system::comm_mode_response,
+              mip_system_comm_mode_write_from)
 
 namespace system {
 

@@ -3,7 +3,7 @@
  *
  * System data (0xA0). State of the device as a whole.
  *
- * Devices that only probably support a field are listed in mip/profiles.h, not here.
+ * The devices that support a field are in mip/profiles.h.
  */
 #ifndef MIP_SYSTEM_DATA_H
 #define MIP_SYSTEM_DATA_H
@@ -40,8 +40,7 @@ typedef uint8_t mip_system_data_gpio_pin_states;
  *
  * Flags of the tests that run all the time.
  *
- * Supported by 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware
- * > 1.0.10.
+ * On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * The field is long; stream it at a low rate or poll it.
  *
@@ -59,43 +58,23 @@ typedef uint8_t mip_system_data_gpio_pin_states;
 struct mip_system_data_built_in_test {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit.
-     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
+     * byte. On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS,
+     * 3DM-GV7-AHRS, -AR and -INS: values of mip_cv7_inertial_bit. On the 3DM-CV7-GNSS/INS: values
+     * of mip_cv7_continuous_built_in_test.
      */
     uint8_t result[16];
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST 0xA001
-/** Its descriptor. */
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST_DESCRIPTOR 0x01
-/** Its name in the specification. */
-#define MIP_SYSTEM_DATA_BUILT_IN_TEST_NAME "system_data.built_in_test"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_system_data_built_in_test_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_system_data_built_in_test_decode(
-    struct mip_system_data_built_in_test *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_system_data_built_in_test_codec, 0x01, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode(
-    const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
-    return mip_encode(&mip_system_data_built_in_test_codec, value, builder);
-}
+MIP_FIELD(mip_system_data_built_in_test, 0x01);
 
 /**
  * Time sync status: data (0xA0,0x02).
  *
  * Synchronization of the device time with the pulse per second.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware >
- * 1.0.10.
+ * On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
  */
@@ -106,35 +85,16 @@ struct mip_system_data_time_sync_status {
     uint8_t last_pps_received;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS 0xA002
-/** Its descriptor. */
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_DESCRIPTOR 0x02
-/** Its name in the specification. */
-#define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_NAME "system_data.time_sync_status"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_system_data_time_sync_status_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_system_data_time_sync_status_decode(
-    struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_system_data_time_sync_status_codec, 0x02, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode(
-    const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
-    return mip_encode(&mip_system_data_time_sync_status_codec, value, builder);
-}
+MIP_FIELD(mip_system_data_time_sync_status, 0x02);
 
 /**
  * GPIO state: data (0xA0,0x03).
  *
  * Levels of all user GPIO pins.
  *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * A pulse that is shorter than the period at which the field is sent is missed.
  *
@@ -152,34 +112,16 @@ struct mip_system_data_gpio_state {
     mip_system_data_gpio_pin_states states;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_DATA_GPIO_STATE 0xA003
-/** Its descriptor. */
 #define MIP_SYSTEM_DATA_GPIO_STATE_DESCRIPTOR 0x03
-/** Its name in the specification. */
-#define MIP_SYSTEM_DATA_GPIO_STATE_NAME "system_data.gpio_state"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_system_data_gpio_state_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *value,
-                                                          const struct mip_field *field) {
-    return mip_decode_only(&mip_system_data_gpio_state_codec, 0x03, value, sizeof(*value), field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode(
-    const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
-    return mip_encode(&mip_system_data_gpio_state_codec, value, builder);
-}
+MIP_FIELD(mip_system_data_gpio_state, 0x03);
 
 /**
  * GPIO analog value: data (0xA0,0x04).
  *
  * Voltage at one GPIO pin.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Known only from the MicroStrain MIP SDK.
  *
  * Only for pins that are configured as analog inputs.
  *
@@ -192,28 +134,9 @@ struct mip_system_data_gpio_analog_value {
     float value;
 };
 
-/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE 0xA004
-/** Its descriptor. */
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_DESCRIPTOR 0x04
-/** Its name in the specification. */
-#define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_NAME "system_data.gpio_analog_value"
-
-/** The field's wire format. */
-extern MIP_API const struct mip_codec mip_system_data_gpio_analog_value_codec;
-
-/** Decodes the field. On an error the structure is zeroed. */
-static inline mip_error mip_system_data_gpio_analog_value_decode(
-    struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_system_data_gpio_analog_value_codec, 0x04, value, sizeof(*value),
-                           field);
-}
-
-/** Adds the field to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode(
-    const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
-    return mip_encode(&mip_system_data_gpio_analog_value_codec, value, builder);
-}
+MIP_FIELD(mip_system_data_gpio_analog_value, 0x04);
 
 /** @} */
 

@@ -16,21 +16,16 @@
 extern "C" {
 #endif
 
-/** Decodes system_data.built_in_test. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_built_in_test_decode_inline(
     struct mip_system_data_built_in_test *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xA0, 0x01, 16);
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 16)) {
         return error;
     }
     memcpy(value->result, field->data, 16);
     return MIP_OK;
 }
 
-/** Adds system_data.built_in_test to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode_inline(
     const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -42,14 +37,10 @@ MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes system_data.time_sync_status. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_time_sync_status_decode_inline(
     struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xA0, 0x02, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 2)) {
         return error;
     }
     value->time_sync = mip_get_8(field->data);
@@ -57,7 +48,6 @@ static inline mip_error mip_system_data_time_sync_status_decode_inline(
     return MIP_OK;
 }
 
-/** Adds system_data.time_sync_status to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode_inline(
     const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -70,21 +60,16 @@ MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode_inli
     return MIP_OK;
 }
 
-/** Decodes system_data.gpio_state. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_gpio_state_decode_inline(
     struct mip_system_data_gpio_state *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xA0, 0x03, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->states = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds system_data.gpio_state to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode_inline(
     const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -96,14 +81,10 @@ MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode_inline(
     return MIP_OK;
 }
 
-/** Decodes system_data.gpio_analog_value. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_gpio_analog_value_decode_inline(
     struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xA0, 0x04, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 5)) {
         return error;
     }
     value->gpio_id = mip_get_8(field->data);
@@ -111,7 +92,6 @@ static inline mip_error mip_system_data_gpio_analog_value_decode_inline(
     return MIP_OK;
 }
 
-/** Adds system_data.gpio_analog_value to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode_inline(
     const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
     uint8_t *data;

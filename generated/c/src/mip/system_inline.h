@@ -16,14 +16,10 @@
 extern "C" {
 #endif
 
-/** Decodes system.interface_control_response. On an error the structure is zeroed. */
 static inline mip_error mip_system_interface_control_response_decode_inline(
     struct mip_system_interface_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x7F, 0x82, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 9)) {
         return error;
     }
     value->port = mip_get_8(field->data);
@@ -32,7 +28,6 @@ static inline mip_error mip_system_interface_control_response_decode_inline(
     return MIP_OK;
 }
 
-/** Adds system.interface_control_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode_inline(
     const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
@@ -46,21 +41,16 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode
     return MIP_OK;
 }
 
-/** Decodes system.comm_mode_response. On an error the structure is zeroed. */
 static inline mip_error mip_system_comm_mode_response_decode_inline(
     struct mip_system_comm_mode_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x7F, 0x90, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
+    if (mip_cleared(error, value, sizeof(*value), 1)) {
         return error;
     }
     value->mode = mip_get_8(field->data);
     return MIP_OK;
 }
 
-/** Adds system.comm_mode_response to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode_inline(
     const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
     uint8_t *data;

@@ -25,11 +25,11 @@ typedef uint32_t mip_gx5_built_in_test;
 #define MIP_GX5_BUILT_IN_TEST_WATCHDOG_RESET UINT32_C(0x00000001)
 /** Bit 8. No communication with the inertial sensor. */
 #define MIP_GX5_BUILT_IN_TEST_IMU_COMM_FAULT UINT32_C(0x00000100)
-/** Bit 9. Magnetometer fault, on devices that have one. Concerns mip_sensor_scaled_mag. */
+/** Bit 9. Magnetometer fault, on devices that have one. Affects mip_sensor_scaled_mag. */
 #define MIP_GX5_BUILT_IN_TEST_MAG_FAULT UINT32_C(0x00000200)
-/** Bit 10. Pressure sensor fault, on devices that have one. Concerns mip_sensor_scaled_pressure. */
+/** Bit 10. Pressure sensor fault, on devices that have one. Affects mip_sensor_scaled_pressure. */
 #define MIP_GX5_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00000400)
-/** Bit 24. Fault of the estimation filter solution. Concerns mip_filter_reset. */
+/** Bit 24. Fault of the estimation filter solution. Affects mip_filter_reset. */
 #define MIP_GX5_BUILT_IN_TEST_SOLUTION_FAULT UINT32_C(0x01000000)
 
 /**
@@ -46,20 +46,20 @@ typedef uint32_t mip_cv7_built_in_test;
 #define MIP_CV7_BUILT_IN_TEST_TIMING_OVERLOAD UINT32_C(0x00000004)
 /** Bit 3. A data buffer was full, usually because too much data is streamed. */
 #define MIP_CV7_BUILT_IN_TEST_BUFFER_OVERRUN UINT32_C(0x00000008)
-/** Bit 12. The accelerometer is damaged or does not work. Concerns mip_sensor_scaled_accel. */
+/** Bit 12. The accelerometer is damaged or does not work. Affects mip_sensor_scaled_accel. */
 #define MIP_CV7_BUILT_IN_TEST_ACCEL_FAULT UINT32_C(0x00001000)
-/** Bit 13. The gyroscope is damaged or does not work. Concerns mip_sensor_scaled_gyro. */
+/** Bit 13. The gyroscope is damaged or does not work. Affects mip_sensor_scaled_gyro. */
 #define MIP_CV7_BUILT_IN_TEST_GYRO_FAULT UINT32_C(0x00002000)
-/** Bit 14. The magnetometer is damaged or does not work. Concerns mip_sensor_scaled_mag. */
+/** Bit 14. The magnetometer is damaged or does not work. Affects mip_sensor_scaled_mag. */
 #define MIP_CV7_BUILT_IN_TEST_MAG_FAULT UINT32_C(0x00004000)
-/** Bit 15. The pressure sensor is damaged or does not work. Concerns mip_sensor_scaled_pressure. */
+/** Bit 15. The pressure sensor is damaged or does not work. Affects mip_sensor_scaled_pressure. */
 #define MIP_CV7_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00008000)
 /** Bit 18. At least one calibration table of the sensors is invalid. */
 #define MIP_CV7_BUILT_IN_TEST_CALIBRATION_ERROR UINT32_C(0x00040000)
 /** Bit 19. A fault of the inertial sensor subsystem that no other bit covers. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_IMU_FAULT UINT32_C(0x00080000)
 /**
- * Bit 22. The filter output is invalid (not a number); reset the filter. Concerns mip_filter_reset.
+ * Bit 22. The filter output is invalid (not a number); reset the filter. Affects mip_filter_reset.
  */
 #define MIP_CV7_BUILT_IN_TEST_FILTER_SOLUTION_FAULT UINT32_C(0x00400000)
 /** Bit 23. A fault of the filter subsystem that no other bit covers. */
@@ -107,63 +107,63 @@ struct mip_cv7_continuous_built_in_test {
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GNSS_SUBSYSTEM_FAULT MIP_BITS(24, 4)
 /** Bit 24. The main GNSS process did not run in time. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GNSS_MAIN_PROCESS_FAULT MIP_BITS(24, 1)
-/** Bit 25. No data from internal receiver 1 in time. Concerns mip_gnss_data_fix_info. */
+/** Bit 25. No data from internal receiver 1 in time. Affects mip_gnss_data_fix_info. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GNSS_RECEIVER_1_STALL MIP_BITS(25, 1)
-/** Bit 26. No data from internal receiver 2 in time. Concerns mip_gnss_data_fix_info. */
+/** Bit 26. No data from internal receiver 2 in time. Affects mip_gnss_data_fix_info. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GNSS_RECEIVER_2_STALL MIP_BITS(26, 1)
 /** Bit 33. No communication with the inertial sensors. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_COMM_FAULT MIP_BITS(33, 1)
 /** Bit 34. Inertial sensor processes take longer than their time slot. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_TIMING_OVERRUN MIP_BITS(34, 1)
-/** Bit 36. Accelerometer calibration fault. Concerns mip_sensor_scaled_accel. */
+/** Bit 36. Accelerometer calibration fault. Affects mip_sensor_scaled_accel. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_ACCEL MIP_BITS(36, 1)
-/** Bit 37. Gyroscope calibration fault. Concerns mip_sensor_scaled_gyro. */
+/** Bit 37. Gyroscope calibration fault. Affects mip_sensor_scaled_gyro. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_GYRO MIP_BITS(37, 1)
-/** Bit 38. Magnetometer calibration fault. Concerns mip_sensor_scaled_mag. */
+/** Bit 38. Magnetometer calibration fault. Affects mip_sensor_scaled_mag. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_MAG MIP_BITS(38, 1)
-/** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
+/** Bit 40. The accelerometer failed to initialize. Affects mip_sensor_scaled_accel. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_ACCEL_GENERAL_FAULT MIP_BITS(40, 1)
 /**
- * Bit 41. The acceleration along an axis is near or outside the selected range. Concerns
+ * Bit 41. The acceleration along an axis is near or outside the selected range. Affects
  * mip_sensor_scaled_accel.
  */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_ACCEL_OVER_RANGE MIP_BITS(41, 1)
 /**
- * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit.
- * Concerns mip_sensor_scaled_accel.
+ * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit. Affects
+ * mip_sensor_scaled_accel.
  */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_ACCEL_SELF_TEST_FAIL MIP_BITS(42, 1)
-/** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
+/** Bit 44. The gyroscope failed to initialize. Affects mip_sensor_scaled_gyro. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GYRO_GENERAL_FAULT MIP_BITS(44, 1)
 /**
- * Bit 45. The angular rate about an axis is near or outside the selected range. Concerns
+ * Bit 45. The angular rate about an axis is near or outside the selected range. Affects
  * mip_sensor_scaled_gyro.
  */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GYRO_OVER_RANGE MIP_BITS(45, 1)
 /**
- * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Concerns
+ * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Affects
  * mip_sensor_scaled_gyro.
  */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GYRO_SELF_TEST_FAIL MIP_BITS(46, 1)
-/** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
+/** Bit 48. The magnetometer failed to initialize. Affects mip_sensor_scaled_mag. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_MAG_GENERAL_FAULT MIP_BITS(48, 1)
 /**
- * Bit 49. The magnetic field along an axis is near or outside the supported range. Concerns
+ * Bit 49. The magnetic field along an axis is near or outside the supported range. Affects
  * mip_sensor_scaled_mag.
  */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_MAG_OVER_RANGE MIP_BITS(49, 1)
 /**
- * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Concerns
+ * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Affects
  * mip_sensor_scaled_mag.
  */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_MAG_SELF_TEST_FAIL MIP_BITS(50, 1)
-/** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
+/** Bit 52. The pressure sensor failed to initialize. Affects mip_sensor_scaled_pressure. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_GENERAL_FAULT MIP_BITS(52, 1)
-/** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
+/** Bit 53. The pressure is outside the supported range. Affects mip_sensor_scaled_pressure. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_OVER_RANGE MIP_BITS(53, 1)
 /**
  * Bit 54. The pressure sensor self-test failed; the commanded built-in test updates this bit.
- * Concerns mip_sensor_scaled_pressure.
+ * Affects mip_sensor_scaled_pressure.
  */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_SELF_TEST_FAIL MIP_BITS(54, 1)
 /** Bit 56. The device has lost its factory configuration. */
@@ -172,17 +172,17 @@ struct mip_cv7_continuous_built_in_test {
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FILTER_TIMING_OVERRUN MIP_BITS(66, 1)
 /** Bit 67. Filter processes are skipped. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FILTER_TIMING_UNDERRUN MIP_BITS(67, 1)
-/** Bit 105. No communication with internal receiver 1. Concerns mip_gnss_data_fix_info. */
+/** Bit 105. No communication with internal receiver 1. Affects mip_gnss_data_fix_info. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_FAULT MIP_BITS(105, 1)
 /**
- * Bit 108. Internal receiver 1 has no valid solution; usually for lack of a sky view. Concerns
+ * Bit 108. Internal receiver 1 has no valid solution; usually for lack of a sky view. Affects
  * mip_gnss_data_fix_info.
  */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_NO_SOLUTION MIP_BITS(108, 1)
-/** Bit 110. No communication with internal receiver 2. Concerns mip_gnss_data_fix_info. */
+/** Bit 110. No communication with internal receiver 2. Affects mip_gnss_data_fix_info. */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_FAULT MIP_BITS(110, 1)
 /**
- * Bit 113. Internal receiver 2 has no valid solution; usually for lack of a sky view. Concerns
+ * Bit 113. Internal receiver 2 has no valid solution; usually for lack of a sky view. Affects
  * mip_gnss_data_fix_info.
  */
 #define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_NO_SOLUTION MIP_BITS(113, 1)
@@ -190,9 +190,8 @@ struct mip_cv7_continuous_built_in_test {
 /**
  * Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits
  * 0-31 system, 32-63 inertial sensors, 64-95 navigation. Full name:
- * cv7_inertial_continuous_built_in_test. Uncertain: The meaning of the bits. The sources list only
- * numbers and names; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the
- * same.
+ * cv7_inertial_continuous_built_in_test. Uncertain: The sources list only the numbers and names of
+ * the bits; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
  *
  * - ros-driver: Built-in test of the CV7
  * - mscl: Continuous built-in test
@@ -233,55 +232,55 @@ struct mip_cv7_inertial_bit {
 #define MIP_CV7_INERTIAL_BIT_IMU_COMM_FAULT MIP_BITS(33, 1)
 /** Bit 34. Inertial sensor processes take longer than their time slot. */
 #define MIP_CV7_INERTIAL_BIT_IMU_TIMING_OVERRUN MIP_BITS(34, 1)
-/** Bit 36. Accelerometer calibration fault. Concerns mip_sensor_scaled_accel. */
+/** Bit 36. Accelerometer calibration fault. Affects mip_sensor_scaled_accel. */
 #define MIP_CV7_INERTIAL_BIT_IMU_CALIBRATION_ERROR_ACCEL MIP_BITS(36, 1)
-/** Bit 37. Gyroscope calibration fault. Concerns mip_sensor_scaled_gyro. */
+/** Bit 37. Gyroscope calibration fault. Affects mip_sensor_scaled_gyro. */
 #define MIP_CV7_INERTIAL_BIT_IMU_CALIBRATION_ERROR_GYRO MIP_BITS(37, 1)
-/** Bit 38. Magnetometer calibration fault. Concerns mip_sensor_scaled_mag. */
+/** Bit 38. Magnetometer calibration fault. Affects mip_sensor_scaled_mag. */
 #define MIP_CV7_INERTIAL_BIT_IMU_CALIBRATION_ERROR_MAG MIP_BITS(38, 1)
-/** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
+/** Bit 40. The accelerometer failed to initialize. Affects mip_sensor_scaled_accel. */
 #define MIP_CV7_INERTIAL_BIT_ACCEL_GENERAL_FAULT MIP_BITS(40, 1)
 /**
- * Bit 41. The acceleration along an axis is near or outside the selected range. Concerns
+ * Bit 41. The acceleration along an axis is near or outside the selected range. Affects
  * mip_sensor_scaled_accel.
  */
 #define MIP_CV7_INERTIAL_BIT_ACCEL_OVER_RANGE MIP_BITS(41, 1)
 /**
- * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit.
- * Concerns mip_sensor_scaled_accel.
+ * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit. Affects
+ * mip_sensor_scaled_accel.
  */
 #define MIP_CV7_INERTIAL_BIT_ACCEL_SELF_TEST_FAIL MIP_BITS(42, 1)
-/** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
+/** Bit 44. The gyroscope failed to initialize. Affects mip_sensor_scaled_gyro. */
 #define MIP_CV7_INERTIAL_BIT_GYRO_GENERAL_FAULT MIP_BITS(44, 1)
 /**
- * Bit 45. The angular rate about an axis is near or outside the selected range. Concerns
+ * Bit 45. The angular rate about an axis is near or outside the selected range. Affects
  * mip_sensor_scaled_gyro.
  */
 #define MIP_CV7_INERTIAL_BIT_GYRO_OVER_RANGE MIP_BITS(45, 1)
 /**
- * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Concerns
+ * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Affects
  * mip_sensor_scaled_gyro.
  */
 #define MIP_CV7_INERTIAL_BIT_GYRO_SELF_TEST_FAIL MIP_BITS(46, 1)
-/** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
+/** Bit 48. The magnetometer failed to initialize. Affects mip_sensor_scaled_mag. */
 #define MIP_CV7_INERTIAL_BIT_MAG_GENERAL_FAULT MIP_BITS(48, 1)
 /**
- * Bit 49. The magnetic field along an axis is near or outside the supported range. Concerns
+ * Bit 49. The magnetic field along an axis is near or outside the supported range. Affects
  * mip_sensor_scaled_mag.
  */
 #define MIP_CV7_INERTIAL_BIT_MAG_OVER_RANGE MIP_BITS(49, 1)
 /**
- * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Concerns
+ * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Affects
  * mip_sensor_scaled_mag.
  */
 #define MIP_CV7_INERTIAL_BIT_MAG_SELF_TEST_FAIL MIP_BITS(50, 1)
-/** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
+/** Bit 52. The pressure sensor failed to initialize. Affects mip_sensor_scaled_pressure. */
 #define MIP_CV7_INERTIAL_BIT_PRESSURE_SENSOR_GENERAL_FAULT MIP_BITS(52, 1)
-/** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
+/** Bit 53. The pressure is outside the supported range. Affects mip_sensor_scaled_pressure. */
 #define MIP_CV7_INERTIAL_BIT_PRESSURE_SENSOR_OVER_RANGE MIP_BITS(53, 1)
 /**
  * Bit 54. The pressure sensor self-test failed; the commanded built-in test updates this bit.
- * Concerns mip_sensor_scaled_pressure.
+ * Affects mip_sensor_scaled_pressure.
  */
 #define MIP_CV7_INERTIAL_BIT_PRESSURE_SENSOR_SELF_TEST_FAIL MIP_BITS(54, 1)
 /** Bit 56. The device has lost its factory configuration. */
@@ -295,8 +294,8 @@ struct mip_cv7_inertial_bit {
 
 /**
  * Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors,
- * 64-95 navigation, 96-127 GNSS. Uncertain: The meaning of the bits. The sources list only numbers
- * and names; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
+ * 64-95 navigation, 96-127 GNSS. Uncertain: The sources list only the numbers and names of the
+ * bits; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
  *
  * - ros-driver: Built-in test of the GQ7
  * - mscl: Continuous built-in test
@@ -327,55 +326,55 @@ struct mip_gq7_continuous_built_in_test {
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_COMM_FAULT MIP_BITS(33, 1)
 /** Bit 34. Inertial sensor processes take longer than their time slot. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_TIMING_OVERRUN MIP_BITS(34, 1)
-/** Bit 36. Accelerometer calibration fault. Concerns mip_sensor_scaled_accel. */
+/** Bit 36. Accelerometer calibration fault. Affects mip_sensor_scaled_accel. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_ACCEL MIP_BITS(36, 1)
-/** Bit 37. Gyroscope calibration fault. Concerns mip_sensor_scaled_gyro. */
+/** Bit 37. Gyroscope calibration fault. Affects mip_sensor_scaled_gyro. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_GYRO MIP_BITS(37, 1)
-/** Bit 38. Magnetometer calibration fault. Concerns mip_sensor_scaled_mag. */
+/** Bit 38. Magnetometer calibration fault. Affects mip_sensor_scaled_mag. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_MAG MIP_BITS(38, 1)
-/** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
+/** Bit 40. The accelerometer failed to initialize. Affects mip_sensor_scaled_accel. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ACCEL_GENERAL_FAULT MIP_BITS(40, 1)
 /**
- * Bit 41. The acceleration along an axis is near or outside the selected range. Concerns
+ * Bit 41. The acceleration along an axis is near or outside the selected range. Affects
  * mip_sensor_scaled_accel.
  */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ACCEL_OVER_RANGE MIP_BITS(41, 1)
 /**
- * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit.
- * Concerns mip_sensor_scaled_accel.
+ * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit. Affects
+ * mip_sensor_scaled_accel.
  */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ACCEL_SELF_TEST_FAIL MIP_BITS(42, 1)
-/** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
+/** Bit 44. The gyroscope failed to initialize. Affects mip_sensor_scaled_gyro. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GYRO_GENERAL_FAULT MIP_BITS(44, 1)
 /**
- * Bit 45. The angular rate about an axis is near or outside the selected range. Concerns
+ * Bit 45. The angular rate about an axis is near or outside the selected range. Affects
  * mip_sensor_scaled_gyro.
  */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GYRO_OVER_RANGE MIP_BITS(45, 1)
 /**
- * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Concerns
+ * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Affects
  * mip_sensor_scaled_gyro.
  */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GYRO_SELF_TEST_FAIL MIP_BITS(46, 1)
-/** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
+/** Bit 48. The magnetometer failed to initialize. Affects mip_sensor_scaled_mag. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_MAG_GENERAL_FAULT MIP_BITS(48, 1)
 /**
- * Bit 49. The magnetic field along an axis is near or outside the supported range. Concerns
+ * Bit 49. The magnetic field along an axis is near or outside the supported range. Affects
  * mip_sensor_scaled_mag.
  */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_MAG_OVER_RANGE MIP_BITS(49, 1)
 /**
- * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Concerns
+ * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Affects
  * mip_sensor_scaled_mag.
  */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_MAG_SELF_TEST_FAIL MIP_BITS(50, 1)
-/** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
+/** Bit 52. The pressure sensor failed to initialize. Affects mip_sensor_scaled_pressure. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_GENERAL_FAULT MIP_BITS(52, 1)
-/** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
+/** Bit 53. The pressure is outside the supported range. Affects mip_sensor_scaled_pressure. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_OVER_RANGE MIP_BITS(53, 1)
 /**
  * Bit 54. The pressure sensor self-test failed; the commanded built-in test updates this bit.
- * Concerns mip_sensor_scaled_pressure.
+ * Affects mip_sensor_scaled_pressure.
  */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_SELF_TEST_FAIL MIP_BITS(54, 1)
 /** Bit 64. The filter clock failed. */
@@ -394,33 +393,33 @@ struct mip_gq7_continuous_built_in_test {
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GNSS_HARDWARE_FAULT MIP_BITS(97, 1)
 /** Bits 98 to 100. GNSS processor communication errors. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GNSS_COMM_ERROR MIP_BITS(98, 3)
-/** Bit 101. GPS time fault. Concerns mip_gnss_data_gps_time. */
+/** Bit 101. GPS time fault. Affects mip_gnss_data_gps_time. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GPS_TIME_FAULT MIP_BITS(101, 1)
 /** Bit 102. A GNSS processor cycle exceeded its time slot. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GNSS_TIMING_OVERRUN MIP_BITS(102, 1)
-/** Bit 104. Receiver 1 power supply fault. Concerns mip_gnss_data_fix_info. */
+/** Bit 104. Receiver 1 power supply fault. Affects mip_gnss_data_fix_info. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_POWER_FAULT MIP_BITS(104, 1)
-/** Bit 105. No communication with internal receiver 1. Concerns mip_gnss_data_fix_info. */
+/** Bit 105. No communication with internal receiver 1. Affects mip_gnss_data_fix_info. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_FAULT MIP_BITS(105, 1)
-/** Bit 106. Antenna 1 is shorted. Concerns mip_gnss_data_hardware_status. */
+/** Bit 106. Antenna 1 is shorted. Affects mip_gnss_data_hardware_status. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ANTENNA_1_SHORTED MIP_BITS(106, 1)
-/** Bit 107. Antenna 1 is not connected. Concerns mip_gnss_data_hardware_status. */
+/** Bit 107. Antenna 1 is not connected. Affects mip_gnss_data_hardware_status. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ANTENNA_1_OPEN MIP_BITS(107, 1)
-/** Bit 108. Receiver 1 has no solution. Concerns mip_gnss_data_fix_info. */
+/** Bit 108. Receiver 1 has no solution. Affects mip_gnss_data_fix_info. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_SOLUTION_FAULT MIP_BITS(108, 1)
-/** Bit 109. Receiver 2 power supply fault. Concerns mip_gnss_data_fix_info. */
+/** Bit 109. Receiver 2 power supply fault. Affects mip_gnss_data_fix_info. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_POWER_FAULT MIP_BITS(109, 1)
-/** Bit 110. No communication with internal receiver 2. Concerns mip_gnss_data_fix_info. */
+/** Bit 110. No communication with internal receiver 2. Affects mip_gnss_data_fix_info. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_FAULT MIP_BITS(110, 1)
-/** Bit 111. Antenna 2 is shorted. Concerns mip_gnss_data_hardware_status. */
+/** Bit 111. Antenna 2 is shorted. Affects mip_gnss_data_hardware_status. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ANTENNA_2_SHORTED MIP_BITS(111, 1)
-/** Bit 112. Antenna 2 is not connected. Concerns mip_gnss_data_hardware_status. */
+/** Bit 112. Antenna 2 is not connected. Affects mip_gnss_data_hardware_status. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ANTENNA_2_OPEN MIP_BITS(112, 1)
-/** Bit 113. Receiver 2 has no solution. Concerns mip_gnss_data_fix_info. */
+/** Bit 113. Receiver 2 has no solution. Affects mip_gnss_data_fix_info. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_SOLUTION_FAULT MIP_BITS(113, 1)
-/** Bit 114. RTCM communication fault. Concerns mip_gnss_data_rtk_corrections_status. */
+/** Bit 114. RTCM communication fault. Affects mip_gnss_data_rtk_corrections_status. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RTCM_COMM_FAULT MIP_BITS(114, 1)
-/** Bit 115. RTK modem fault. Concerns mip_rtk_get_status_flags. */
+/** Bit 115. RTK modem fault. Affects mip_rtk_get_status_flags. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RTK_DONGLE_FAULT MIP_BITS(115, 1)
 
 /**
@@ -430,7 +429,7 @@ struct mip_gq7_continuous_built_in_test {
  * - 3dm-cv7-gnss-ins: Types of triggers
  */
 enum mip_event_trigger_type MIP_ENUM_8 {
-    /** The slot is free. It is never active and cannot be enabled. */
+    /** The instance is not in use: it is never active and cannot be enabled. */
     MIP_EVENT_TRIGGER_TYPE_NONE = 0,
     /** Watches a GPIO pin. */
     MIP_EVENT_TRIGGER_TYPE_GPIO = 1,
@@ -440,7 +439,7 @@ enum mip_event_trigger_type MIP_ENUM_8 {
     MIP_EVENT_TRIGGER_TYPE_COMBINATION = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_event_trigger_type_name(uint8_t value);
 
 /**
@@ -450,7 +449,7 @@ MIP_API const char *mip_event_trigger_type_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Types of actions
  */
 enum mip_event_action_type MIP_ENUM_8 {
-    /** The slot is free. */
+    /** The instance is not in use. */
     MIP_EVENT_ACTION_TYPE_NONE = 0,
     /** Controls a GPIO pin. */
     MIP_EVENT_ACTION_TYPE_GPIO = 1,
@@ -458,7 +457,7 @@ enum mip_event_action_type MIP_ENUM_8 {
     MIP_EVENT_ACTION_TYPE_MESSAGE = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_event_action_type_name(uint8_t value);
 
 /**
@@ -478,7 +477,7 @@ enum mip_event_trigger_mode MIP_ENUM_8 {
     MIP_EVENT_TRIGGER_MODE_TEST_PULSE = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_event_trigger_mode_name(uint8_t value);
 
 /**
@@ -515,7 +514,7 @@ enum mip_event_trigger_gpio_mode MIP_ENUM_8 {
     MIP_EVENT_TRIGGER_GPIO_MODE_EDGE = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_event_trigger_gpio_mode_name(uint8_t value);
 
 /**
@@ -530,7 +529,7 @@ enum mip_event_threshold_type MIP_ENUM_8 {
     MIP_EVENT_THRESHOLD_TYPE_INTERVAL = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_event_threshold_type_name(uint8_t value);
 
 /**
@@ -554,7 +553,7 @@ enum mip_event_action_gpio_mode MIP_ENUM_8 {
     MIP_EVENT_ACTION_GPIO_MODE_TOGGLE = 7
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_event_action_gpio_mode_name(uint8_t value);
 
 /**
@@ -701,7 +700,7 @@ struct mip_event_action_message {
     /** Number of fields in the packet. Counts the elements of descriptors. Range: 0 to 12. */
     uint8_t num_fields;
     /** Field descriptors, in order. Refers to fields of descriptor_set. */
-    uint8_t descriptors[249];
+    uint8_t descriptors[MIP_ROOM(12, 249)];
 };
 
 /**
@@ -725,7 +724,7 @@ enum mip_gnss_constellation MIP_ENUM_8 {
     MIP_GNSS_CONSTELLATION_SBAS = 5
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_constellation_name(uint8_t value);
 
 /**
@@ -752,7 +751,7 @@ enum mip_gnss_fix_type MIP_ENUM_8 {
     MIP_GNSS_FIX_TYPE_FIX_DIFFERENTIAL = 7
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_fix_type_name(uint8_t value);
 
 /**
@@ -895,7 +894,7 @@ enum mip_gnss_signal MIP_ENUM_8 {
     MIP_GNSS_SIGNAL_BEIDOU_B2A = 169
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gnss_signal_name(uint8_t value);
 
 /**
@@ -919,7 +918,7 @@ enum mip_gpio_feature MIP_ENUM_8 {
     MIP_GPIO_FEATURE_UART = 5
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gpio_feature_name(uint8_t value);
 
 /** Behavior of a pin whose feature is unused. */
@@ -928,7 +927,7 @@ enum mip_gpio_unused_behavior MIP_ENUM_8 {
     MIP_GPIO_UNUSED_BEHAVIOR_UNUSED = 0
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gpio_unused_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is gpio. */
@@ -941,7 +940,7 @@ enum mip_gpio_behavior MIP_ENUM_8 {
     MIP_GPIO_BEHAVIOR_OUTPUT_HIGH = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gpio_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is pps. */
@@ -952,7 +951,7 @@ enum mip_gpio_pps_behavior MIP_ENUM_8 {
     MIP_GPIO_PPS_BEHAVIOR_OUTPUT = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gpio_pps_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is encoder. */
@@ -963,7 +962,7 @@ enum mip_gpio_encoder_behavior MIP_ENUM_8 {
     MIP_GPIO_ENCODER_BEHAVIOR_B = 2
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gpio_encoder_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is timestamp. */
@@ -976,7 +975,7 @@ enum mip_gpio_timestamp_behavior MIP_ENUM_8 {
     MIP_GPIO_TIMESTAMP_BEHAVIOR_EITHER = 3
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gpio_timestamp_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is uart. */
@@ -991,7 +990,7 @@ enum mip_gpio_uart_behavior MIP_ENUM_8 {
     MIP_GPIO_UART_BEHAVIOR_PORT_3_RX = 50
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_gpio_uart_behavior_name(uint8_t value);
 
 /**
@@ -1048,7 +1047,7 @@ enum mip_nmea_message_id MIP_ENUM_8 {
     MIP_NMEA_MESSAGE_ID_MSRR = 130
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_nmea_message_id_name(uint8_t value);
 
 /**
@@ -1069,7 +1068,7 @@ enum mip_nmea_talker_id MIP_ENUM_8 {
     MIP_NMEA_TALKER_ID_GLONASS = 4
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_nmea_talker_id_name(uint8_t value);
 
 /**
@@ -1097,7 +1096,7 @@ struct mip_nmea_message {
 enum mip_comm_interface MIP_ENUM_8 {
     /** All ports. */
     MIP_COMM_INTERFACE_ALL = 0,
-    /** The main port: USB while it is connected, else the main UART. */
+    /** The main port: USB while a host has it open (DTR), else the main UART. */
     MIP_COMM_INTERFACE_MAIN = 1,
     /** The first port that is a UART or can be one. */
     MIP_COMM_INTERFACE_UART_1 = 17,
@@ -1111,16 +1110,15 @@ enum mip_comm_interface MIP_ENUM_8 {
     MIP_COMM_INTERFACE_USB_2 = 34
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_comm_interface_name(uint8_t value);
 
 /**
  * State of the modem and of the corrections. Other models send mip_rtk_status_flags_legacy.
- * Uncertain: Which model sends which of the two forms. The SDK states only that it depends on the
- * model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the legacy form,
- * 1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK
- * lists only the names, from which the descriptions are inferred. The meaning of the values is not
- * known.
+ * Uncertain: The SDK states only that the form depends on the model number. Uncertain: Other
+ * software of the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the legacy
+ * form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only the names, from which
+ * the descriptions are inferred. The meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -1130,8 +1128,8 @@ typedef uint32_t mip_rtk_status_flags;
 /** Bits 4 to 7. Kind of cellular connection. */
 #define MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE UINT32_C(0x000000F0)
 /**
- * Bits 8 to 15. Received signal strength. Uncertain: The unit and the sign; other software of the
- * vendor treats it as negative.
+ * Bits 8 to 15. Received signal strength. Uncertain: No source states the unit and the sign; other
+ * software of the vendor treats it as negative.
  */
 #define MIP_RTK_STATUS_FLAGS_RSSI UINT32_C(0x0000FF00)
 /** Bits 16 to 19. Quality of the modem's radio signal. */
@@ -1180,8 +1178,8 @@ static inline void mip_rtk_status_flags_set_connection_type(mip_rtk_status_flags
 }
 
 /**
- * Bits 8 to 15. Received signal strength. Uncertain: The unit and the sign; other software of the
- * vendor treats it as negative.
+ * Bits 8 to 15. Received signal strength. Uncertain: No source states the unit and the sign; other
+ * software of the vendor treats it as negative.
  */
 static inline uint8_t mip_rtk_status_flags_get_rssi(mip_rtk_status_flags flags) {
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_RSSI;
@@ -1237,10 +1235,10 @@ static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags,
 }
 
 /**
- * State of the modem and of the corrections, in its older form. Uncertain: Which model sends which
- * of the two forms; see mip_rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, but
- * also puts the last four numbers there. Uncertain: The SDK lists only the names, from which the
- * descriptions are inferred. The meaning of the values is not known.
+ * State of the modem and of the corrections, in its older form. Uncertain: The form depends on the
+ * model; see mip_rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, but also puts the
+ * last four numbers there. Uncertain: The SDK lists only the names, from which the descriptions are
+ * inferred. The meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -1435,14 +1433,14 @@ enum mip_ack_code MIP_ENUM_8 {
     MIP_ACK_CODE_UNKNOWN_DESCRIPTOR_SET = 6
 };
 
-/** Returns the name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value, or NULL. */
 MIP_API const char *mip_ack_code_name(uint8_t value);
 
 /** A field of a message format and how often it is sent. */
 struct mip_descriptor_rate {
     /** Field descriptor. */
     uint8_t descriptor;
-    /** Base rate divided by the desired rate. */
+    /** Base rate divided by the desired rate. Range: at least 1. */
     uint16_t decimation;
 };
 

@@ -11,7 +11,8 @@
 
 namespace mip {
 
-MIP_LAYOUT(mip_protocol_acknowledge, MIP_PROTOCOL_ACKNOWLEDGE, MIP_PROTOCOL_ACKNOWLEDGE)
+MIP_LAYOUT(mip_protocol_acknowledge, MIP_PROTOCOL_ACKNOWLEDGE, MIP_PROTOCOL_ACKNOWLEDGE,
+           "protocol.acknowledge")
 
 /** mip_function_selector: function_selector */
 enum class function_selector : uint8_t {

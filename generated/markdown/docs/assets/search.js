@@ -1,108 +1,97 @@
 // Results of the site's search: passages of pages, from text.js, and fields, from fields.js of the workbench. It does
 // not need a page, so that tests can run it alone.
 globalThis.mipSearch = (() => {
-    const FIELDS = 8;
-    const PASSAGES = 10;
-    const OF_A_PAGE = 3;
-    const LEADING = 4;
-    const WEAK = 4; // a rank of fields: the words are in parameters, values and descriptions
-    const COLLECTIONS = /^(errata|examples|types|compare|types\/.*|examples\/.*)\b/; // they repeat the contents of other pages
-
-    /** Words of questions that do not describe their subject. */
-    const FILLING = new Set(
-        (
-            "a about am an and any are as at be by can cannot could did do does doesn for from get got had has have how i if in is it " +
-            "its just like me mean means much my need no not of on one only or our please should so still t than that the their then " +
-            "there they this to use using want was way we what when where which while who why will with without work works would you your"
-        ).split(" "),
-    );
-
-    function wordsOf(text) {
-        return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
-    }
-
-    /** Returns the words of a text that describe its subject, or all words if none do. */
-    function telling(text) {
-        const words = [...new Set(wordsOf(text))];
-        const left = words.filter((word) => !FILLING.has(word));
-        return left.length ? left : words;
-    }
-
-    /** Is a text, with many words or with words such as "no" or "why", rather a question than the name of a field? */
-    function isSentence(text) {
-        return telling(text).length < wordsOf(text).length || wordsOf(text).length > 3;
-    }
-
-    /** Returns a pattern for any form of a word and of its synonyms. */
-    function patternOf(word, index) {
-        const root = (one) => (one.length > 4 ? one.replace(/(?:ing|ed|es|s|e)$/, "") : one.length > 3 ? one.replace(/s$/, "") : one);
-        const groups = index?.protocol.model.synonyms ?? [];
-        const others = groups.filter((group) => group.some((one) => root(one) === root(word))).flat();
-        const all = new Set([word, ...(index?.synonyms.get(word.replace(/s$/, "")) ?? []), ...others].map(root));
-        return new RegExp(`(?<![a-z0-9])(?:${[...all].map((one) => (one.length < 3 ? `${one}(?![a-z0-9])` : one)).join("|")})`);
-    }
-
-    /** Returns the fraction of a heading that the words cover, from 0 to 1; 0 if it lacks one of them. */
-    function shareOf(heading, patterns) {
-        const all = telling(heading);
-        return patterns.every((pattern) => pattern.test(heading.toLowerCase())) && all.length ? patterns.length / all.length : 0;
-    }
-
-    const PLACES = [3, 1.5, 1]; // the weight of a word in the heading, the title of the page, the text
+    const MOST = 14;
+    const OF_A_PAGE = 2;
+    const NAMED = 6; // fields whose names begin with the text
+    /** How much pages count that are rarely asked for: those that repeat others, those for developers, documents. */
+    const COUNT = [
+        [/^(errata|examples|types|compare|indexes)\b.*#/, 0.3],
+        [/^project\/(architecture|conformance|contribute|keys|new-language|proofs|site|spec|versions)/, 0.6],
+        [/^project\//, 0.85],
+    ];
+    const DEPRECATED = 0.3;
 
     /**
-     * The sections of all pages that have the words, the best first. A rare word counts for more, and a heading for more than
-     * a text. If no section has all, those that have most. `leads` is more than 0 for what the words name: the pages that have
-     * them in the title, the sections whose headings are mostly these words, or a question.
+     * Returns what can be found: a field with its page, a section of any other page; each with its texts by weight.
+     * `texts` are the pages: address, title, and sections with anchor, heading and text.
      */
-    function passages(texts, text, index, without) {
-        const words = telling(text);
-        if (words.join("").length < 2) return [];
-        const patterns = words.map((word) => patternOf(word, index));
-        const found = [];
-        for (const [url, title, sections] of texts) {
-            if (without.has(url)) continue;
+    function documentsOf(index, texts) {
+        const pages = new Map(texts.map((page) => [page[0], page]));
+        const documents = [];
+        for (const { field, texts: own } of index?.entries ?? []) {
+            const href = addressOf(field);
+            const url = href.split("#")[0];
+            const isPage = url.startsWith("fields/");
+            if (field.command && isPage) continue; // a response is on the page of its command
+            const sections = (isPage && pages.get(url)?.[2]) || [];
+            pages.delete(isPage ? url : "");
+            const text = `${own[3]} ${sections.map((section) => section.slice(1).join(" ")).join(" ")}`;
+            documents.push({
+                field,
+                href,
+                title: field.title,
+                less: field.deprecated ? DEPRECATED : 1,
+                texts: [own[0], own[1], own[2], text],
+            });
+        }
+        const devices = new Map((index?.protocol.model.devices ?? []).map((device) => [`devices/${device.id}.html`, device]));
+        for (const [url, title, sections] of pages.values()) {
+            const { also = [], model_number: number = "" } = devices.get(url) ?? {};
+            const others = [title, ...also, number].join(" "); // the number is on the label: 6254, 6254-4220
             for (const [anchor, heading, content] of sections) {
-                if (without.has(`${url}#${anchor}`)) continue;
-                const places = [heading || title, title, content].map((place) => place.toLowerCase());
-                const at = patterns.map((pattern) => places.findIndex((place) => pattern.test(place)));
-                if (at.every((one) => one < 0)) continue;
-                // A heading of the page is enough: the title alone is no reason to show each of its sections.
-                if (heading && at.every((one) => one === 1)) continue;
-                found.push({ url, title, anchor, heading, content, patterns, places, at });
+                const href = anchor ? `${url}#${anchor}` : url;
+                const less = COUNT.find(([pages]) => pages.test(href))?.[1] ?? 1;
+                const own = heading ? [heading, title] : [others, title];
+                documents.push({ url, href, title, heading, content, less, texts: [...own, "", content] });
             }
         }
-        const rarity = words.map((_, i) => Math.log(1 + texts.length / (1 + found.filter(({ at }) => at[i] >= 0).length)));
-        const total = rarity.reduce((sum, one) => sum + one, 0) || 1;
-        const typed = text.trim().toLowerCase();
-        const sentence = isSentence(text);
+        return documents;
+    }
+
+    /** Without the workbench: the documents that have most of the words. */
+    function plainly(documents, text) {
+        const words = text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
+        const found = documents.map(({ texts }, at) => {
+            const [title, whole] = [texts.slice(0, 2), texts].map((some) => some.join(" ").toLowerCase());
+            return { at, score: words.reduce((sum, word) => sum + whole.includes(word) + title.includes(word), 0) };
+        });
+        return { found: found.filter(({ score }) => score).sort((a, b) => b.score - a.score) };
+    }
+
+    /** Returns how much of a title was asked for, from 0 to 1. */
+    function shareOf(title, words) {
+        const own = mipFields.telling(title).map(mipFields.stem);
+        return own.filter((word) => words.includes(word)).length / (own.length || 1);
+    }
+
+    /** The documents that have the words, the best first, at most `OF_A_PAGE` of a page. */
+    function ranked(documents, ranking, text) {
+        const { found } = ranking ? ranking.search(text) : plainly(documents, text);
+        const words = ranking ? mipFields.telling(text).map(mipFields.stem) : [];
+        const isSentence = ranking && (words.length > 3 || words.length < mipFields.wordsOf(text).length);
         for (const one of found) {
-            const { url, title, anchor, heading, places, at } = one;
-            const sum = (weight) => at.reduce((all, place, i) => all + (place < 0 ? 0 : weight(place) * rarity[i]), 0) / total;
-            one.covered = sum(() => 1);
-            one.score = sum((place) => PLACES[place]) + (places.some((place) => place.includes(typed)) ? 0.5 : 0);
-            if (anchor.includes(".question_")) one.score += 1;
-            if (COLLECTIONS.test(url)) one.score -= 9;
-            if (anchor.toLowerCase().endsWith(`.${typed}`)) one.score = 99; // an erratum by its id
-            const asked = anchor.includes(".question_") && at.every((place) => place === 0) && words.length > 1;
-            const listed = heading && !asked && /^(compare|guides|types|errata|examples)\b/.test(url); // these have pages of their own
-            const share = url.startsWith("fields/") || listed ? 0 : shareOf(heading || title, patterns);
-            one.leads = asked ? Math.max(share, 0.5) + (sentence ? 1 : 0) : heading && share < 0.5 ? 0 : share;
+            const { title, heading, href, less } = documents[one.at];
+            one.score *= less;
+            if (ranking) one.score *= 1 + shareOf(heading || title, words);
+            if (isSentence && href.includes(".question_")) one.score *= 1.5;
         }
-        const whole = found.filter(({ covered }) => covered > 0.999);
-        const kept = whole.length ? whole : found.filter(({ covered }) => covered >= 0.5);
-        kept.sort((a, b) => b.covered - a.covered || b.score - a.score);
+        found.sort((a, b) => b.score - a.score || a.at - b.at);
         const counts = new Map();
-        const some = kept.filter(({ url }) => counts.set(url, (counts.get(url) ?? 0) + 1).get(url) <= OF_A_PAGE);
-        const leading = some.filter(({ leads }) => leads).sort((a, b) => b.leads - a.leads || b.score - a.score);
-        const first = new Set(leading.slice(0, LEADING));
-        return [...first, ...some.filter((one) => !first.has(one)).map((one) => ({ ...one, leads: 0 }))].slice(0, PASSAGES);
+        const kept = found.filter(({ at, score }) => {
+            const { url, href } = documents[at];
+            counts.set(url ?? href, (counts.get(url ?? href) ?? 0) + 1);
+            return counts.get(url ?? href) <= OF_A_PAGE && score > found[0].score / 10;
+        });
+        return kept.map(({ at }) => documents[at]);
     }
 
     /** Returns the text around the first of the words. */
-    function excerpt({ content, patterns }) {
+    function excerpt({ content }, text) {
         const lower = content.toLowerCase();
-        const at = Math.min(...patterns.map((pattern) => lower.search(pattern)).filter((place) => place >= 0), lower.length);
+        const words = (globalThis.mipFields ? mipFields.telling(text).map(mipFields.stem) : [text.toLowerCase()]).filter(Boolean);
+        const places = words.map((word) => lower.indexOf(word)).filter((place) => place >= 0);
+        const at = Math.min(...places, lower.length);
         const from = at < 60 || at === lower.length ? 0 : content.indexOf(" ", at - 60) + 1;
         return `${from ? "… " : ""}${content.slice(from, from + 160)}${from + 160 < content.length ? " …" : ""}`;
     }
@@ -111,40 +100,6 @@ globalThis.mipSearch = (() => {
     function addressOf(field) {
         const [set, page] = (field.command ?? field.name).split(".");
         return `${field.set ? `fields/${set}/${page}.html` : "packets.html"}#${field.name}`;
-    }
-
-    /** Removes the responses of commands that are also listed, because they are on the same page. */
-    function fieldsOf(found) {
-        const names = found.map(({ field }) => field.name);
-        return found.filter(({ field }, i) => !field.command || !names.slice(0, i).includes(field.command)).slice(0, FIELDS);
-    }
-
-    /** Returns the location of a field: its page, or its section if the page has several fields. */
-    function shownBy(field) {
-        const address = addressOf(field);
-        return address.startsWith("fields/") ? address.split("#")[0] : address;
-    }
-
-    /**
-     * The results for a text, in groups, the best first. `index` is of the fields, null for a site without them,
-     * `texts` those of the pages. `instead` is the text that was searched if nothing has the words as they are typed.
-     */
-    function search(index, texts, text) {
-        const found = searchAs(index, texts, text);
-        if (found.groups.length || !index) return found;
-        index.known ??= mipFields.knownWords(
-            index,
-            texts.map(([, title, sections]) => `${title} ${sections.flat().join(" ")}`),
-        );
-        const instead = mipFields.corrected(index.known, text);
-        return instead ? { ...searchAs(index, texts, instead), instead } : found;
-    }
-
-    /** Removes the names of functions, such as "read" and "save", from a text. */
-    function withoutFunctions(index, text) {
-        const names = index.protocol.model.functions.map(({ name }) => name);
-        const words = text.split(/\s+/);
-        return words.filter((word) => !names.includes(word.toLowerCase())).join(" ") || text;
     }
 
     /** Returns pages that compare the devices in a text, if it names two or more. */
@@ -157,38 +112,49 @@ globalThis.mipSearch = (() => {
         return ["commands", "data", "rates"].map((name) => ({
             title: `${titles}: ${name}`,
             href: `compare/${name}.html?devices=${ids}&differences=`,
-            content: "What differs between them.",
-            patterns: [],
+            content: "Differences between them.",
         }));
     }
 
-    function searchAs(index, texts, text) {
+    let made = []; // the documents and their ranking, of the last texts
+
+    function rankingOf(index, texts) {
+        if (made[0] !== index || made[1] !== texts) {
+            const documents = documentsOf(index, texts);
+            const own = (one) => one.texts;
+            const ranking =
+                index && new mipFields.Ranking(documents.map(own), mipFields.WEIGHTS, mipFields.synonymsOf(index.protocol.model));
+            made = [index, texts, documents, ranking];
+        }
+        return made.slice(2);
+    }
+
+    /**
+     * The results for a text, in groups of `items`, the best first: packets, codes, fields, and sections of pages, each
+     * with `href`. `index` is of the fields, null for a site without them, `texts` those of the pages. `instead` are pairs of
+     * an unknown word and the one that was taken for it.
+     */
+    function search(index, texts, text) {
+        const [documents, ranking] = rankingOf(index, texts);
+        const { instead = [] } = ranking?.search(text) ?? {};
+        for (const [word, other] of instead) text = text.toLowerCase().replace(word, other);
         const packet = index && mipFields.packetIn(index, text);
         const code = index && mipFields.codeIn(index, text);
-        let ranked = index ? mipFields.find(index, text, 2 * FIELDS) : [];
-        for (const less of index ? [withoutFunctions(index, text), telling(text).join(" ")] : []) {
-            const others = less === text ? [] : mipFields.find(index, less, 2 * FIELDS);
-            if (others.length && !(ranked[0]?.rank < WEAK)) ranked = others;
-        }
-        // Fields with the typed name or descriptor come before pages.
-        const named = ranked.length > 0 && ranked[0].rank <= 0;
-        const fields = fieldsOf(ranked).map(({ field, rank }) => ({ field, rank, href: addressOf(field) }));
-        const parts = passages(texts, text, index, new Set(fields.map(({ field }) => shownBy(field))));
-        const pages = parts.map((one) => ({ ...one, href: `${one.url}${one.anchor ? `#${one.anchor}` : ""}` }));
-        const weak = !named && isSentence(text) && fields.every(({ rank }) => rank >= WEAK); // words of their descriptions
-        const questions = weak ? pages.filter(({ anchor }) => anchor.includes(".question_")) : [];
-        const leading = named ? [] : [...pages.filter(({ leads }) => leads), ...questions];
-        const others = pages.filter((one) => !leading.includes(one));
+        const named = index ? mipFields.exactly(index, text).map(({ field }) => ({ field, href: addressOf(field) })) : [];
+        const commands = named.map(({ field }) => field.name);
+        const fields = named.filter(({ field }) => !commands.includes(field.command)).slice(0, NAMED);
+        const shown = new Set(fields.map(({ href }) => href));
+        const results = ranked(documents, ranking, text);
+        const others = results.filter(({ href }) => !shown.has(href)).slice(0, MOST);
         const acknowledge = code && `packets.html#${index.protocol.model.acknowledge}.code.${index.protocol.model.ack_code}.${code.name}`;
         const groups = [
-            { title: "Comparison", pages: index ? comparisonOf(index, text) : [] },
-            { title: "Tools", packets: packet ? [packet] : [] },
-            { title: "Acknowledge", codes: code ? [{ ...code, href: acknowledge }] : [] },
-            { title: "Pages", pages: [...new Set(leading)] },
-            { title: "Fields", fields },
-            { title: leading.length ? "In the text" : "Pages", pages: others },
+            { title: "Comparison", items: index ? comparisonOf(index, text) : [] },
+            { title: "Tools", items: packet ? [{ packet }] : [] },
+            { title: "Acknowledge", items: code ? [{ code, href: acknowledge }] : [] },
+            { title: "Fields", items: fields },
+            { title: fields.length ? "Other results" : "Results", items: others },
         ];
-        return { groups: groups.filter((group) => Object.values(group)[1].length) };
+        return { groups: groups.filter(({ items }) => items.length), instead };
     }
 
     return { search, excerpt };

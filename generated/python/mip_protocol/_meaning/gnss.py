@@ -24,47 +24,36 @@ TYPES: dict[str, Info] = {
     "AmbiguityFixMode": EnumInfo("gnss.ambiguity_fix_mode", gnss.AmbiguityFixMode),
     "SpartnConnection": EnumInfo("gnss.spartn_connection", gnss.SpartnConnection),
     "ReceiverInfo": FieldInfo(
-        "gnss.receiver_info", gnss.ReceiverInfo, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
-        parameters=(
-        ),
-    ),
+        "gnss.receiver_info", gnss.ReceiverInfo, devices=("3dm-cv7-gnss-ins",), assumed=("3dm-gq7",), parameters=(
+        )),
     "SignalConfig": FieldInfo(
-        "gnss.signal_config", gnss.SignalConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss.signal_config", gnss.SignalConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), likely=("3dm-gq7",), parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("gps_enable", "gps_enable", "scalar", scalar="u8", required=("write",), type=gnss.GpsSignals),
             Parameter("glonass_enable", "glonass_enable", "scalar", scalar="u8", required=("write",), type=gnss.GlonassSignals),
             Parameter("galileo_enable", "galileo_enable", "scalar", scalar="u8", required=("write",), type=gnss.GalileoSignals),
             Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", required=("write",), type=gnss.BeidouSignals),
             Parameter("reserved", "reserved", "array", scalar="u8", length=4, required=("write",), reserved=True, default=0),
-        ),
-    ),
+        )),
     "ReceiverReset": FieldInfo(
-        "gnss.receiver_reset", gnss.ReceiverReset,
-        parameters=(
+        "gnss.receiver_reset", gnss.ReceiverReset, parameters=(
             Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", type=gnss.ReceiverId),
             Parameter("reset_type", "reset_type", "scalar", scalar="u8", type=gnss.ReceiverResetType),
-        ),
-    ),
+        )),
     "RtkConfig": FieldInfo(
-        "gnss.rtk_config", gnss.RtkConfig, functions=("write", "read", "save", "load", "default"),
-        parameters=(
+        "gnss.rtk_config", gnss.RtkConfig, functions=("write", "read", "save", "load", "default"), parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("ambiguity_fix_mode", "ambiguity_fix_mode", "scalar", scalar="u8", required=("write",), type=gnss.AmbiguityFixMode),
             Parameter("reserved", "reserved", "array", scalar="u8", length=4, required=("write",), reserved=True, default=0),
-        ),
-    ),
+        )),
     "RtkDongleConfig": FieldInfo(
-        "gnss.rtk_dongle_config", gnss.RtkDongleConfig, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss.rtk_dongle_config", gnss.RtkDongleConfig, functions=("write", "read", "save", "load", "default"), likely=("3dm-gq7",), parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0),
             Parameter("reserved", "reserved", "array", scalar="u8", length=3, required=("write",), reserved=True, default=0),
-        ),
-    ),
+        )),
     "SpartnConfig": FieldInfo(
-        "gnss.spartn_config", gnss.SpartnConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
-        parameters=(
+        "gnss.spartn_config", gnss.SpartnConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0),
             Parameter("type", "type", "scalar", scalar="u8", required=("write",), type=gnss.SpartnConnection),
@@ -74,42 +63,37 @@ TYPES: dict[str, Info] = {
             Parameter("next_key_tow", "next_key_tow", "scalar", scalar="u32", units=("s",), required=("write",)),
             Parameter("next_key_week", "next_key_week", "scalar", scalar="u16", units=("week",), required=("write",)),
             Parameter("next_key", "next_key", "array", scalar="u8", length=32, required=("write",)),
-        ),
-    ),
+        )),
+    "ReceiverSafeMode": FieldInfo(
+        "gnss.receiver_safe_mode", gnss.ReceiverSafeMode, parameters=(
+            Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", minimum=1),
+            Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, minimum=0),
+        )),
     "ReceiverInfoResponse": FieldInfo(
-        "gnss.receiver_info_response", gnss.ReceiverInfoResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss.receiver_info_response", gnss.ReceiverInfoResponse, devices=("3dm-cv7-gnss-ins",), assumed=("3dm-gq7",), parameters=(
             Parameter("num_receivers", "num_receivers", "counter", scalar="u8", counts="receiver_info"),
             Parameter("receiver_info", "receiver_info", "array", length="num_receivers", type=gnss.ReceiverInfoEntry),
-        ),
-    ),
+        )),
     "SignalConfigResponse": FieldInfo(
-        "gnss.signal_config_response", gnss.SignalConfigResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss.signal_config_response", gnss.SignalConfigResponse, devices=("3dm-cv7-gnss-ins",), likely=("3dm-gq7",), parameters=(
             Parameter("gps_enable", "gps_enable", "scalar", scalar="u8", type=gnss.GpsSignals),
             Parameter("glonass_enable", "glonass_enable", "scalar", scalar="u8", type=gnss.GlonassSignals),
             Parameter("galileo_enable", "galileo_enable", "scalar", scalar="u8", type=gnss.GalileoSignals),
             Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
             Parameter("reserved", "reserved", "array", scalar="u8", length=4, reserved=True, default=0),
-        ),
-    ),
+        )),
     "RtkConfigResponse": FieldInfo(
-        "gnss.rtk_config_response", gnss.RtkConfigResponse,
-        parameters=(
+        "gnss.rtk_config_response", gnss.RtkConfigResponse, parameters=(
             Parameter("ambiguity_fix_mode", "ambiguity_fix_mode", "scalar", scalar="u8", type=gnss.AmbiguityFixMode),
             Parameter("reserved", "reserved", "array", scalar="u8", length=4, reserved=True, default=0),
-        ),
-    ),
+        )),
     "RtkDongleConfigResponse": FieldInfo(
-        "gnss.rtk_dongle_config_response", gnss.RtkDongleConfigResponse, perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss.rtk_dongle_config_response", gnss.RtkDongleConfigResponse, likely=("3dm-gq7",), parameters=(
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, minimum=0),
             Parameter("reserved", "reserved", "array", scalar="u8", length=3, reserved=True, default=0),
-        ),
-    ),
+        )),
     "SpartnConfigResponse": FieldInfo(
-        "gnss.spartn_config_response", gnss.SpartnConfigResponse, devices=("3dm-cv7-gnss-ins",),
-        parameters=(
+        "gnss.spartn_config_response", gnss.SpartnConfigResponse, devices=("3dm-cv7-gnss-ins",), parameters=(
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, minimum=0),
             Parameter("type", "type", "scalar", scalar="u8", type=gnss.SpartnConnection),
             Parameter("current_key_tow", "current_key_tow", "scalar", scalar="u32", units=("s",)),
@@ -118,6 +102,5 @@ TYPES: dict[str, Info] = {
             Parameter("next_key_tow", "next_key_tow", "scalar", scalar="u32", units=("s",)),
             Parameter("next_key_week", "next_key_week", "scalar", scalar="u16", units=("week",)),
             Parameter("next_key", "next_key", "array", scalar="u8", length=32),
-        ),
-    ),
+        )),
 }

@@ -54,8 +54,7 @@ TYPES: dict[str, Info] = {
     "GalileoIonoCorrectionFlags": BitsInfo("gnss_data.galileo_iono_correction_flags", gnss_data.GalileoIonoCorrectionFlags, aliases=("flags",)),
     "BeidouIonoCorrectionFlags": BitsInfo("gnss_data.beidou_iono_correction_flags", gnss_data.BeidouIonoCorrectionFlags, aliases=("flags",)),
     "LlhPosition": FieldInfo(
-        "gnss_data.llh_position", gnss_data.LlhPosition, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
-        parameters=(
+        "gnss_data.llh_position", gnss_data.LlhPosition, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), likely=("3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-45", "3dm-rq1-45-lt"), assumed=("3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx5-35", "3dm-rq1-45-st"), parameters=(
             Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), minimum=-90, maximum=90, frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
             Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), minimum=-180, maximum=180, frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
             Parameter("ellipsoid_height", "ellipsoid_height", "scalar", scalar="double", units=("m",), valid=("valid_flags.ellipsoid_height",), frame="llh", flags=(Flag("valid_flags.ellipsoid_height", "valid_flags", 0x2),)),
@@ -63,19 +62,15 @@ TYPES: dict[str, Info] = {
             Parameter("horizontal_accuracy", "horizontal_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.horizontal_accuracy",), minimum=0, flags=(Flag("valid_flags.horizontal_accuracy", "valid_flags", 0x8),)),
             Parameter("vertical_accuracy", "vertical_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.vertical_accuracy",), minimum=0, flags=(Flag("valid_flags.vertical_accuracy", "valid_flags", 0x10),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.LlhPositionFlags),
-        ),
-    ),
+        )),
     "EcefPosition": FieldInfo(
-        "gnss_data.ecef_position", gnss_data.EcefPosition, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cx5-45", "3dm-gx5-35", "3dm-gx5-45"),
-        parameters=(
+        "gnss_data.ecef_position", gnss_data.EcefPosition, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), assumed=("3dm-cx5-45", "3dm-gx5-35", "3dm-gx5-45"), parameters=(
             Parameter("position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.position",), frame="ecef", flags=(Flag("valid_flags.position", "valid_flags", 0x1),)),
             Parameter("position_accuracy", "position_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.position_accuracy",), minimum=0, flags=(Flag("valid_flags.position_accuracy", "valid_flags", 0x2),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.EcefPositionFlags),
-        ),
-    ),
+        )),
     "NedVelocity": FieldInfo(
-        "gnss_data.ned_velocity", gnss_data.NedVelocity, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
-        parameters=(
+        "gnss_data.ned_velocity", gnss_data.NedVelocity, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), likely=("3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-45", "3dm-rq1-45-lt"), assumed=("3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ins", "3dm-gx5-35", "3dm-rq1-45-st"), parameters=(
             Parameter("velocity", "velocity", "array", scalar="float", elements=("north", "east", "down"), units=("m/s",), valid=("valid_flags.velocity",), frame="ned", flags=(Flag("valid_flags.velocity", "valid_flags", 0x1),)),
             Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.speed_3d",), minimum=0, flags=(Flag("valid_flags.speed_3d", "valid_flags", 0x2),)),
             Parameter("ground_speed", "ground_speed", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.ground_speed",), minimum=0, flags=(Flag("valid_flags.ground_speed", "valid_flags", 0x4),)),
@@ -83,19 +78,15 @@ TYPES: dict[str, Info] = {
             Parameter("speed_accuracy", "speed_accuracy", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.speed_accuracy",), minimum=0, flags=(Flag("valid_flags.speed_accuracy", "valid_flags", 0x10),)),
             Parameter("heading_accuracy", "heading_accuracy", "scalar", scalar="float", units=("deg",), valid=("valid_flags.heading_accuracy",), minimum=0, flags=(Flag("valid_flags.heading_accuracy", "valid_flags", 0x20),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.NedVelocityFlags),
-        ),
-    ),
+        )),
     "EcefVelocity": FieldInfo(
-        "gnss_data.ecef_velocity", gnss_data.EcefVelocity, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7", "3dm-gx5-35"), perhaps=("3dm-cx5-45", "3dm-gx5-45"),
-        parameters=(
+        "gnss_data.ecef_velocity", gnss_data.EcefVelocity, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7", "3dm-gx5-35"), assumed=("3dm-cx5-45", "3dm-gx5-45"), parameters=(
             Parameter("velocity", "velocity", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",), valid=("valid_flags.velocity",), frame="ecef", flags=(Flag("valid_flags.velocity", "valid_flags", 0x1),)),
             Parameter("velocity_accuracy", "velocity_accuracy", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.velocity_accuracy",), minimum=0, flags=(Flag("valid_flags.velocity_accuracy", "valid_flags", 0x2),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.EcefVelocityFlags),
-        ),
-    ),
+        )),
     "Dop": FieldInfo(
-        "gnss_data.dop", gnss_data.Dop, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cx5-45", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45"),
-        parameters=(
+        "gnss_data.dop", gnss_data.Dop, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), likely=("3dm-cx5-45", "3dm-gq7", "3dm-gx5-45"), assumed=("3dm-gx5-35",), parameters=(
             Parameter("gdop", "gdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.gdop",), minimum=0, flags=(Flag("valid_flags.gdop", "valid_flags", 0x1),)),
             Parameter("pdop", "pdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.pdop",), minimum=0, flags=(Flag("valid_flags.pdop", "valid_flags", 0x2),)),
             Parameter("hdop", "hdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.hdop",), minimum=0, flags=(Flag("valid_flags.hdop", "valid_flags", 0x4),)),
@@ -104,11 +95,9 @@ TYPES: dict[str, Info] = {
             Parameter("ndop", "ndop", "scalar", scalar="float", units=("1",), valid=("valid_flags.ndop",), minimum=0, flags=(Flag("valid_flags.ndop", "valid_flags", 0x20),)),
             Parameter("edop", "edop", "scalar", scalar="float", units=("1",), valid=("valid_flags.edop",), minimum=0, flags=(Flag("valid_flags.edop", "valid_flags", 0x40),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.DopFlags),
-        ),
-    ),
+        )),
     "UtcTime": FieldInfo(
-        "gnss_data.utc_time", gnss_data.UtcTime, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx5-35", "3dm-gx5-45"),
-        parameters=(
+        "gnss_data.utc_time", gnss_data.UtcTime, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), assumed=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx5-35", "3dm-gx5-45"), parameters=(
             Parameter("year", "year", "scalar", scalar="u16", valid=("valid_flags.gnss_date_time",), flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
             Parameter("month", "month", "scalar", scalar="u8", valid=("valid_flags.gnss_date_time",), minimum=1, maximum=12, flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
             Parameter("day", "day", "scalar", scalar="u8", valid=("valid_flags.gnss_date_time",), minimum=1, maximum=31, flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
@@ -117,105 +106,83 @@ TYPES: dict[str, Info] = {
             Parameter("sec", "sec", "scalar", scalar="u8", units=("s",), valid=("valid_flags.gnss_date_time",), maximum=59, minimum=0, flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
             Parameter("msec", "msec", "scalar", scalar="u32", units=("ms",), valid=("valid_flags.gnss_date_time",), maximum=999, minimum=0, flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.UtcTimeFlags),
-        ),
-    ),
+        )),
     "GpsTime": FieldInfo(
-        "gnss_data.gps_time", gnss_data.GpsTime, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cx5-45", "3dm-gq4-45", "3dm-gq7", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
-        parameters=(
+        "gnss_data.gps_time", gnss_data.GpsTime, devices=("3dm-cv7-gnss-ins",), likely=("3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-rq1-45-lt"), assumed=("3dm-cx5-45", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-st"), parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.GpsTimeFlags),
-        ),
-    ),
+        )),
     "ClockInfo": FieldInfo(
-        "gnss_data.clock_info", gnss_data.ClockInfo, perhaps=("3dm-cx5-45", "3dm-gx5-35", "3dm-gx5-45"),
-        parameters=(
+        "gnss_data.clock_info", gnss_data.ClockInfo, assumed=("3dm-cx5-45", "3dm-gx5-35", "3dm-gx5-45"), parameters=(
             Parameter("bias", "bias", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias",), flags=(Flag("valid_flags.bias", "valid_flags", 0x1),)),
             Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",), valid=("valid_flags.drift",), flags=(Flag("valid_flags.drift", "valid_flags", 0x2),)),
             Parameter("accuracy_estimate", "accuracy_estimate", "scalar", scalar="double", units=("s",), valid=("valid_flags.accuracy_estimate",), minimum=0, flags=(Flag("valid_flags.accuracy_estimate", "valid_flags", 0x4),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.ClockInfoFlags),
-        ),
-    ),
+        )),
     "FixInfo": FieldInfo(
-        "gnss_data.fix_info", gnss_data.FixInfo, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cx5-45", "3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-35", "3dm-gx5-45"),
-        parameters=(
+        "gnss_data.fix_info", gnss_data.FixInfo, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), likely=("3dm-cx5-45", "3dm-gx5-45"), assumed=("3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-35"), parameters=(
             Parameter("fix_type", "fix_type", "scalar", scalar="u8", valid=("valid_flags.fix_type",), type=types.GnssFixType, flags=(Flag("valid_flags.fix_type", "valid_flags", 0x1),)),
             Parameter("num_sv", "num_sv", "scalar", scalar="u8", units=("1",), valid=("valid_flags.num_sv",), flags=(Flag("valid_flags.num_sv", "valid_flags", 0x2),)),
             Parameter("fix_flags", "fix_flags", "scalar", scalar="u16", valid=("valid_flags.fix_flags",), type=gnss_data.FixFlags, flags=(Flag("valid_flags.fix_flags", "valid_flags", 0x4),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.FixInfoFlags),
-        ),
-    ),
+        )),
     "SvInfo": FieldInfo(
-        "gnss_data.sv_info", gnss_data.SvInfo, devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gx5-35"),
-        parameters=(
+        "gnss_data.sv_info", gnss_data.SvInfo, devices=("3dm-gx5-45",), assumed=("3dm-cx5-45", "3dm-gx5-35"), parameters=(
             Parameter("channel", "channel", "scalar", scalar="u8", valid=("valid_flags.channel",), flags=(Flag("valid_flags.channel", "valid_flags", 0x1),)),
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8", valid=("valid_flags.satellite_id",), flags=(Flag("valid_flags.satellite_id", "valid_flags", 0x2),)),
             Parameter("carrier_noise_ratio", "carrier_noise_ratio", "scalar", scalar="u16", units=("dB-Hz",), valid=("valid_flags.carrier_noise_ratio",), flags=(Flag("valid_flags.carrier_noise_ratio", "valid_flags", 0x4),)),
-            Parameter("azimuth", "azimuth", "scalar", scalar="s16", units=("deg",), valid=("valid_flags.azimuth",), flags=(Flag("valid_flags.azimuth", "valid_flags", 0x8),)),
-            Parameter("elevation", "elevation", "scalar", scalar="s16", units=("deg",), valid=("valid_flags.elevation",), minimum=-90, maximum=90, flags=(Flag("valid_flags.elevation", "valid_flags", 0x10),)),
+            Parameter("azimuth", "azimuth", "scalar", scalar="s16", units=("deg",), valid=("valid_flags.azimuth",), frame="ned", flags=(Flag("valid_flags.azimuth", "valid_flags", 0x8),)),
+            Parameter("elevation", "elevation", "scalar", scalar="s16", units=("deg",), valid=("valid_flags.elevation",), minimum=-90, maximum=90, frame="ned", flags=(Flag("valid_flags.elevation", "valid_flags", 0x10),)),
             Parameter("sv_flags", "sv_flags", "scalar", scalar="u16", valid=("valid_flags.sv_flags",), type=gnss_data.SvFlags, flags=(Flag("valid_flags.sv_flags", "valid_flags", 0x20),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.SvInfoFlags),
-        ),
-    ),
+        )),
     "HardwareStatus": FieldInfo(
-        "gnss_data.hardware_status", gnss_data.HardwareStatus, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cx5-45", "3dm-gx5-35"),
-        parameters=(
+        "gnss_data.hardware_status", gnss_data.HardwareStatus, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), assumed=("3dm-cx5-45", "3dm-gx5-35"), parameters=(
             Parameter("receiver_state", "receiver_state", "scalar", scalar="u8", valid=("valid_flags.sensor_state",), type=gnss_data.ReceiverState, flags=(Flag("valid_flags.sensor_state", "valid_flags", 0x1),)),
             Parameter("antenna_state", "antenna_state", "scalar", scalar="u8", valid=("valid_flags.antenna_state",), type=gnss_data.AntennaState, flags=(Flag("valid_flags.antenna_state", "valid_flags", 0x2),)),
             Parameter("antenna_power", "antenna_power", "scalar", scalar="u8", valid=("valid_flags.antenna_power",), type=gnss_data.AntennaPower, flags=(Flag("valid_flags.antenna_power", "valid_flags", 0x4),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.HardwareStatusFlags),
-        ),
-    ),
+        )),
     "DgpsInfo": FieldInfo(
-        "gnss_data.dgps_info", gnss_data.DgpsInfo, devices=("3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cx5-45",),
-        parameters=(
+        "gnss_data.dgps_info", gnss_data.DgpsInfo, devices=("3dm-gx5-35", "3dm-gx5-45"), assumed=("3dm-cx5-45",), parameters=(
             Parameter("age", "age", "scalar", scalar="float", units=("s",), valid=("valid_flags.age",), minimum=0, flags=(Flag("valid_flags.age", "valid_flags", 0x1),)),
             Parameter("base_station_id", "base_station_id", "scalar", scalar="s16", valid=("valid_flags.base_station_id",), flags=(Flag("valid_flags.base_station_id", "valid_flags", 0x2),)),
             Parameter("base_station_status", "base_station_status", "scalar", scalar="s16", valid=("valid_flags.base_station_status",), flags=(Flag("valid_flags.base_station_status", "valid_flags", 0x4),)),
             Parameter("num_channels", "num_channels", "scalar", scalar="u16", units=("1",), valid=("valid_flags.num_channels",), flags=(Flag("valid_flags.num_channels", "valid_flags", 0x8),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.DgpsInfoFlags),
-        ),
-    ),
+        )),
     "DgpsInfoSatellite": FieldInfo(
-        "gnss_data.dgps_info_satellite", gnss_data.DgpsInfoSatellite,
-        parameters=(
+        "gnss_data.dgps_info_satellite", gnss_data.DgpsInfoSatellite, parameters=(
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
             Parameter("age", "age", "scalar", scalar="float", units=("s",), valid=("valid_flags.age",), minimum=0, flags=(Flag("valid_flags.age", "valid_flags", 0x1),)),
             Parameter("range_correction", "range_correction", "scalar", scalar="float", units=("m",)),
             Parameter("range_rate_correction", "range_rate_correction", "scalar", scalar="float", units=("m/s",)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.DgpsInfoFlags),
-        ),
-    ),
+        )),
     "DgpsChannel": FieldInfo(
-        "gnss_data.dgps_channel", gnss_data.DgpsChannel, devices=("3dm-gx5-45",), perhaps=("3dm-cx5-45", "3dm-gx5-35"),
-        parameters=(
+        "gnss_data.dgps_channel", gnss_data.DgpsChannel, devices=("3dm-gx5-45",), assumed=("3dm-cx5-45", "3dm-gx5-35"), parameters=(
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8", valid=("valid_flags.satellite_id",), flags=(Flag("valid_flags.satellite_id", "valid_flags", 0x1),)),
             Parameter("age", "age", "scalar", scalar="float", units=("s",), valid=("valid_flags.age",), minimum=0, flags=(Flag("valid_flags.age", "valid_flags", 0x2),)),
             Parameter("range_correction", "range_correction", "scalar", scalar="float", units=("m",), valid=("valid_flags.range_correction",), flags=(Flag("valid_flags.range_correction", "valid_flags", 0x4),)),
             Parameter("range_rate_correction", "range_rate_correction", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.range_rate_correction",), flags=(Flag("valid_flags.range_rate_correction", "valid_flags", 0x8),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.DgpsChannelFlags),
-        ),
-    ),
+        )),
     "ClockInfo2": FieldInfo(
-        "gnss_data.clock_info_2", gnss_data.ClockInfo2, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss_data.clock_info_2", gnss_data.ClockInfo2, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), assumed=("3dm-gq7",), parameters=(
             Parameter("bias", "bias", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias",), flags=(Flag("valid_flags.bias", "valid_flags", 0x1),)),
             Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",), valid=("valid_flags.drift",), flags=(Flag("valid_flags.drift", "valid_flags", 0x2),)),
             Parameter("bias_accuracy_estimate", "bias_accuracy_estimate", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias_accuracy",), minimum=0, flags=(Flag("valid_flags.bias_accuracy", "valid_flags", 0x4),)),
             Parameter("drift_accuracy_estimate", "drift_accuracy_estimate", "scalar", scalar="double", units=("s/s",), valid=("valid_flags.drift_accuracy",), minimum=0, flags=(Flag("valid_flags.drift_accuracy", "valid_flags", 0x8),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.ClockInfo2Flags),
-        ),
-    ),
+        )),
     "GpsLeapSeconds": FieldInfo(
-        "gnss_data.gps_leap_seconds", gnss_data.GpsLeapSeconds, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss_data.gps_leap_seconds", gnss_data.GpsLeapSeconds, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), likely=("3dm-gq7",), parameters=(
             Parameter("leap_seconds", "leap_seconds", "scalar", scalar="u8", units=("s",), valid=("valid_flags.leap_seconds",), flags=(Flag("valid_flags.leap_seconds", "valid_flags", 0x2),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.GpsLeapSecondsFlags),
-        ),
-    ),
+        )),
     "SbasInfo": FieldInfo(
-        "gnss_data.sbas_info", gnss_data.SbasInfo, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
-        parameters=(
+        "gnss_data.sbas_info", gnss_data.SbasInfo, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("sbas_system", "sbas_system", "scalar", scalar="u8", valid=("valid_flags.sbas_system",), type=gnss_data.SbasSystem, flags=(Flag("valid_flags.sbas_system", "valid_flags", 0x4),)),
@@ -223,11 +190,9 @@ TYPES: dict[str, Info] = {
             Parameter("count", "count", "scalar", scalar="u8", units=("1",), valid=("valid_flags.count",), flags=(Flag("valid_flags.count", "valid_flags", 0x10),)),
             Parameter("sbas_status", "sbas_status", "scalar", scalar="u8", valid=("valid_flags.sbas_status",), type=gnss_data.SbasStatus, flags=(Flag("valid_flags.sbas_status", "valid_flags", 0x20),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.SbasInfoFlags),
-        ),
-    ),
+        )),
     "SbasCorrection": FieldInfo(
-        "gnss_data.sbas_correction", gnss_data.SbasCorrection,
-        parameters=(
+        "gnss_data.sbas_correction", gnss_data.SbasCorrection, parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
@@ -238,46 +203,38 @@ TYPES: dict[str, Info] = {
             Parameter("pseudorange_correction", "pseudorange_correction", "scalar", scalar="float", units=("m",), valid=("valid_flags.pseudorange_correction",), flags=(Flag("valid_flags.pseudorange_correction", "valid_flags", 0x2),)),
             Parameter("iono_correction", "iono_correction", "scalar", scalar="float", units=("m",), valid=("valid_flags.iono_correction",), flags=(Flag("valid_flags.iono_correction", "valid_flags", 0x4),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.SbasCorrectionFlags),
-        ),
-    ),
+        )),
     "RfErrorDetection": FieldInfo(
-        "gnss_data.rf_error_detection", gnss_data.RfErrorDetection, devices=("3dm-cv7-ins", "3dm-gq7"),
-        parameters=(
+        "gnss_data.rf_error_detection", gnss_data.RfErrorDetection, devices=("3dm-cv7-ins", "3dm-gq7"), parameters=(
             Parameter("rf_band", "rf_band", "scalar", scalar="u8", valid=("valid_flags.rf_band",), type=gnss_data.RfBand, flags=(Flag("valid_flags.rf_band", "valid_flags", 0x1),)),
             Parameter("jamming_state", "jamming_state", "scalar", scalar="u8", valid=("valid_flags.jamming_state",), type=gnss_data.JammingState, flags=(Flag("valid_flags.jamming_state", "valid_flags", 0x2),)),
             Parameter("spoofing_state", "spoofing_state", "scalar", scalar="u8", valid=("valid_flags.spoofing_state",), type=gnss_data.SpoofingState, flags=(Flag("valid_flags.spoofing_state", "valid_flags", 0x4),)),
             Parameter("frequency", "frequency", "scalar", scalar="u16", units=("MHz",), valid=("valid_flags.frequency",), flags=(Flag("valid_flags.frequency", "valid_flags", 0x8),)),
             Parameter("reserved", "reserved", "array", scalar="u8", length=2, reserved=True, default=0),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.RfErrorDetectionFlags),
-        ),
-    ),
+        )),
     "Heading": FieldInfo(
-        "gnss_data.heading", gnss_data.Heading,
-        parameters=(
-            Parameter("heading", "heading", "scalar", scalar="float", units=("deg",), valid=("valid_flags.heading",), flags=(Flag("valid_flags.heading", "valid_flags", 0x1),)),
+        "gnss_data.heading", gnss_data.Heading, parameters=(
+            Parameter("heading", "heading", "scalar", scalar="float", units=("deg",), valid=("valid_flags.heading",), frame="ned", flags=(Flag("valid_flags.heading", "valid_flags", 0x1),)),
             Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("deg",), valid=("valid_flags.uncertainty",), minimum=0, flags=(Flag("valid_flags.uncertainty", "valid_flags", 0x2),)),
             Parameter("fix_type", "fix_type", "scalar", scalar="u8", valid=("valid_flags.fix_type",), type=gnss_data.HeadingFixType, flags=(Flag("valid_flags.fix_type", "valid_flags", 0x4),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.HeadingFlags),
-        ),
-    ),
+        )),
     "SatelliteStatus": FieldInfo(
-        "gnss_data.satellite_status", gnss_data.SatelliteStatus, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins"),
-        parameters=(
+        "gnss_data.satellite_status", gnss_data.SatelliteStatus, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), assumed=("3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins"), parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", valid=("valid_flags.gnss_id",), type=types.GnssConstellation, flags=(Flag("valid_flags.gnss_id", "valid_flags", 0x4),)),
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8", valid=("valid_flags.satellite_id",), flags=(Flag("valid_flags.satellite_id", "valid_flags", 0x8),)),
-            Parameter("elevation", "elevation", "scalar", scalar="float", units=("deg",), valid=("valid_flags.elevation",), minimum=-90, maximum=90, flags=(Flag("valid_flags.elevation", "valid_flags", 0x10),)),
-            Parameter("azimuth", "azimuth", "scalar", scalar="float", units=("deg",), valid=("valid_flags.azimuth",), flags=(Flag("valid_flags.azimuth", "valid_flags", 0x20),)),
+            Parameter("elevation", "elevation", "scalar", scalar="float", units=("deg",), valid=("valid_flags.elevation",), minimum=-90, maximum=90, frame="ned", flags=(Flag("valid_flags.elevation", "valid_flags", 0x10),)),
+            Parameter("azimuth", "azimuth", "scalar", scalar="float", units=("deg",), valid=("valid_flags.azimuth",), frame="ned", flags=(Flag("valid_flags.azimuth", "valid_flags", 0x20),)),
             Parameter("health", "health", "scalar", scalar="bool", valid=("valid_flags.health",), flags=(Flag("valid_flags.health", "valid_flags", 0x40),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.SatelliteStatusFlags),
-        ),
-    ),
+        )),
     "Raw": FieldInfo(
-        "gnss_data.raw", gnss_data.Raw, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss_data.raw", gnss_data.Raw, devices=("3dm-cv7-gnss-ins",), assumed=("3dm-gq7",), parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
@@ -297,11 +254,9 @@ TYPES: dict[str, Info] = {
             Parameter("doppler_uncertainty", "doppler_uncertainty", "scalar", scalar="float", units=("Hz",), valid=("valid_flags.doppler_uncertainty",), minimum=0, flags=(Flag("valid_flags.doppler_uncertainty", "valid_flags", 0x4000),)),
             Parameter("lock_time", "lock_time", "scalar", scalar="float", units=("s",), valid=("valid_flags.lock_time",), minimum=0, flags=(Flag("valid_flags.lock_time", "valid_flags", 0x8000),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.RawFlags),
-        ),
-    ),
+        )),
     "BaseStationInfo": FieldInfo(
-        "gnss_data.base_station_info", gnss_data.BaseStationInfo, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
-        parameters=(
+        "gnss_data.base_station_info", gnss_data.BaseStationInfo, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("ecef_position", "ecef_position", "array", scalar="double", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.ecef_position",), frame="ecef", flags=(Flag("valid_flags.ecef_position", "valid_flags", 0x4),)),
@@ -309,11 +264,9 @@ TYPES: dict[str, Info] = {
             Parameter("station_id", "station_id", "scalar", scalar="u16", valid=("valid_flags.station_id",), maximum=4095, minimum=0, flags=(Flag("valid_flags.station_id", "valid_flags", 0x10),)),
             Parameter("indicators", "indicators", "scalar", scalar="u16", valid=("valid_flags.indicators",), type=gnss_data.BaseStationIndicators, flags=(Flag("valid_flags.indicators", "valid_flags", 0x20),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.BaseStationInfoFlags),
-        ),
-    ),
+        )),
     "RtkCorrectionsStatus": FieldInfo(
-        "gnss_data.rtk_corrections_status", gnss_data.RtkCorrectionsStatus, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
-        parameters=(
+        "gnss_data.rtk_corrections_status", gnss_data.RtkCorrectionsStatus, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("epoch_status", "epoch_status", "scalar", scalar="u16", valid=("valid_flags.epoch_status",), type=gnss_data.RtkEpochStatus, flags=(Flag("valid_flags.epoch_status", "valid_flags", 0x4),)),
@@ -324,11 +277,9 @@ TYPES: dict[str, Info] = {
             Parameter("beidou_correction_latency", "beidou_correction_latency", "scalar", scalar="float", units=("s",), valid=("valid_flags.beidou_latency",), minimum=0, flags=(Flag("valid_flags.beidou_latency", "valid_flags", 0x80),)),
             Parameter("reserved", "reserved", "array", scalar="u32", length=4, reserved=True, default=0),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.RtkCorrectionsStatusFlags),
-        ),
-    ),
+        )),
     "GpsEphemeris": FieldInfo(
-        "gnss_data.gps_ephemeris", gnss_data.GpsEphemeris, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss_data.gps_ephemeris", gnss_data.GpsEphemeris, devices=("3dm-cv7-gnss-ins",), assumed=("3dm-gq7",), parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
@@ -363,11 +314,9 @@ TYPES: dict[str, Info] = {
             Parameter("c_rc", "c_rc", "scalar", scalar="double", units=("m",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("c_rs", "c_rs", "scalar", scalar="double", units=("m",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.EphemerisFlags),
-        ),
-    ),
+        )),
     "GlonassEphemeris": FieldInfo(
-        "gnss_data.glonass_ephemeris", gnss_data.GlonassEphemeris, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss_data.glonass_ephemeris", gnss_data.GlonassEphemeris, devices=("3dm-cv7-gnss-ins",), assumed=("3dm-gq7",), parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
@@ -393,11 +342,9 @@ TYPES: dict[str, Info] = {
             Parameter("p3", "p3", "scalar", scalar="u8", units=("1",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("p4", "p4", "scalar", scalar="u8", valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.GlonassEphemerisFlags),
-        ),
-    ),
+        )),
     "GalileoEphemeris": FieldInfo(
-        "gnss_data.galileo_ephemeris", gnss_data.GalileoEphemeris, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss_data.galileo_ephemeris", gnss_data.GalileoEphemeris, devices=("3dm-cv7-gnss-ins",), assumed=("3dm-gq7",), parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
@@ -432,11 +379,9 @@ TYPES: dict[str, Info] = {
             Parameter("c_rc", "c_rc", "scalar", scalar="double", units=("m",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("c_rs", "c_rs", "scalar", scalar="double", units=("m",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.EphemerisFlags),
-        ),
-    ),
+        )),
     "BeidouEphemeris": FieldInfo(
-        "gnss_data.beidou_ephemeris", gnss_data.BeidouEphemeris, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
-        parameters=(
+        "gnss_data.beidou_ephemeris", gnss_data.BeidouEphemeris, devices=("3dm-cv7-gnss-ins",), assumed=("3dm-gq7",), parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
@@ -471,37 +416,30 @@ TYPES: dict[str, Info] = {
             Parameter("c_rc", "c_rc", "scalar", scalar="double", units=("m",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("c_rs", "c_rs", "scalar", scalar="double", units=("m",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.EphemerisFlags),
-        ),
-    ),
+        )),
     "GpsIonoCorrection": FieldInfo(
-        "gnss_data.gps_iono_correction", gnss_data.GpsIonoCorrection,
-        parameters=(
+        "gnss_data.gps_iono_correction", gnss_data.GpsIonoCorrection, parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("alpha", "alpha", "array", scalar="double", length=4, valid=("valid_flags.alpha",), flags=(Flag("valid_flags.alpha", "valid_flags", 0x4),)),
             Parameter("beta", "beta", "array", scalar="double", length=4, valid=("valid_flags.beta",), flags=(Flag("valid_flags.beta", "valid_flags", 0x8),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.GpsIonoCorrectionFlags),
-        ),
-    ),
+        )),
     "GalileoIonoCorrection": FieldInfo(
-        "gnss_data.galileo_iono_correction", gnss_data.GalileoIonoCorrection,
-        parameters=(
+        "gnss_data.galileo_iono_correction", gnss_data.GalileoIonoCorrection, parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("alpha", "alpha", "array", scalar="double", length=3, valid=("valid_flags.alpha",), flags=(Flag("valid_flags.alpha", "valid_flags", 0x4),)),
             Parameter("disturbance_flags", "disturbance_flags", "scalar", scalar="u8", valid=("valid_flags.disturbance_flags",), flags=(Flag("valid_flags.disturbance_flags", "valid_flags", 0x8),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.GalileoIonoCorrectionFlags),
-        ),
-    ),
+        )),
     "BeidouIonoCorrection": FieldInfo(
-        "gnss_data.beidou_iono_correction", gnss_data.BeidouIonoCorrection,
-        parameters=(
+        "gnss_data.beidou_iono_correction", gnss_data.BeidouIonoCorrection, parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("alpha", "alpha", "array", scalar="double", length=4, valid=("valid_flags.alpha",), flags=(Flag("valid_flags.alpha", "valid_flags", 0x4),)),
             Parameter("beta", "beta", "array", scalar="double", length=4, valid=("valid_flags.beta",), flags=(Flag("valid_flags.beta", "valid_flags", 0x8),)),
             Parameter("alpha_correction", "alpha_correction", "array", scalar="double", length=9, valid=("valid_flags.alpha_correction",), flags=(Flag("valid_flags.alpha_correction", "valid_flags", 0x10),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.BeidouIonoCorrectionFlags),
-        ),
-    ),
+        )),
 }

@@ -12,10 +12,8 @@ from ..parameter import Parameter
 TYPES: dict[str, Info] = {
     "FunctionSelector": EnumInfo("function_selector", protocol.FunctionSelector),
     "Acknowledge": FieldInfo(
-        "protocol.acknowledge", protocol.Acknowledge,
-        parameters=(
+        "protocol.acknowledge", protocol.Acknowledge, parameters=(
             Parameter("command", "command", "scalar", scalar="u8", refers="field"),
             Parameter("code", "code", "scalar", scalar="u8", type=types.AckCode),
-        ),
-    ),
+        )),
 }

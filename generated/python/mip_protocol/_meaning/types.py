@@ -80,7 +80,7 @@ TYPES: dict[str, Info] = {
     "AckCode": EnumInfo("ack_code", types.AckCode),
     "DescriptorRate": StructureInfo("descriptor_rate", types.DescriptorRate, (
             Parameter("descriptor", "descriptor", "scalar", scalar="u8", refers="field"),
-            Parameter("decimation", "decimation", "scalar", scalar="u16"),
+            Parameter("decimation", "decimation", "scalar", scalar="u16", minimum=1),
         )),
     "SensorGpsTimestampFlags": BitsInfo("sensor_gps_timestamp_flags", types.SensorGpsTimestampFlags),
     "Gx5SensorGpsTimestampFlags": BitsInfo("gx5_sensor_gps_timestamp_flags", types.Gx5SensorGpsTimestampFlags),

@@ -6,7 +6,7 @@ use core::task::Poll;
 
 use embedded_io_async::{Error, ErrorKind, Read, Write};
 
-use super::{is_over, Answer, Client, Command, Core, DeviceError, RequestError};
+use super::{is_over, Client, Command, CommandError, Commands, Core, DeviceError, RequestError};
 use super::{BACKLOG, CHUNK};
 use crate::client::{Event, Request, Ticket};
 use crate::packet::Packet;
@@ -19,6 +19,9 @@ use crate::parser::{behind, Parser};
 /// `|ms| Timer::after_millis(ms.into())` of `embassy-time`, or
 /// `|ms| tokio::time::sleep(Duration::from_millis(ms.into()))`.
 ///
+/// These traits have no function for the baud rate. [`AsyncDevice::with_baud`] provides one;
+/// without it, the port keeps its rate.
+///
 /// Dropping a future cancels the command in the client, but not in the device. The reply is then
 /// treated as data, because a barrier precedes the next command. Whether bytes are lost depends on
 /// the port.
@@ -28,12 +31,21 @@ use crate::parser::{behind, Parser};
 /// [`Closed`](DeviceError::Closed).
 #[derive(Clone, Debug)]
 pub struct AsyncDevice<P, S, const N: usize = 8, const Q: usize = 4096> {
-    port: P,
+    pub(super) port: P,
     sleep: S,
-    core: Core<N, Q>,
+    pub(super) core: Core<N, Q>,
+    baud: Option<u32>,
+    set_baud: Option<SetBaud<P>>,
 }
 
-impl<P, S> AsyncDevice<P, S> {
+/// Changes the baud rate of a port, and returns whether it supports the new one.
+type SetBaud<P> = fn(&mut P, u32) -> bool;
+
+impl<P, S, F> AsyncDevice<P, S>
+where
+    S: FnMut(u32) -> F,
+    F: Future<Output = ()>,
+{
     /// Creates a device with the default memory and time-out; nothing is sent or read.
     #[must_use]
     pub const fn new(port: P, sleep: S) -> Self {
@@ -41,12 +53,31 @@ impl<P, S> AsyncDevice<P, S> {
     }
 }
 
-impl<P, S, const N: usize, const Q: usize> AsyncDevice<P, S, N, Q> {
+impl<P, S, F, const N: usize, const Q: usize> AsyncDevice<P, S, N, Q>
+where
+    S: FnMut(u32) -> F,
+    F: Future<Output = ()>,
+{
     /// Creates a device whose client has another time-out or size:
     /// `let device: AsyncDevice<_, _, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, sleep: S, client: Client<N>) -> Self {
-        Self { port, sleep, core: Core::new(client) }
+        Self { port, sleep, core: Core::new(client), baud: None, set_baud: None }
+    }
+
+    /// Adds the present baud rate of the port, and the function that changes it and returns whether
+    /// the port supports the new one: `|uart, rate| uart.set_baudrate(rate).is_ok()`.
+    #[must_use]
+    pub fn with_baud(mut self, rate: u32, set_baud: fn(&mut P, u32) -> bool) -> Self {
+        (self.baud, self.set_baud) = (Some(rate), Some(set_baud));
+        self
+    }
+}
+
+impl<P, S, const N: usize, const Q: usize> AsyncDevice<P, S, N, Q> {
+    /// Returns the baud rate, if the port has one.
+    pub const fn baud(&self) -> Option<u32> {
+        self.baud
     }
 
     /// Borrows the port.
@@ -94,8 +125,23 @@ where
         &mut self,
         command: &C,
     ) -> Result<C::Response, DeviceError<P::Error>> {
-        let ticket = self.send_all(C::SET, |request| request.add(command)).await?;
+        self.begin().await?;
+        let (ticket, _) = self.core.client.send(command, 0)?; // times are relative to this moment
+        self.exchange().await?;
         self.core.result(&ticket)
+    }
+
+    /// Sends several commands of one descriptor set in one packet, and returns their responses.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`AsyncDevice::request`]; of several rejected commands, it is the error of the first.
+    pub async fn request_all<C: Commands>(
+        &mut self,
+        commands: C,
+    ) -> Result<C::Responses, DeviceError<P::Error>> {
+        let tickets = self.send_all(C::SET, |request| commands.add(request)).await?;
+        Ok(C::responses(&tickets, &self.core.client)?)
     }
 
     /// Sends several commands of one descriptor set in one packet, and waits for all replies.
@@ -111,13 +157,27 @@ where
         set: u8,
         add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
     ) -> Result<T, DeviceError<P::Error>> {
-        self.core.client.clear();
-        if let Some(barrier) = self.core.client.barrier() {
-            write(&mut self.port, barrier.bytes()).await?;
-        }
+        self.begin().await?;
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
-        let packet = request.send(0); // times are relative to this moment
+        let _ = request.send(0);
+        self.exchange().await?;
+        Ok(tickets)
+    }
+
+    /// Forgets the earlier commands, and sends a barrier if one was not answered.
+    async fn begin(&mut self) -> Result<(), DeviceError<P::Error>> {
+        self.core.client.clear();
+        match self.core.client.barrier() {
+            Some(barrier) => write(&mut self.port, barrier.bytes()).await,
+            None => Ok(()),
+        }
+    }
+
+    /// Sends the packet in the client, and waits until no command is pending. This does not depend
+    /// on the types of commands, so that its code exists once.
+    async fn exchange(&mut self) -> Result<(), DeviceError<P::Error>> {
+        let packet = self.core.client.packet();
         if !packet.payload().is_empty() {
             write(&mut self.port, packet.bytes()).await?;
         }
@@ -133,12 +193,17 @@ where
                 }
             }
         }
-        Ok(tickets)
+        Ok(())
     }
 
-    /// Returns the answer to a command of [`AsyncDevice::send_all`], until the next command is
-    /// sent. For an earlier command, it returns [`Answer::TimedOut`].
-    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
+    /// Returns the response to a command of [`AsyncDevice::send_all`], until the next command is
+    /// sent.
+    ///
+    /// # Errors
+    ///
+    /// The device rejected or did not answer the command; or it was sent before the last call
+    /// ([`Reason::Forgotten`](crate::client::Reason::Forgotten)).
+    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Result<C::Response, CommandError> {
         self.core.answer(ticket)
     }
 
@@ -162,16 +227,75 @@ where
         wait_ms: u32,
     ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
         self.core.client.give_up();
-        if self.core.data.len() == 0 {
-            let (mut backlog, mut sleep) = (BACKLOG, pin!((self.sleep)(wait_ms)));
-            while self.core.data.len() == 0 {
-                if !read(&mut self.port, &mut self.core, sleep.as_mut(), &mut backlog).await? {
-                    self.core.look_behind();
-                    break;
-                }
+        self.read_until(wait_ms, |core| core.data.len() > 0).await?;
+        Ok(self.core.data.pop())
+    }
+
+    /// Reads until the condition holds, or this number of milliseconds has passed.
+    async fn read_until(
+        &mut self,
+        wait_ms: u32,
+        holds: impl Fn(&Core<N, Q>) -> bool,
+    ) -> Result<(), DeviceError<P::Error>> {
+        if holds(&self.core) {
+            return Ok(());
+        }
+        let (mut backlog, mut sleep) = (BACKLOG, pin!((self.sleep)(wait_ms)));
+        while !holds(&self.core) {
+            if !read(&mut self.port, &mut self.core, sleep.as_mut(), &mut backlog).await? {
+                self.core.look_behind();
+                break;
             }
         }
-        Ok(self.core.data.pop())
+        Ok(())
+    }
+
+    /// Sends up to two pings until any packet arrives; see [`Device`](super::Device).
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) async fn is_heard<C: Command>(
+        &mut self,
+        ping: &C,
+        wait_ms: u32,
+    ) -> Result<bool, DeviceError<P::Error>> {
+        let mut heard = false;
+        self.core.parser = Parser::new();
+        self.discard();
+        for _ in 0..2 {
+            self.core.client.clear();
+            let (_, packet) = self.core.client.send(ping, 0)?;
+            write(&mut self.port, packet.bytes()).await?;
+            let came = |core: &Core<N, Q>| core.client.pending() == 0 || core.data.len() > 0;
+            self.read_until(wait_ms, came).await?;
+            heard = came(&self.core);
+            if heard {
+                break;
+            }
+        }
+        self.core.client.clear();
+        self.discard();
+        Ok(heard)
+    }
+
+    /// Discards the data that was kept.
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn discard(&mut self) {
+        while self.core.data.pop().is_some() {}
+    }
+
+    /// Receives data for a number of milliseconds, and keeps it.
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) async fn pass(&mut self, wait_ms: u32) -> Result<(), DeviceError<P::Error>> {
+        self.read_until(wait_ms, |_| false).await
+    }
+
+    /// Changes the baud rate of the port; returns `false` if that is not possible.
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn set_baud(&mut self, rate: u32) -> Result<bool, DeviceError<P::Error>> {
+        let done = self.set_baud.map_or(false, |set_baud| set_baud(&mut self.port, rate));
+        if done {
+            self.baud = Some(rate);
+        }
+        Ok(done)
     }
 }
 
@@ -214,9 +338,9 @@ async fn read<P: Read, const N: usize, const Q: usize>(
     backlog: &mut u8,
 ) -> Result<bool, DeviceError<P::Error>> {
     let mut chunk = [0; CHUNK];
-    let part = core.part(&mut chunk);
+    let room = core.part(&mut chunk);
     let (count, late) = {
-        let mut read = pin!(port.read(part));
+        let mut read = pin!(port.read(room));
         poll_fn(|context| {
             // The timer is polled first, in case the program is suspended in between, and not again
             // after it has fired.
@@ -239,7 +363,7 @@ async fn read<P: Read, const N: usize, const Q: usize>(
         Some(Ok(0)) if core.look_behind() => Ok(!over),
         Some(Ok(0)) => Err(DeviceError::Closed),
         Some(Ok(count)) => {
-            core.arrived(part.get(..count).unwrap_or_default());
+            core.arrived(room.get(..count).unwrap_or_default());
             Ok(!over)
         }
         Some(Err(_)) if nothing => {

@@ -7,15 +7,13 @@ use super::Port;
 
 /// A port over anything that reads and writes, with the system's clock.
 ///
-/// A read without data may wait or return at once. It may return 0 or an error of the kind
+/// A read without data may wait or return at once, with an error of the kind
 /// [`TimedOut`](ErrorKind::TimedOut), [`WouldBlock`](ErrorKind::WouldBlock) or
 /// [`Interrupted`](ErrorKind::Interrupted). Commands can time out only when it returns, so set a
 /// time-out of the port, for example 10 ms. Writes must block.
 ///
-/// A read of 0 bytes is not an error, because it may mean that nothing has arrived yet. If the
-/// other end closes a TCP connection, commands therefore time out and
-/// [`next_packet`](super::Device::next_packet) returns `None`, until a write fails. To detect this,
-/// implement a [`Port`] that returns an error for 0.
+/// A read of 0 bytes means that the other end has closed the connection: the error is
+/// [`UnexpectedEof`](ErrorKind::UnexpectedEof).
 #[derive(Clone, Debug)]
 pub struct StdPort<T> {
     io: T,
@@ -55,7 +53,7 @@ impl<T: Read + Write> Port for StdPort<T> {
             count => count,
         };
         match count {
-            Ok(0) => {}
+            Ok(0) => return Err(super::closed()),
             Ok(count) => return Ok(count),
             Err(error) => match error.kind() {
                 ErrorKind::TimedOut | ErrorKind::Interrupted => return Ok(0),

@@ -1,7 +1,9 @@
 //! The devices.
 
 #[allow(unused_imports)] // a part of the specification needs fewer
-use super::{BaseRate, Evidence, Firmware, Limit, Profile, ProfilePort, Support, Variant};
+use super::{
+    AbsentSet, BaseRate, Evidence, Firmware, Limit, Profile, ProfilePort, Support, Variant,
+};
 #[allow(unused_imports)]
 use crate::protocol::AckCode;
 
@@ -49,21 +51,65 @@ pub static ALL: &[&Profile] = &[
 ];
 
 #[rustfmt::skip]
-const CV5_10_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CV5_10_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (3DM-CV5-10 Data Communications Protocol Manual: Contents).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV5_10_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10." };
+const CV5_10_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV5_10_3: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 145)." };
+const CV5_10_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CV5_10_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (MicroStrain Communication Library: Issue 145).",
+    absence: "",
+};
+#[rustfmt::skip]
+const CV5_10_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Not in the manual, whose list of the set is complete.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CV5_10_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CV5_10_7: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const CV5_10_8: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a pressure sensor, which the device lacks.",
+    absence: "has no pressure sensor",
+};
 
 /// 3DM-CV5-10
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is known. This profile is
-/// incomplete: Its manual (8500-0070) is not known.
+/// Also called 3DM-CV5-IMU. Generation 5. Model number 6259. Sensors: accelerometer, gyroscope.
+/// GNSS receivers: none. GNSS antennas: none. Sets known completely from the manual: base (0x01).
+/// Manual: 3DM-CV5-10 Data Communications Protocol Manual, 8500-0070 revision E, 2018, known from
+/// its contents. This profile is incomplete: Of the manual, only the table of contents is known, up
+/// to the set `3dm`. It lists only the sets `base`, `3dm` and `sensor`. Uncertain: The sensors are
+/// inferred from the name of the model; that it has no magnetometer also from MSCL, which offers it
+/// no north compensation.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -81,42 +127,66 @@ pub static CV5_10: Profile = Profile {
     also: &["3DM-CV5-IMU"],
     model_number: Some(6259),
     generation: Some(5),
-    manual: None,
+    manual: Some("3dm-cv5-10"),
     incomplete: &[
-        "Its manual (8500-0070) is not known.",
+        "Of the manual, only the table of contents is known, up to the set `3dm`. It lists only the sets `base`, `3dm` and `sensor`.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] CV5_10_1;
         0x01 0x02 "base.set_idle" [] CV5_10_1;
         0x01 0x03 "base.get_device_info" [] CV5_10_1;
         0x01 0x04 "base.get_device_descriptors" [] CV5_10_1;
-        0x01 0x05 "base.built_in_test" [] CV5_10_2;
+        0x01 0x05 "base.built_in_test" [] CV5_10_1;
         0x01 0x06 "base.resume" [] CV5_10_1;
-        0x01 0x07 "base.get_extended_descriptors" [] CV5_10_1;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_10_2;
-        0x01 0x7E "base.soft_reset" [] CV5_10_2;
-        0x0C 0x01 "3dm.poll_imu_data" [] CV5_10_2;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_10_1;
+        0x01 0x7E "base.soft_reset" [] CV5_10_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] CV5_10_1;
         0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_10_1;
         0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_10_1;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_10_1;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_10_2;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_10_2;
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_10_2;
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
-        0x0C 0x64 "3dm.device_status" [] CV5_10_2;
-        0x80 0x04 "sensor.scaled_accel" [] CV5_10_1;
-        0x80 0x05 "sensor.scaled_gyro" [] CV5_10_1;
-        0x80 0x07 "sensor.delta_theta" [] CV5_10_2;
-        0x80 0x08 "sensor.delta_velocity" [] CV5_10_2;
-        0x80 0x12 "sensor.gps_timestamp" [] CV5_10_2;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_10_3;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_10_2;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_10_3;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_10_3;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_10_3;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_10_3;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_10_3;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_10_3;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_10_3;
+        0x0C 0x64 "3dm.device_status" [] CV5_10_3;
+        0x80 0x04 "sensor.scaled_accel" [] CV5_10_2;
+        0x80 0x05 "sensor.scaled_gyro" [] CV5_10_2;
+        0x80 0x07 "sensor.delta_theta" [] CV5_10_3;
+        0x80 0x08 "sensor.delta_velocity" [] CV5_10_3;
+        0x80 0x12 "sensor.gps_timestamp" [] CV5_10_3;
     },
     refuses: supported! {
-        0x80 0x01 "sensor.raw_accel" [] CV5_10_3;
+        0x01 0x07 "base.get_extended_descriptors" [] CV5_10_5;
+        0x01 0x08 "base.continuous_built_in_test" [] CV5_10_5;
+        0x01 0x09 "base.comm_speed" [] CV5_10_5;
+        0x0C 0x02 "3dm.poll_gnss_data" [] CV5_10_6;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CV5_10_6;
+        0x0C 0x09 "3dm.gnss_message_format" [] CV5_10_6;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CV5_10_6;
+        0x0C 0x21 "3dm.constellation_settings" [] CV5_10_6;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CV5_10_6;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CV5_10_6;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CV5_10_6;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CV5_10_6;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] CV5_10_7;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] CV5_10_7;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CV5_10_6;
+        0x80 0x01 "sensor.raw_accel" [] CV5_10_4;
+        0x80 0x03 "sensor.raw_mag" [] CV5_10_7;
+        0x80 0x06 "sensor.scaled_mag" [] CV5_10_7;
+        0x80 0x16 "sensor.raw_pressure" [] CV5_10_8;
+        0x80 0x17 "sensor.scaled_pressure" [] CV5_10_8;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CV5_10_6 },
+        AbsentSet { set: 0x91, evidence: CV5_10_6 },
+        AbsentSet { set: 0x92, evidence: CV5_10_6 },
+        AbsentSet { set: 0x93, evidence: CV5_10_6 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -129,12 +199,12 @@ pub static CV5_10: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("gx5_built_in_test"),
-            difference: "values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it",
+            difference: "values of gx5_built_in_test (inferred: the 3DM-GX5-15 has it)",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
@@ -144,7 +214,22 @@ pub static CV5_10: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
         },
     ],
     ack_codes: &[
@@ -152,24 +237,64 @@ pub static CV5_10: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV5_15_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const CV5_15_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (3DM-CV5-15 Data Communications Protocol Manual: Contents).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV5_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const CV5_15_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV5_15_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CV5_15_3: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV5_15_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15." };
+const CV5_15_4: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-15.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CV5_15_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Not in the manual, whose list of the set is complete.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CV5_15_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CV5_15_7: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const CV5_15_8: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-CV5-15
 ///
 /// Attitude reference.
 ///
-/// Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known. This profile is
-/// incomplete: No manual is known.
+/// Also called 3DM-CV5-AR. Generation 5. Model number 6258. Sensors: accelerometer, gyroscope,
+/// pressure sensor. GNSS receivers: none. GNSS antennas: none. Sets known completely from the
+/// manual: base (0x01). Manual: 3DM-CV5-15 Data Communications Protocol Manual, revision D, 2018,
+/// known from its contents. This profile is incomplete: Of the manual, only the table of contents
+/// is known, up to [`mip_3dm::FilterMessageFormat`](crate::mip_3dm::FilterMessageFormat). It lists
+/// the sets `base`, `3dm`, `filter`, `system`, `sensor` and `filter_data`.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -186,44 +311,44 @@ pub static CV5_15: Profile = Profile {
     also: &["3DM-CV5-AR"],
     model_number: Some(6258),
     generation: Some(5),
-    manual: None,
+    manual: Some("3dm-cv5-15"),
     incomplete: &[
-        "No manual is known.",
+        "Of the manual, only the table of contents is known, up to `3dm.filter_message_format`. It lists the sets `base`, `3dm`, `filter`, `system`, `sensor` and `filter_data`.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] CV5_15_1;
         0x01 0x02 "base.set_idle" [] CV5_15_1;
-        0x01 0x03 "base.get_device_info" [] CV5_15_2;
-        0x01 0x04 "base.get_device_descriptors" [] CV5_15_3;
-        0x01 0x05 "base.built_in_test" [] CV5_15_4;
+        0x01 0x03 "base.get_device_info" [] CV5_15_1;
+        0x01 0x04 "base.get_device_descriptors" [] CV5_15_1;
+        0x01 0x05 "base.built_in_test" [] CV5_15_1;
         0x01 0x06 "base.resume" [] CV5_15_1;
-        0x01 0x07 "base.get_extended_descriptors" [] CV5_15_3;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_15_4;
-        0x01 0x7E "base.soft_reset" [] CV5_15_4;
-        0x0C 0x01 "3dm.poll_imu_data" [] CV5_15_4;
-        0x0C 0x03 "3dm.poll_filter_data" [] CV5_15_4;
+        0x01 0x07 "base.get_extended_descriptors" [] CV5_15_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_15_1;
+        0x01 0x7E "base.soft_reset" [] CV5_15_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] CV5_15_1;
+        0x0C 0x03 "3dm.poll_filter_data" [] CV5_15_1;
         0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_15_1;
         0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_15_1;
         0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_15_1;
         0x0C 0x0B "3dm.get_filter_base_rate" [] CV5_15_1;
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_15_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_15_2;
         0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_15_4;
         0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_15_4;
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_15_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_15_2;
         0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
         0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
         0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
         0x0C 0x64 "3dm.device_status" [] CV5_15_4;
-        0x0D 0x01 "filter.reset" [] CV5_15_2;
+        0x0D 0x01 "filter.reset" [] CV5_15_3;
         0x0D 0x02 "filter.set_initial_attitude" [] CV5_15_4;
         0x0D 0x03 "filter.set_initial_heading" [] CV5_15_4;
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CV5_15_1;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CV5_15_2;
         0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
         0x0D 0x17 "filter.external_heading_update" [] CV5_15_4;
         0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_1;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_2;
         0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
         0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
         0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
@@ -237,8 +362,8 @@ pub static CV5_15: Profile = Profile {
         0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
         0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
         0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
-        0x80 0x04 "sensor.scaled_accel" [] CV5_15_1;
-        0x80 0x05 "sensor.scaled_gyro" [] CV5_15_1;
+        0x80 0x04 "sensor.scaled_accel" [] CV5_15_2;
+        0x80 0x05 "sensor.scaled_gyro" [] CV5_15_2;
         0x80 0x07 "sensor.delta_theta" [] CV5_15_4;
         0x80 0x08 "sensor.delta_velocity" [] CV5_15_4;
         0x80 0x09 "sensor.comp_orientation_matrix" [] CV5_15_4;
@@ -246,27 +371,71 @@ pub static CV5_15: Profile = Profile {
         0x80 0x0C "sensor.comp_euler_angles" [] CV5_15_4;
         0x80 0x10 "sensor.north_vector" [] CV5_15_4;
         0x80 0x11 "sensor.up_vector" [] CV5_15_4;
-        0x80 0x12 "sensor.gps_timestamp" [] CV5_15_1;
+        0x80 0x12 "sensor.gps_timestamp" [] CV5_15_2;
         0x80 0x17 "sensor.scaled_pressure" [] CV5_15_4;
         0x82 0x03 "filter_data.attitude_quaternion" [] CV5_15_4;
         0x82 0x04 "filter_data.attitude_dcm" [] CV5_15_4;
-        0x82 0x05 "filter_data.euler_angles" [] CV5_15_1;
+        0x82 0x05 "filter_data.euler_angles" [] CV5_15_2;
         0x82 0x06 "filter_data.gyro_bias" [] CV5_15_4;
         0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV5_15_4;
         0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV5_15_4;
         0x82 0x0D "filter_data.linear_accel" [] CV5_15_4;
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV5_15_1;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV5_15_2;
         0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CV5_15_4;
-        0x82 0x10 "filter_data.status" [] CV5_15_1;
-        0x82 0x11 "filter_data.timestamp" [] CV5_15_1;
+        0x82 0x10 "filter_data.status" [] CV5_15_2;
+        0x82 0x11 "filter_data.timestamp" [] CV5_15_2;
         0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV5_15_4;
         0x82 0x13 "filter_data.gravity_vector" [] CV5_15_4;
         0x82 0x14 "filter_data.heading_update_state" [] CV5_15_4;
-        0x82 0x1C "filter_data.comp_accel" [] CV5_15_1;
+        0x82 0x1C "filter_data.comp_accel" [] CV5_15_2;
         0x82 0x21 "filter_data.pressure_altitude" [] CV5_15_4;
     },
     refuses: supported! {
+        0x01 0x08 "base.continuous_built_in_test" [] CV5_15_5;
+        0x01 0x09 "base.comm_speed" [] CV5_15_5;
+        0x0C 0x02 "3dm.poll_gnss_data" [] CV5_15_6;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CV5_15_6;
+        0x0C 0x09 "3dm.gnss_message_format" [] CV5_15_6;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CV5_15_6;
+        0x0C 0x21 "3dm.constellation_settings" [] CV5_15_6;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CV5_15_6;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CV5_15_6;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CV5_15_6;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CV5_15_6;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] CV5_15_7;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] CV5_15_7;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CV5_15_6;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [] CV5_15_7;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [] CV5_15_7;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [] CV5_15_7;
+        0x0D 0x42 "filter.mag_noise" [] CV5_15_7;
+        0x0D 0x43 "filter.magnetic_declination_source" [] CV5_15_7;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [] CV5_15_7;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [] CV5_15_7;
+        0x0D 0x4C "filter.magnetic_inclination_source" [] CV5_15_7;
+        0x0D 0x4D "filter.magnetic_magnitude_source" [] CV5_15_7;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CV5_15_6;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CV5_15_6;
+        0x80 0x03 "sensor.raw_mag" [] CV5_15_7;
+        0x80 0x06 "sensor.scaled_mag" [] CV5_15_7;
+        0x82 0x1A "filter_data.mag_bias" [] CV5_15_7;
+        0x82 0x1B "filter_data.mag_bias_uncertainty" [] CV5_15_7;
+        0x82 0x25 "filter_data.mag_offset" [] CV5_15_7;
+        0x82 0x26 "filter_data.mag_matrix" [] CV5_15_7;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CV5_15_7;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CV5_15_7;
+        0x82 0x2A "filter_data.mag_covariance_matrix" [] CV5_15_7;
+        0x82 0x2C "filter_data.mag_residual_vector" [] CV5_15_7;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV5_15_6;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CV5_15_6;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV5_15_8;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CV5_15_6 },
+        AbsentSet { set: 0x91, evidence: CV5_15_6 },
+        AbsentSet { set: 0x92, evidence: CV5_15_6 },
+        AbsentSet { set: 0x93, evidence: CV5_15_6 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -279,12 +448,12 @@ pub static CV5_15: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("gx5_built_in_test"),
-            difference: "values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it",
+            difference: "values of gx5_built_in_test (inferred: the 3DM-GX5-15 has it)",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
@@ -294,7 +463,7 @@ pub static CV5_15: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "filter.estimation_control.flags",
@@ -307,19 +476,49 @@ pub static CV5_15: Profile = Profile {
             difference: "only none and external",
         },
         Variant {
+            parameter: "filter.enable_measurements.control",
+            read_as: None,
+            difference: "only accel",
+        },
+        Variant {
+            parameter: "system.comm_mode.mode",
+            read_as: None,
+            difference: "only standard and sensor_direct",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.heading_update_state.source",
+            read_as: None,
+            difference: "only external",
         },
     ],
     ack_codes: &[
@@ -327,24 +526,49 @@ pub static CV5_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV5_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const CV5_25_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV5_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const CV5_25_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV5_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CV5_25_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV5_25_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45." };
+const CV5_25_4: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CV5_25_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CV5_25_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-CV5-25
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual is known. This profile is
-/// incomplete: No manual is known.
+/// Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. Sensors: accelerometer, gyroscope,
+/// magnetometer, pressure sensor. GNSS receivers: none. GNSS antennas: none. No manual is known.
+/// This profile is incomplete: No manual is known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -458,7 +682,28 @@ pub static CV5_25: Profile = Profile {
         0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CV5_25_4;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] CV5_25_5;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CV5_25_5;
+        0x0C 0x09 "3dm.gnss_message_format" [] CV5_25_5;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CV5_25_5;
+        0x0C 0x21 "3dm.constellation_settings" [] CV5_25_5;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CV5_25_5;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CV5_25_5;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CV5_25_5;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CV5_25_5;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CV5_25_5;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CV5_25_5;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CV5_25_5;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV5_25_5;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CV5_25_5;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV5_25_6;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CV5_25_5 },
+        AbsentSet { set: 0x91, evidence: CV5_25_5 },
+        AbsentSet { set: 0x92, evidence: CV5_25_5 },
+        AbsentSet { set: 0x93, evidence: CV5_25_5 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -471,17 +716,17 @@ pub static CV5_25: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("gx5_built_in_test"),
-            difference: "values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it",
+            difference: "values of gx5_built_in_test (inferred: the 3DM-GX5-15 has it)",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "filter.estimation_control.flags",
@@ -494,19 +739,44 @@ pub static CV5_25: Profile = Profile {
             difference: "only none, mag and external",
         },
         Variant {
+            parameter: "system.comm_mode.mode",
+            read_as: None,
+            difference: "only standard and sensor_direct",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.heading_update_state.source",
+            read_as: None,
+            difference: "only mag and external",
         },
     ],
     ack_codes: &[
@@ -514,57 +784,101 @@ pub static CV5_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV7_AHRS_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." };
+const CV7_AHRS_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const CV7_AHRS_2: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_3: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." };
+const CV7_AHRS_3: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_4: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." };
+const CV7_AHRS_4: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_5: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." };
+const CV7_AHRS_5: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const CV7_AHRS_6: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const CV7_AHRS_7: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (Public programs of users: Program for a 3DM-CV7)." };
+const CV7_AHRS_8: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (Public programs of users: Program for a 3DM-CV7).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_9: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
+const CV7_AHRS_9: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver of the vendor: Example configurations).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_10: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (PX4: Driver of the vendor's sensors)." };
+const CV7_AHRS_10: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (PX4: Driver of the vendor's sensors).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_11: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
+const CV7_AHRS_11: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_12: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const CV7_AHRS_12: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (firmware 1.0.07; ROS driver of the vendor: Issue 257).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_13: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (firmware 1.0.07; ROS driver of the vendor: Issue 257)." };
+const CV7_AHRS_13: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (ROS driver of the vendor: Issue 350).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AHRS_14: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 350)." };
+const CV7_AHRS_14: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
 
 /// 3DM-CV7-AHRS
 ///
 /// Attitude and heading reference system.
 ///
-/// Generation 7. Model number 6286. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR),
-/// online, known from some pages. This profile is incomplete: Only some pages of the manual are
-/// known, so it has more commands and data. Uncertain: MSCL offers only the values `none` and
-/// `manual` of [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource); the
-/// manual also has `wmm`.
+/// Generation 7. Model number 6286. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7 Documentation
+/// (AHRS and AR), online, known from some pages. This profile is incomplete: Only some pages of the
+/// manual are known, so it has more commands and data. Uncertain: MSCL offers only the values
+/// `none` and `manual` of
+/// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource); the manual also
+/// has `wmm`.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -619,102 +933,121 @@ pub static CV7_AHRS: Profile = Profile {
         0x01 0x05 "base.built_in_test" [] CV7_AHRS_8;
         0x01 0x06 "base.resume" [] CV7_AHRS_6;
         0x01 0x07 "base.get_extended_descriptors" [] CV7_AHRS_1;
-        0x01 0x08 "base.continuous_built_in_test" [] CV7_AHRS_12;
+        0x01 0x08 "base.continuous_built_in_test" [] CV7_AHRS_11;
         0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_1;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_AHRS_12;
-        0x01 0x7E "base.soft_reset" [] CV7_AHRS_12;
-        0x0C 0x0D "3dm.poll_data" [] CV7_AHRS_12;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_AHRS_11;
+        0x01 0x7E "base.soft_reset" [] CV7_AHRS_2;
+        0x0C 0x0D "3dm.poll_data" [] CV7_AHRS_11;
         0x0C 0x0E "3dm.get_base_rate" [] CV7_AHRS_1;
         0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_6;
-        0x0C 0x10 "3dm.factory_streaming" [] CV7_AHRS_12;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
+        0x0C 0x10 "3dm.factory_streaming" [] CV7_AHRS_11;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_9;
-        0x0C 0x2A "3dm.get_event_support" [] CV7_AHRS_12;
+        0x0C 0x2A "3dm.get_event_support" [] CV7_AHRS_2;
         0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_6;
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_AHRS_12;
-        0x0C 0x2D "3dm.get_event_action_status" [] CV7_AHRS_12;
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_AHRS_11;
+        0x0C 0x2D "3dm.get_event_action_status" [] CV7_AHRS_11;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_4;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_4;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_AHRS_6;
         0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_6;
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_AHRS_12;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_AHRS_2;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_AHRS_12;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_11;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_11;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_AHRS_11;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_AHRS_3;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_4;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_AHRS_11;
         0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_1;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_11;
         0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_10;
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_AHRS_12;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_AHRS_11;
         0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_1;
-        0x0D 0x01 "filter.reset" [] CV7_AHRS_2;
-        0x0D 0x03 "filter.set_initial_heading" [] CV7_AHRS_2;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_4;
+        0x0D 0x01 "filter.reset" [] CV7_AHRS_3;
+        0x0D 0x03 "filter.set_initial_heading" [] CV7_AHRS_3;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_11;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_11;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_11;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_11;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_11;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_5;
         0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_9;
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
-        0x13 0x31 "aiding.true_heading" [] CV7_AHRS_2;
-        0x13 0x32 "aiding.magnetic_field" [] CV7_AHRS_2;
-        0x80 0x04 "sensor.scaled_accel" [] CV7_AHRS_2;
-        0x80 0x05 "sensor.scaled_gyro" [] CV7_AHRS_4;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x13 0x31 "aiding.true_heading" [] CV7_AHRS_3;
+        0x13 0x32 "aiding.magnetic_field" [] CV7_AHRS_3;
+        0x80 0x04 "sensor.scaled_accel" [] CV7_AHRS_3;
+        0x80 0x05 "sensor.scaled_gyro" [] CV7_AHRS_5;
         0x80 0x06 "sensor.scaled_mag" [] CV7_AHRS_1;
-        0x80 0x07 "sensor.delta_theta" [] CV7_AHRS_12;
-        0x80 0x08 "sensor.delta_velocity" [] CV7_AHRS_12;
+        0x80 0x07 "sensor.delta_theta" [] CV7_AHRS_11;
+        0x80 0x08 "sensor.delta_velocity" [] CV7_AHRS_11;
         0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_AHRS_11;
-        0x80 0x0A "sensor.comp_quaternion" [] CV7_AHRS_4;
-        0x80 0x0C "sensor.comp_euler_angles" [] CV7_AHRS_11;
-        0x80 0x14 "sensor.temperature_statistics" [] CV7_AHRS_12;
+        0x80 0x0A "sensor.comp_quaternion" [] CV7_AHRS_5;
+        0x80 0x0C "sensor.comp_euler_angles" [] CV7_AHRS_2;
+        0x80 0x14 "sensor.temperature_statistics" [] CV7_AHRS_11;
         0x80 0x17 "sensor.scaled_pressure" [] CV7_AHRS_1;
-        0x80 0x18 "sensor.overrange_status" [] CV7_AHRS_3;
-        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_AHRS_4;
-        0x82 0x04 "filter_data.attitude_dcm" [] CV7_AHRS_4;
-        0x82 0x05 "filter_data.euler_angles" [] CV7_AHRS_4;
-        0x82 0x06 "filter_data.gyro_bias" [] CV7_AHRS_2;
+        0x80 0x18 "sensor.overrange_status" [] CV7_AHRS_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_AHRS_5;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV7_AHRS_5;
+        0x82 0x05 "filter_data.euler_angles" [] CV7_AHRS_5;
+        0x82 0x06 "filter_data.gyro_bias" [] CV7_AHRS_3;
         0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_AHRS_10;
         0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_AHRS_11;
-        0x82 0x0D "filter_data.linear_accel" [] CV7_AHRS_4;
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_AHRS_4;
-        0x82 0x10 "filter_data.status" [] CV7_AHRS_4;
+        0x82 0x0D "filter_data.linear_accel" [] CV7_AHRS_5;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_AHRS_5;
+        0x82 0x10 "filter_data.status" [] CV7_AHRS_5;
         0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_AHRS_11;
-        0x82 0x13 "filter_data.gravity_vector" [] CV7_AHRS_4;
+        0x82 0x13 "filter_data.gravity_vector" [] CV7_AHRS_5;
         0x82 0x1C "filter_data.comp_accel" [] CV7_AHRS_1;
         0x82 0x21 "filter_data.pressure_altitude" [] CV7_AHRS_11;
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_AHRS_5;
-        0xA0 0x01 "system_data.built_in_test" [] CV7_AHRS_12;
-        0xA0 0x02 "system_data.time_sync_status" [] CV7_AHRS_3;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_AHRS_2;
+        0xA0 0x01 "system_data.built_in_test" [] CV7_AHRS_11;
+        0xA0 0x02 "system_data.time_sync_status" [] CV7_AHRS_4;
         0xA0 0x03 "system_data.gpio_state" [] CV7_AHRS_11;
-        0xFF 0xD0 "shared.event_source" [] CV7_AHRS_3;
-        0xFF 0xD3 "shared.gps_timestamp" [] CV7_AHRS_3;
-        0xFF 0xD4 "shared.delta_time" [] CV7_AHRS_12;
+        0xFF 0xD0 "shared.event_source" [] CV7_AHRS_4;
+        0xFF 0xD3 "shared.gps_timestamp" [] CV7_AHRS_4;
+        0xFF 0xD4 "shared.delta_time" [] CV7_AHRS_11;
         0xFF 0xD5 "shared.reference_timestamp" [] CV7_AHRS_11;
-        0xFF 0xD6 "shared.reference_time_delta" [] CV7_AHRS_12;
+        0xFF 0xD6 "shared.reference_time_delta" [] CV7_AHRS_11;
         0xFF 0xD7 "shared.external_timestamp" [] CV7_AHRS_11;
-        0xFF 0xD8 "shared.external_time_delta" [] CV7_AHRS_12;
+        0xFF 0xD8 "shared.external_time_delta" [] CV7_AHRS_11;
     },
     refuses: supported! {
-        0x81 0x03 "gnss_data.llh_position" [] CV7_AHRS_13;
-        0x81 0x0B "gnss_data.fix_info" [] CV7_AHRS_13;
-        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV7_AHRS_13;
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_AHRS_13;
-        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_AHRS_14;
-        0x91 0x03 "gnss_1.llh_position" [] CV7_AHRS_13;
-        0x91 0x0B "gnss_1.fix_info" [] CV7_AHRS_13;
-        0x91 0x12 "gnss_1.sbas_info" [] CV7_AHRS_14;
-        0x91 0x14 "gnss_1.rf_error_detection" [] CV7_AHRS_14;
-        0x92 0x0B "gnss_2.fix_info" [] CV7_AHRS_14;
-        0x92 0x12 "gnss_2.sbas_info" [] CV7_AHRS_14;
-        0x92 0x14 "gnss_2.rf_error_detection" [] CV7_AHRS_14;
+        0x0C 0x02 "3dm.poll_gnss_data" [] CV7_AHRS_14;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CV7_AHRS_14;
+        0x0C 0x09 "3dm.gnss_message_format" [] CV7_AHRS_14;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CV7_AHRS_14;
+        0x0C 0x21 "3dm.constellation_settings" [] CV7_AHRS_14;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CV7_AHRS_14;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CV7_AHRS_14;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CV7_AHRS_14;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CV7_AHRS_14;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CV7_AHRS_14;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CV7_AHRS_14;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CV7_AHRS_14;
+        0x81 0x03 "gnss_data.llh_position" [] CV7_AHRS_12;
+        0x81 0x0B "gnss_data.fix_info" [] CV7_AHRS_12;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV7_AHRS_12;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CV7_AHRS_14;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_AHRS_12;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_AHRS_13;
+        0x91 0x03 "gnss_1.llh_position" [] CV7_AHRS_12;
+        0x91 0x0B "gnss_1.fix_info" [] CV7_AHRS_12;
+        0x91 0x12 "gnss_1.sbas_info" [] CV7_AHRS_13;
+        0x91 0x14 "gnss_1.rf_error_detection" [] CV7_AHRS_13;
+        0x92 0x0B "gnss_2.fix_info" [] CV7_AHRS_13;
+        0x92 0x12 "gnss_2.sbas_info" [] CV7_AHRS_13;
+        0x92 0x14 "gnss_2.rf_error_detection" [] CV7_AHRS_13;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CV7_AHRS_14 },
+        AbsentSet { set: 0x91, evidence: CV7_AHRS_14 },
+        AbsentSet { set: 0x92, evidence: CV7_AHRS_14 },
+        AbsentSet { set: 0x93, evidence: CV7_AHRS_14 },
+    ],
     firmware: &[
         Firmware {
             set: 0x0C,
@@ -808,7 +1141,7 @@ pub static CV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -833,17 +1166,17 @@ pub static CV7_AHRS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -856,47 +1189,96 @@ pub static CV7_AHRS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV7_AR_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." };
+const CV7_AR_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const CV7_AR_2: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_3: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." };
+const CV7_AR_3: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_4: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." };
+const CV7_AR_4: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_5: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." };
+const CV7_AR_5: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_6: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Listed by the device (MicroStrain Communication Library: Issue 258)." };
+const CV7_AR_6: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Listed by the device (MicroStrain Communication Library: Issue 258).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const CV7_AR_7: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
+const CV7_AR_8: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver of the vendor: Example configurations).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_9: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (PX4: Driver of the vendor's sensors)." };
+const CV7_AR_9: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (PX4: Driver of the vendor's sensors).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_10: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
+const CV7_AR_10: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_11: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const CV7_AR_11: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (MicroStrain Communication Library: Issue 258).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_AR_12: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 258)." };
+const CV7_AR_12: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CV7_AR_13: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const CV7_AR_14: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-CV7-AR
 ///
 /// Attitude reference.
 ///
-/// Generation 7. Model number 6287. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR),
+/// Generation 7. Model number 6287. Sensors: accelerometer, gyroscope, pressure sensor. GNSS
+/// receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR),
 /// online, known from some pages. This profile is incomplete: Only some pages of the manual are
 /// known, so it has more commands and data. Uncertain: MSCL offers only the values `none` and
 /// `manual` of [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource); the
@@ -952,85 +1334,81 @@ pub static CV7_AR: Profile = Profile {
         0x01 0x02 "base.set_idle" [] CV7_AR_7;
         0x01 0x03 "base.get_device_info" [] CV7_AR_7;
         0x01 0x04 "base.get_device_descriptors" [] CV7_AR_1;
-        0x01 0x05 "base.built_in_test" [] CV7_AR_11;
+        0x01 0x05 "base.built_in_test" [] CV7_AR_10;
         0x01 0x06 "base.resume" [] CV7_AR_7;
         0x01 0x07 "base.get_extended_descriptors" [] CV7_AR_1;
         0x01 0x08 "base.continuous_built_in_test" [] CV7_AR_6;
         0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_1;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_AR_11;
-        0x01 0x7E "base.soft_reset" [] CV7_AR_11;
-        0x0C 0x0D "3dm.poll_data" [] CV7_AR_11;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_AR_10;
+        0x01 0x7E "base.soft_reset" [] CV7_AR_2;
+        0x0C 0x0D "3dm.poll_data" [] CV7_AR_10;
         0x0C 0x0E "3dm.get_base_rate" [] CV7_AR_1;
         0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_7;
-        0x0C 0x10 "3dm.factory_streaming" [] CV7_AR_11;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
+        0x0C 0x10 "3dm.factory_streaming" [] CV7_AR_10;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_8;
-        0x0C 0x2A "3dm.get_event_support" [] CV7_AR_11;
+        0x0C 0x2A "3dm.get_event_support" [] CV7_AR_2;
         0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_7;
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_AR_11;
-        0x0C 0x2D "3dm.get_event_action_status" [] CV7_AR_11;
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_AR_10;
+        0x0C 0x2D "3dm.get_event_action_status" [] CV7_AR_10;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_4;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_4;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_AR_7;
         0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_7;
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_AR_11;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_AR_2;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_AR_11;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_10;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_10;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_AR_10;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_AR_3;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_4;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_AR_10;
         0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_1;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_10;
         0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_9;
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_AR_11;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_AR_10;
         0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_1;
-        0x0D 0x01 "filter.reset" [] CV7_AR_2;
-        0x0D 0x03 "filter.set_initial_heading" [] CV7_AR_2;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_4;
+        0x0D 0x01 "filter.reset" [] CV7_AR_3;
+        0x0D 0x03 "filter.set_initial_heading" [] CV7_AR_3;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_10;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_10;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_10;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_10;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_10;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_5;
         0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_8;
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
-        0x13 0x31 "aiding.true_heading" [] CV7_AR_2;
-        0x13 0x32 "aiding.magnetic_field" [] CV7_AR_2;
-        0x80 0x04 "sensor.scaled_accel" [] CV7_AR_2;
-        0x80 0x05 "sensor.scaled_gyro" [] CV7_AR_4;
-        0x80 0x06 "sensor.scaled_mag" [] CV7_AR_1;
-        0x80 0x07 "sensor.delta_theta" [] CV7_AR_11;
-        0x80 0x08 "sensor.delta_velocity" [] CV7_AR_11;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
+        0x13 0x31 "aiding.true_heading" [] CV7_AR_3;
+        0x13 0x32 "aiding.magnetic_field" [] CV7_AR_3;
+        0x80 0x04 "sensor.scaled_accel" [] CV7_AR_3;
+        0x80 0x05 "sensor.scaled_gyro" [] CV7_AR_5;
+        0x80 0x07 "sensor.delta_theta" [] CV7_AR_10;
+        0x80 0x08 "sensor.delta_velocity" [] CV7_AR_10;
         0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_AR_10;
-        0x80 0x0A "sensor.comp_quaternion" [] CV7_AR_4;
-        0x80 0x0C "sensor.comp_euler_angles" [] CV7_AR_10;
-        0x80 0x14 "sensor.temperature_statistics" [] CV7_AR_11;
+        0x80 0x0A "sensor.comp_quaternion" [] CV7_AR_5;
+        0x80 0x0C "sensor.comp_euler_angles" [] CV7_AR_2;
+        0x80 0x14 "sensor.temperature_statistics" [] CV7_AR_10;
         0x80 0x17 "sensor.scaled_pressure" [] CV7_AR_1;
-        0x80 0x18 "sensor.overrange_status" [] CV7_AR_3;
-        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_AR_4;
-        0x82 0x04 "filter_data.attitude_dcm" [] CV7_AR_4;
-        0x82 0x05 "filter_data.euler_angles" [] CV7_AR_4;
-        0x82 0x06 "filter_data.gyro_bias" [] CV7_AR_2;
+        0x80 0x18 "sensor.overrange_status" [] CV7_AR_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_AR_5;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV7_AR_5;
+        0x82 0x05 "filter_data.euler_angles" [] CV7_AR_5;
+        0x82 0x06 "filter_data.gyro_bias" [] CV7_AR_3;
         0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_AR_9;
         0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_AR_10;
-        0x82 0x0D "filter_data.linear_accel" [] CV7_AR_4;
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_AR_4;
-        0x82 0x10 "filter_data.status" [] CV7_AR_4;
+        0x82 0x0D "filter_data.linear_accel" [] CV7_AR_5;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_AR_5;
+        0x82 0x10 "filter_data.status" [] CV7_AR_5;
         0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_AR_10;
-        0x82 0x13 "filter_data.gravity_vector" [] CV7_AR_4;
+        0x82 0x13 "filter_data.gravity_vector" [] CV7_AR_5;
         0x82 0x1C "filter_data.comp_accel" [] CV7_AR_1;
         0x82 0x21 "filter_data.pressure_altitude" [] CV7_AR_10;
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_AR_5;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_AR_2;
         0xA0 0x01 "system_data.built_in_test" [] CV7_AR_6;
-        0xA0 0x02 "system_data.time_sync_status" [] CV7_AR_3;
+        0xA0 0x02 "system_data.time_sync_status" [] CV7_AR_4;
         0xA0 0x03 "system_data.gpio_state" [] CV7_AR_6;
-        0xFF 0xD0 "shared.event_source" [] CV7_AR_3;
-        0xFF 0xD3 "shared.gps_timestamp" [] CV7_AR_3;
+        0xFF 0xD0 "shared.event_source" [] CV7_AR_4;
+        0xFF 0xD3 "shared.gps_timestamp" [] CV7_AR_4;
         0xFF 0xD4 "shared.delta_time" [] CV7_AR_6;
         0xFF 0xD5 "shared.reference_timestamp" [] CV7_AR_6;
         0xFF 0xD6 "shared.reference_time_delta" [] CV7_AR_6;
@@ -1038,10 +1416,52 @@ pub static CV7_AR: Profile = Profile {
         0xFF 0xD8 "shared.external_time_delta" [] CV7_AR_6;
     },
     refuses: supported! {
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_12;
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_12;
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_12;
+        0x0C 0x02 "3dm.poll_gnss_data" [] CV7_AR_12;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CV7_AR_12;
+        0x0C 0x09 "3dm.gnss_message_format" [] CV7_AR_12;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CV7_AR_12;
+        0x0C 0x21 "3dm.constellation_settings" [] CV7_AR_12;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CV7_AR_12;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CV7_AR_12;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CV7_AR_12;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CV7_AR_12;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] CV7_AR_13;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] CV7_AR_13;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CV7_AR_12;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [] CV7_AR_13;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [] CV7_AR_13;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [] CV7_AR_13;
+        0x0D 0x42 "filter.mag_noise" [] CV7_AR_13;
+        0x0D 0x43 "filter.magnetic_declination_source" [] CV7_AR_13;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [] CV7_AR_13;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [] CV7_AR_13;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0D 0x4C "filter.magnetic_inclination_source" [] CV7_AR_13;
+        0x0D 0x4D "filter.magnetic_magnitude_source" [] CV7_AR_13;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CV7_AR_12;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CV7_AR_12;
+        0x80 0x03 "sensor.raw_mag" [] CV7_AR_13;
+        0x80 0x06 "sensor.scaled_mag" [] CV7_AR_13;
+        0x82 0x1A "filter_data.mag_bias" [] CV7_AR_13;
+        0x82 0x1B "filter_data.mag_bias_uncertainty" [] CV7_AR_13;
+        0x82 0x25 "filter_data.mag_offset" [] CV7_AR_13;
+        0x82 0x26 "filter_data.mag_matrix" [] CV7_AR_13;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CV7_AR_13;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CV7_AR_13;
+        0x82 0x2A "filter_data.mag_covariance_matrix" [] CV7_AR_13;
+        0x82 0x2C "filter_data.mag_residual_vector" [] CV7_AR_13;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV7_AR_12;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CV7_AR_12;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_AR_14;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CV7_AR_12 },
+        AbsentSet { set: 0x91, evidence: CV7_AR_12 },
+        AbsentSet { set: 0x92, evidence: CV7_AR_12 },
+        AbsentSet { set: 0x93, evidence: CV7_AR_12 },
+    ],
     firmware: &[
         Firmware {
             set: 0x0C,
@@ -1135,7 +1555,7 @@ pub static CV7_AR: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -1153,24 +1573,39 @@ pub static CV7_AR: Profile = Profile {
             difference: "only disabled, gpio and generated",
         },
         Variant {
+            parameter: "3dm.sensor_range.sensor",
+            read_as: None,
+            difference: "only all, accel, gyro and pressure",
+        },
+        Variant {
+            parameter: "3dm.get_calibrated_sensor_ranges.sensor",
+            read_as: None,
+            difference: "only all, accel, gyro and pressure",
+        },
+        Variant {
             parameter: "filter.aiding_measurement_enable.aiding_source",
             read_as: None,
             difference: "only external_heading and all",
         },
         Variant {
+            parameter: "sensor.overrange_status.status",
+            read_as: None,
+            difference: "only accel_x, accel_y, accel_z, gyro_x, gyro_y, gyro_z and pressure",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -1183,16 +1618,20 @@ pub static CV7_AR: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV7_GNSS_INS_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const CV7_GNSS_INS_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 
 /// 3DM-CV7-GNSS/INS
 ///
 /// Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure
 /// sensor.
 ///
-/// Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
-/// Uncertain: The manual warns of a bug in the NMEA input, and does not describe it.
+/// Generation 7. Model number 6292. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: 2. GNSS antennas: 2. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation,
+/// 8500-0099. Uncertain: The manual warns of a bug in the NMEA input, and does not describe it.
 ///
 /// Source: mip-sdk-4: Device models.
 ///
@@ -1529,6 +1968,8 @@ pub static CV7_GNSS_INS: Profile = Profile {
     },
     refuses: supported! {
     },
+    absent_sets: &[
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -1823,48 +2264,88 @@ pub static CV7_GNSS_INS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV7_INS_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const CV7_INS_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7-INS Documentation: Field pages)." };
+const CV7_INS_2: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7-INS Documentation: Field pages).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_3: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site)." };
+const CV7_INS_3: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const CV7_INS_4: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const CV7_INS_5: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (PX4: Driver of the vendor's sensors)." };
+const CV7_INS_6: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (PX4: Driver of the vendor's sensors).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
+const CV7_INS_7: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver of the vendor: Example configurations).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const CV7_INS_8: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_9: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (Public programs of users: Notes on a 3DM-CV7-INS, 2026)." };
+const CV7_INS_9: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (Public programs of users: Notes on a 3DM-CV7-INS, 2026).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_10: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
+const CV7_INS_10: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CV7_INS_11: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const CV7_INS_11: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CV7_INS_12: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-CV7-INS
 ///
 /// Inertial navigation system without an internal GNSS receiver.
 ///
-/// Generation 7. Model number 6291. Manual: MicroStrain 3DM-CV7-INS Documentation, online, known
-/// from some pages. This profile is incomplete: Only some pages of the manual are known, so it has
-/// more commands and data. This profile is incomplete: It has the data sets 0x80, 0x82, 0x94, 0x95,
-/// 0xA0 and 0xFF. Uncertain: Only a test site of the vendor names the set 0x95. Uncertain: The base
-/// rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
+/// Generation 7. Model number 6291. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7-INS
+/// Documentation, online, known from some pages. This profile is incomplete: Only some pages of the
+/// manual are known, so it has more commands and data. This profile is incomplete: It has the data
+/// sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain: Only a test site of the vendor names the
+/// set 0x95. Uncertain: The base rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -1921,88 +2402,88 @@ pub static CV7_INS: Profile = Profile {
         0x01 0x02 "base.set_idle" [] CV7_INS_4;
         0x01 0x03 "base.get_device_info" [] CV7_INS_4;
         0x01 0x04 "base.get_device_descriptors" [] CV7_INS_6;
-        0x01 0x05 "base.built_in_test" [] CV7_INS_11;
+        0x01 0x05 "base.built_in_test" [] CV7_INS_10;
         0x01 0x06 "base.resume" [] CV7_INS_4;
         0x01 0x07 "base.get_extended_descriptors" [] CV7_INS_6;
-        0x01 0x08 "base.continuous_built_in_test" [] CV7_INS_11;
+        0x01 0x08 "base.continuous_built_in_test" [] CV7_INS_10;
         0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_INS_11;
-        0x01 0x7E "base.soft_reset" [] CV7_INS_11;
-        0x0C 0x04 "3dm.poll_nmea_data" [] CV7_INS_11;
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0C 0x0D "3dm.poll_data" [] CV7_INS_11;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_INS_10;
+        0x01 0x7E "base.soft_reset" [] CV7_INS_10;
+        0x0C 0x04 "3dm.poll_nmea_data" [] CV7_INS_10;
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0C 0x0D "3dm.poll_data" [] CV7_INS_10;
         0x0C 0x0E "3dm.get_base_rate" [] CV7_INS_4;
         0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_4;
-        0x0C 0x10 "3dm.factory_streaming" [] CV7_INS_11;
+        0x0C 0x10 "3dm.factory_streaming" [] CV7_INS_10;
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_6;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
-        0x0C 0x2A "3dm.get_event_support" [] CV7_INS_11;
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_INS_11;
-        0x0C 0x2D "3dm.get_event_action_status" [] CV7_INS_11;
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x2A "3dm.get_event_support" [] CV7_INS_10;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_INS_10;
+        0x0C 0x2D "3dm.get_event_action_status" [] CV7_INS_10;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_INS_4;
         0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_6;
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_11;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_11;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_10;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_10;
         0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_INS_4;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_11;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_11;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_10;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_10;
         0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
         0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_INS_7;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
         0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_6;
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_INS_11;
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_INS_10;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
         0x0D 0x01 "filter.reset" [] CV7_INS_4;
-        0x0D 0x03 "filter.set_initial_heading" [] CV7_INS_11;
-        0x0D 0x05 "filter.run" [] CV7_INS_11;
+        0x0D 0x03 "filter.set_initial_heading" [] CV7_INS_10;
+        0x0D 0x05 "filter.run" [] CV7_INS_10;
         0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_1;
         0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_6;
-        0x0D 0x17 "filter.external_heading_update" [] CV7_INS_11;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CV7_INS_11;
+        0x0D 0x17 "filter.external_heading_update" [] CV7_INS_10;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CV7_INS_10;
         0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_1;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
         0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
         0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_4;
         0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_2;
         0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_8;
         0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
-        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
         0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_2;
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
-        0x13 0x21 "aiding.ecef_position" [] CV7_INS_11;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_10;
+        0x13 0x21 "aiding.ecef_position" [] CV7_INS_10;
         0x13 0x22 "aiding.llh_position" [] CV7_INS_4;
-        0x13 0x23 "aiding.height_above_ellipsoid" [] CV7_INS_11;
-        0x13 0x28 "aiding.ecef_velocity" [] CV7_INS_11;
+        0x13 0x23 "aiding.height_above_ellipsoid" [] CV7_INS_10;
+        0x13 0x28 "aiding.ecef_velocity" [] CV7_INS_10;
         0x13 0x29 "aiding.ned_velocity" [] CV7_INS_4;
         0x13 0x2A "aiding.body_frame_velocity" [] CV7_INS_4;
         0x13 0x31 "aiding.true_heading" [] CV7_INS_4;
-        0x13 0x32 "aiding.magnetic_field" [] CV7_INS_11;
-        0x13 0x33 "aiding.pressure" [] CV7_INS_11;
+        0x13 0x32 "aiding.magnetic_field" [] CV7_INS_10;
+        0x13 0x33 "aiding.pressure" [] CV7_INS_10;
         0x80 0x04 "sensor.scaled_accel" [] CV7_INS_9;
         0x80 0x05 "sensor.scaled_gyro" [] CV7_INS_9;
         0x80 0x06 "sensor.scaled_mag" [] CV7_INS_6;
-        0x80 0x07 "sensor.delta_theta" [] CV7_INS_11;
-        0x80 0x08 "sensor.delta_velocity" [] CV7_INS_11;
+        0x80 0x07 "sensor.delta_theta" [] CV7_INS_10;
+        0x80 0x08 "sensor.delta_velocity" [] CV7_INS_10;
         0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_INS_10;
         0x80 0x0A "sensor.comp_quaternion" [] CV7_INS_10;
         0x80 0x0C "sensor.comp_euler_angles" [] CV7_INS_10;
-        0x80 0x14 "sensor.temperature_statistics" [] CV7_INS_11;
+        0x80 0x14 "sensor.temperature_statistics" [] CV7_INS_10;
         0x80 0x17 "sensor.scaled_pressure" [] CV7_INS_6;
-        0x80 0x18 "sensor.overrange_status" [] CV7_INS_11;
+        0x80 0x18 "sensor.overrange_status" [] CV7_INS_10;
         0x82 0x01 "filter_data.llh_position" [] CV7_INS_5;
         0x82 0x02 "filter_data.ned_velocity" [] CV7_INS_5;
         0x82 0x03 "filter_data.attitude_quaternion" [] CV7_INS_6;
-        0x82 0x04 "filter_data.attitude_dcm" [] CV7_INS_11;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV7_INS_10;
         0x82 0x05 "filter_data.euler_angles" [] CV7_INS_5;
         0x82 0x06 "filter_data.gyro_bias" [] CV7_INS_10;
         0x82 0x07 "filter_data.accel_bias" [] CV7_INS_10;
@@ -2016,18 +2497,18 @@ pub static CV7_INS: Profile = Profile {
         0x82 0x10 "filter_data.status" [] CV7_INS_5;
         0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_INS_10;
         0x82 0x13 "filter_data.gravity_vector" [] CV7_INS_10;
-        0x82 0x15 "filter_data.magnetic_model" [] CV7_INS_11;
+        0x82 0x15 "filter_data.magnetic_model" [] CV7_INS_10;
         0x82 0x1C "filter_data.comp_accel" [] CV7_INS_10;
         0x82 0x21 "filter_data.pressure_altitude" [] CV7_INS_10;
         0x82 0x36 "filter_data.ecef_position_uncertainty" [] CV7_INS_7;
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CV7_INS_11;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CV7_INS_10;
         0x82 0x40 "filter_data.ecef_position" [] CV7_INS_7;
-        0x82 0x41 "filter_data.ecef_velocity" [] CV7_INS_11;
+        0x82 0x41 "filter_data.ecef_velocity" [] CV7_INS_10;
         0x82 0x42 "filter_data.ned_relative_position" [] CV7_INS_7;
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_INS_11;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_INS_10;
         0x82 0x46 "filter_data.aiding_measurement_summary" [] CV7_INS_7;
         0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_INS_2;
-        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CV7_INS_11;
+        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CV7_INS_10;
         0x94 0x03 "gnss_external.llh_position" [] CV7_INS_3;
         0x94 0x04 "gnss_external.ecef_position" [] CV7_INS_3;
         0x94 0x05 "gnss_external.ned_velocity" [] CV7_INS_3;
@@ -2039,19 +2520,40 @@ pub static CV7_INS: Profile = Profile {
         0x94 0x11 "gnss_external.gps_leap_seconds" [] CV7_INS_3;
         0x94 0x14 "gnss_external.rf_error_detection" [] CV7_INS_3;
         0x94 0x20 "gnss_external.satellite_status" [] CV7_INS_3;
-        0xA0 0x01 "system_data.built_in_test" [] CV7_INS_11;
+        0xA0 0x01 "system_data.built_in_test" [] CV7_INS_10;
         0xA0 0x02 "system_data.time_sync_status" [] CV7_INS_5;
         0xA0 0x03 "system_data.gpio_state" [] CV7_INS_10;
-        0xFF 0xD0 "shared.event_source" [] CV7_INS_11;
+        0xFF 0xD0 "shared.event_source" [] CV7_INS_10;
         0xFF 0xD3 "shared.gps_timestamp" [] CV7_INS_5;
-        0xFF 0xD4 "shared.delta_time" [] CV7_INS_11;
+        0xFF 0xD4 "shared.delta_time" [] CV7_INS_10;
         0xFF 0xD5 "shared.reference_timestamp" [] CV7_INS_10;
-        0xFF 0xD6 "shared.reference_time_delta" [] CV7_INS_11;
+        0xFF 0xD6 "shared.reference_time_delta" [] CV7_INS_10;
         0xFF 0xD7 "shared.external_timestamp" [] CV7_INS_10;
-        0xFF 0xD8 "shared.external_time_delta" [] CV7_INS_11;
+        0xFF 0xD8 "shared.external_time_delta" [] CV7_INS_10;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] CV7_INS_11;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CV7_INS_11;
+        0x0C 0x09 "3dm.gnss_message_format" [] CV7_INS_11;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CV7_INS_11;
+        0x0C 0x21 "3dm.constellation_settings" [] CV7_INS_11;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CV7_INS_11;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CV7_INS_11;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CV7_INS_11;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CV7_INS_11;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CV7_INS_11;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CV7_INS_11;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CV7_INS_11;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV7_INS_11;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CV7_INS_11;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_INS_12;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CV7_INS_11 },
+        AbsentSet { set: 0x91, evidence: CV7_INS_11 },
+        AbsentSet { set: 0x92, evidence: CV7_INS_11 },
+        AbsentSet { set: 0x93, evidence: CV7_INS_11 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -2119,7 +2621,7 @@ pub static CV7_INS: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -2137,6 +2639,11 @@ pub static CV7_INS: Profile = Profile {
             difference: "only disabled, gpio and generated",
         },
         Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only external",
+        },
+        Variant {
             parameter: "filter.aiding_measurement_enable.aiding_source",
             read_as: None,
             difference: "only gnss_position_velocity, altimeter, mag, external_heading, external_altimeter, external_mag, body_frame_velocity and all",
@@ -2149,17 +2656,17 @@ pub static CV7_INS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -2172,23 +2679,59 @@ pub static CV7_INS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX5_10_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (3DM-CX5-10 Data Communications Protocol Manual: Contents)." };
+const CX5_10_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (3DM-CX5-10 Data Communications Protocol Manual: Contents).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_10_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CX5_10_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_10_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10." };
+const CX5_10_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CX5_10_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Not in the manual, whose list of the set is complete.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CX5_10_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CX5_10_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const CX5_10_7: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a pressure sensor, which the device lacks.",
+    absence: "has no pressure sensor",
+};
 
 /// 3DM-CX5-10
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-CX5-IMU. Generation 5. Model number 6275. Manual: 3DM-CX5-10 Data Communications
-/// Protocol Manual, 8500-0087 revision A, 2017, known from its contents. This profile is
-/// incomplete: Of the manual, only the table of contents is known, up to the set `3dm`. It lists
-/// only the sets `base`, `3dm` and `sensor`.
+/// Also called 3DM-CX5-IMU. Generation 5. Model number 6275. Sensors: accelerometer, gyroscope.
+/// GNSS receivers: none. GNSS antennas: none. Sets known completely from the manual: base (0x01).
+/// Manual: 3DM-CX5-10 Data Communications Protocol Manual, 8500-0087 revision A, 2017, known from
+/// its contents. This profile is incomplete: Of the manual, only the table of contents is known, up
+/// to the set `3dm`. It lists only the sets `base`, `3dm` and `sensor`. Uncertain: The sensors are
+/// inferred from the name of the model; that it has no magnetometer also from MSCL, which offers it
+/// no north compensation.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -2217,7 +2760,6 @@ pub static CX5_10: Profile = Profile {
         0x01 0x04 "base.get_device_descriptors" [] CX5_10_1;
         0x01 0x05 "base.built_in_test" [] CX5_10_1;
         0x01 0x06 "base.resume" [] CX5_10_1;
-        0x01 0x07 "base.get_extended_descriptors" [] CX5_10_2;
         0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_10_1;
         0x01 0x7E "base.soft_reset" [] CX5_10_1;
         0x0C 0x01 "3dm.poll_imu_data" [] CX5_10_1;
@@ -2240,7 +2782,32 @@ pub static CX5_10: Profile = Profile {
         0x80 0x12 "sensor.gps_timestamp" [] CX5_10_3;
     },
     refuses: supported! {
+        0x01 0x07 "base.get_extended_descriptors" [] CX5_10_4;
+        0x01 0x08 "base.continuous_built_in_test" [] CX5_10_4;
+        0x01 0x09 "base.comm_speed" [] CX5_10_4;
+        0x0C 0x02 "3dm.poll_gnss_data" [] CX5_10_5;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX5_10_5;
+        0x0C 0x09 "3dm.gnss_message_format" [] CX5_10_5;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CX5_10_5;
+        0x0C 0x21 "3dm.constellation_settings" [] CX5_10_5;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CX5_10_5;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CX5_10_5;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CX5_10_5;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CX5_10_5;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] CX5_10_6;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] CX5_10_6;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CX5_10_5;
+        0x80 0x03 "sensor.raw_mag" [] CX5_10_6;
+        0x80 0x06 "sensor.scaled_mag" [] CX5_10_6;
+        0x80 0x16 "sensor.raw_pressure" [] CX5_10_7;
+        0x80 0x17 "sensor.scaled_pressure" [] CX5_10_7;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CX5_10_5 },
+        AbsentSet { set: 0x91, evidence: CX5_10_5 },
+        AbsentSet { set: 0x92, evidence: CX5_10_5 },
+        AbsentSet { set: 0x93, evidence: CX5_10_5 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -2253,12 +2820,12 @@ pub static CX5_10: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("gx5_built_in_test"),
-            difference: "values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it",
+            difference: "values of gx5_built_in_test (inferred: the 3DM-GX5-15 has it)",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
@@ -2268,7 +2835,22 @@ pub static CX5_10: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
         },
     ],
     ack_codes: &[
@@ -2276,23 +2858,54 @@ pub static CX5_10: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX5_15_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const CX5_15_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const CX5_15_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_15_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CX5_15_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_15_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15." };
+const CX5_15_4: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-15.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CX5_15_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CX5_15_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const CX5_15_7: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-CX5-15
 ///
 /// Attitude reference.
 ///
-/// Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known. This profile is
+/// Also called 3DM-CX5-AR. Generation 5. Model number 6274. Sensors: accelerometer, gyroscope,
+/// pressure sensor. GNSS receivers: none. GNSS antennas: none. No manual is known. This profile is
 /// incomplete: No manual is known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
@@ -2390,7 +3003,49 @@ pub static CX5_15: Profile = Profile {
         0x82 0x21 "filter_data.pressure_altitude" [] CX5_15_4;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] CX5_15_5;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX5_15_5;
+        0x0C 0x09 "3dm.gnss_message_format" [] CX5_15_5;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CX5_15_5;
+        0x0C 0x21 "3dm.constellation_settings" [] CX5_15_5;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CX5_15_5;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CX5_15_5;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CX5_15_5;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CX5_15_5;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] CX5_15_6;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] CX5_15_6;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CX5_15_5;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [] CX5_15_6;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [] CX5_15_6;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [] CX5_15_6;
+        0x0D 0x42 "filter.mag_noise" [] CX5_15_6;
+        0x0D 0x43 "filter.magnetic_declination_source" [] CX5_15_6;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [] CX5_15_6;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [] CX5_15_6;
+        0x0D 0x4C "filter.magnetic_inclination_source" [] CX5_15_6;
+        0x0D 0x4D "filter.magnetic_magnitude_source" [] CX5_15_6;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CX5_15_5;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CX5_15_5;
+        0x80 0x03 "sensor.raw_mag" [] CX5_15_6;
+        0x80 0x06 "sensor.scaled_mag" [] CX5_15_6;
+        0x82 0x1A "filter_data.mag_bias" [] CX5_15_6;
+        0x82 0x1B "filter_data.mag_bias_uncertainty" [] CX5_15_6;
+        0x82 0x25 "filter_data.mag_offset" [] CX5_15_6;
+        0x82 0x26 "filter_data.mag_matrix" [] CX5_15_6;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CX5_15_6;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CX5_15_6;
+        0x82 0x2A "filter_data.mag_covariance_matrix" [] CX5_15_6;
+        0x82 0x2C "filter_data.mag_residual_vector" [] CX5_15_6;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CX5_15_5;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CX5_15_5;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX5_15_7;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CX5_15_5 },
+        AbsentSet { set: 0x91, evidence: CX5_15_5 },
+        AbsentSet { set: 0x92, evidence: CX5_15_5 },
+        AbsentSet { set: 0x93, evidence: CX5_15_5 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -2403,12 +3058,12 @@ pub static CX5_15: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("gx5_built_in_test"),
-            difference: "values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it",
+            difference: "values of gx5_built_in_test (inferred: the 3DM-GX5-15 has it)",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
@@ -2418,7 +3073,7 @@ pub static CX5_15: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "filter.estimation_control.flags",
@@ -2431,19 +3086,49 @@ pub static CX5_15: Profile = Profile {
             difference: "only none and external",
         },
         Variant {
+            parameter: "filter.enable_measurements.control",
+            read_as: None,
+            difference: "only accel",
+        },
+        Variant {
+            parameter: "system.comm_mode.mode",
+            read_as: None,
+            difference: "only standard and sensor_direct",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.heading_update_state.source",
+            read_as: None,
+            difference: "only external",
         },
     ],
     ack_codes: &[
@@ -2451,24 +3136,56 @@ pub static CX5_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX5_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const CX5_25_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (3DM-CX5-25 Data Communications Protocol Manual: Title).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const CX5_25_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CX5_25_3: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_25_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45." };
+const CX5_25_4: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
+#[rustfmt::skip]
+const CX5_25_5: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CX5_25_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CX5_25_7: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-CX5-25
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual is known. This profile is
-/// incomplete: No manual is known.
+/// Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. Sensors: accelerometer, gyroscope,
+/// magnetometer, pressure sensor. GNSS receivers: none. GNSS antennas: none. Manual: 3DM-CX5-25
+/// Data Communications Protocol Manual, 8500-0085 revision A, 2017, known from its title. This
+/// profile is incomplete: Of the manual, only the title is known. It has 149 pages.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -2485,104 +3202,125 @@ pub static CX5_25: Profile = Profile {
     also: &["3DM-CX5-AHRS"],
     model_number: Some(6273),
     generation: Some(5),
-    manual: None,
+    manual: Some("3dm-cx5-25"),
     incomplete: &[
-        "No manual is known.",
+        "Of the manual, only the title is known. It has 149 pages.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX5_25_1;
-        0x01 0x02 "base.set_idle" [] CX5_25_1;
-        0x01 0x03 "base.get_device_info" [] CX5_25_2;
-        0x01 0x04 "base.get_device_descriptors" [] CX5_25_3;
-        0x01 0x05 "base.built_in_test" [] CX5_25_4;
-        0x01 0x06 "base.resume" [] CX5_25_1;
-        0x01 0x07 "base.get_extended_descriptors" [] CX5_25_3;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_25_4;
-        0x01 0x7E "base.soft_reset" [] CX5_25_4;
-        0x0C 0x01 "3dm.poll_imu_data" [] CX5_25_4;
-        0x0C 0x03 "3dm.poll_filter_data" [] CX5_25_4;
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_25_1;
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
-        0x0C 0x0B "3dm.get_filter_base_rate" [] CX5_25_1;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_25_1;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_4;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_4;
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_25_1;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_4;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_4;
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0C 0x64 "3dm.device_status" [] CX5_25_4;
-        0x0D 0x01 "filter.reset" [] CX5_25_2;
-        0x0D 0x02 "filter.set_initial_attitude" [] CX5_25_4;
-        0x0D 0x03 "filter.set_initial_heading" [] CX5_25_4;
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x17 "filter.external_heading_update" [] CX5_25_4;
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CX5_25_2;
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CX5_25_4;
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x23 "filter.commanded_angular_zupt" [] CX5_25_4;
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CX5_25_4;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
-        0x80 0x04 "sensor.scaled_accel" [] CX5_25_1;
-        0x80 0x05 "sensor.scaled_gyro" [] CX5_25_1;
-        0x80 0x06 "sensor.scaled_mag" [] CX5_25_4;
-        0x80 0x07 "sensor.delta_theta" [] CX5_25_4;
-        0x80 0x08 "sensor.delta_velocity" [] CX5_25_4;
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_25_4;
-        0x80 0x0A "sensor.comp_quaternion" [] CX5_25_4;
-        0x80 0x0C "sensor.comp_euler_angles" [] CX5_25_4;
-        0x80 0x10 "sensor.north_vector" [] CX5_25_4;
-        0x80 0x11 "sensor.up_vector" [] CX5_25_4;
-        0x80 0x12 "sensor.gps_timestamp" [] CX5_25_1;
-        0x80 0x17 "sensor.scaled_pressure" [] CX5_25_4;
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX5_25_4;
-        0x82 0x04 "filter_data.attitude_dcm" [] CX5_25_4;
-        0x82 0x05 "filter_data.euler_angles" [] CX5_25_1;
-        0x82 0x06 "filter_data.gyro_bias" [] CX5_25_4;
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX5_25_4;
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX5_25_4;
-        0x82 0x0D "filter_data.linear_accel" [] CX5_25_4;
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX5_25_1;
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CX5_25_4;
-        0x82 0x10 "filter_data.status" [] CX5_25_1;
-        0x82 0x11 "filter_data.timestamp" [] CX5_25_1;
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX5_25_4;
-        0x82 0x13 "filter_data.gravity_vector" [] CX5_25_4;
-        0x82 0x14 "filter_data.heading_update_state" [] CX5_25_4;
-        0x82 0x15 "filter_data.magnetic_model" [] CX5_25_4;
-        0x82 0x1C "filter_data.comp_accel" [] CX5_25_1;
-        0x82 0x21 "filter_data.pressure_altitude" [] CX5_25_4;
-        0x82 0x25 "filter_data.mag_offset" [] CX5_25_4;
-        0x82 0x26 "filter_data.mag_matrix" [] CX5_25_4;
-        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CX5_25_4;
-        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CX5_25_4;
+        0x01 0x01 "base.ping" [] CX5_25_2;
+        0x01 0x02 "base.set_idle" [] CX5_25_2;
+        0x01 0x03 "base.get_device_info" [] CX5_25_3;
+        0x01 0x04 "base.get_device_descriptors" [] CX5_25_4;
+        0x01 0x05 "base.built_in_test" [] CX5_25_5;
+        0x01 0x06 "base.resume" [] CX5_25_2;
+        0x01 0x07 "base.get_extended_descriptors" [] CX5_25_4;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_25_5;
+        0x01 0x7E "base.soft_reset" [] CX5_25_5;
+        0x0C 0x01 "3dm.poll_imu_data" [] CX5_25_5;
+        0x0C 0x03 "3dm.poll_filter_data" [] CX5_25_5;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_25_2;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_25_2;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_25_2;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] CX5_25_2;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_25_2;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_5;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_5;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_25_2;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_5;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_5;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0C 0x64 "3dm.device_status" [] CX5_25_5;
+        0x0D 0x01 "filter.reset" [] CX5_25_3;
+        0x0D 0x02 "filter.set_initial_attitude" [] CX5_25_5;
+        0x0D 0x03 "filter.set_initial_heading" [] CX5_25_5;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CX5_25_2;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x17 "filter.external_heading_update" [] CX5_25_5;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CX5_25_3;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CX5_25_5;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] CX5_25_5;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CX5_25_5;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_25_5;
+        0x80 0x04 "sensor.scaled_accel" [] CX5_25_2;
+        0x80 0x05 "sensor.scaled_gyro" [] CX5_25_2;
+        0x80 0x06 "sensor.scaled_mag" [] CX5_25_5;
+        0x80 0x07 "sensor.delta_theta" [] CX5_25_5;
+        0x80 0x08 "sensor.delta_velocity" [] CX5_25_5;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_25_5;
+        0x80 0x0A "sensor.comp_quaternion" [] CX5_25_5;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX5_25_5;
+        0x80 0x10 "sensor.north_vector" [] CX5_25_5;
+        0x80 0x11 "sensor.up_vector" [] CX5_25_5;
+        0x80 0x12 "sensor.gps_timestamp" [] CX5_25_2;
+        0x80 0x17 "sensor.scaled_pressure" [] CX5_25_5;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX5_25_5;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX5_25_5;
+        0x82 0x05 "filter_data.euler_angles" [] CX5_25_2;
+        0x82 0x06 "filter_data.gyro_bias" [] CX5_25_5;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX5_25_5;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX5_25_5;
+        0x82 0x0D "filter_data.linear_accel" [] CX5_25_5;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX5_25_2;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CX5_25_5;
+        0x82 0x10 "filter_data.status" [] CX5_25_2;
+        0x82 0x11 "filter_data.timestamp" [] CX5_25_2;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX5_25_5;
+        0x82 0x13 "filter_data.gravity_vector" [] CX5_25_5;
+        0x82 0x14 "filter_data.heading_update_state" [] CX5_25_5;
+        0x82 0x15 "filter_data.magnetic_model" [] CX5_25_5;
+        0x82 0x1C "filter_data.comp_accel" [] CX5_25_2;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX5_25_5;
+        0x82 0x25 "filter_data.mag_offset" [] CX5_25_5;
+        0x82 0x26 "filter_data.mag_matrix" [] CX5_25_5;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CX5_25_5;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CX5_25_5;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] CX5_25_6;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX5_25_6;
+        0x0C 0x09 "3dm.gnss_message_format" [] CX5_25_6;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CX5_25_6;
+        0x0C 0x21 "3dm.constellation_settings" [] CX5_25_6;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CX5_25_6;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CX5_25_6;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CX5_25_6;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CX5_25_6;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CX5_25_6;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CX5_25_6;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CX5_25_6;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CX5_25_6;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CX5_25_6;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX5_25_7;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CX5_25_6 },
+        AbsentSet { set: 0x91, evidence: CX5_25_6 },
+        AbsentSet { set: 0x92, evidence: CX5_25_6 },
+        AbsentSet { set: 0x93, evidence: CX5_25_6 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -2595,17 +3333,17 @@ pub static CX5_25: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("gx5_built_in_test"),
-            difference: "values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it",
+            difference: "values of gx5_built_in_test (inferred: the 3DM-GX5-15 has it)",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "filter.estimation_control.flags",
@@ -2618,19 +3356,44 @@ pub static CX5_25: Profile = Profile {
             difference: "only none, mag and external",
         },
         Variant {
+            parameter: "system.comm_mode.mode",
+            read_as: None,
+            difference: "only standard and sensor_direct",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.heading_update_state.source",
+            read_as: None,
+            difference: "only mag and external",
         },
     ],
     ack_codes: &[
@@ -2638,35 +3401,69 @@ pub static CX5_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX5_45_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (3DM-CX5-45 Data Communications Protocol Manual: Title)." };
+const CX5_45_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (3DM-CX5-45 Data Communications Protocol Manual: Title).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const CX5_45_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_45_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const CX5_45_3: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_45_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)." };
+const CX5_45_4: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_45_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CX5_45_5: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_45_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-45." };
+const CX5_45_6: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-45.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX5_45_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
+const CX5_45_7: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+    absence: "",
+};
+#[rustfmt::skip]
+const CX5_45_8: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
+#[rustfmt::skip]
+const CX5_45_9: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 receivers, which the device lacks.",
+    absence: "has fewer than 2 GNSS receivers",
+};
 
 /// 3DM-CX5-45
 ///
 /// Inertial navigation system with GNSS.
 ///
-/// Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. Manual: 3DM-CX5-45 Data
-/// Communications Protocol Manual, 8500-0089 revision A, 2017, known from its title. This profile
-/// is incomplete: Of the manual, only the title is known. It has 196 pages, and describes the data
-/// from page 131.
+/// Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. Sensors: accelerometer,
+/// gyroscope, magnetometer, pressure sensor. GNSS receivers: 1. GNSS antennas: 1. Manual:
+/// 3DM-CX5-45 Data Communications Protocol Manual, 8500-0089 revision A, 2017, known from its
+/// title. This profile is incomplete: Of the manual, only the title is known. It has 196 pages, and
+/// describes the data from page 131.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -2814,7 +3611,11 @@ pub static CX5_45: Profile = Profile {
         0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CX5_45_7;
     },
     refuses: supported! {
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX5_45_8;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x92, evidence: CX5_45_9 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -2840,19 +3641,49 @@ pub static CX5_45: Profile = Profile {
             difference: "values of legacy_data_stream",
         },
         Variant {
+            parameter: "filter.antenna_offset.offset",
+            read_as: None,
+            difference: "frame sensor (inferred: the manual of the 3DM-GX5-45 states it)",
+        },
+        Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only all_internal, external and internal_1",
+        },
+        Variant {
+            parameter: "filter.antenna_offset_response.offset",
+            read_as: None,
+            difference: "frame sensor (inferred: the manual of the 3DM-GX5-45 states it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
     ],
     ack_codes: &[
@@ -2860,24 +3691,43 @@ pub static CX5_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX7_AHRS_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const CX7_AHRS_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX7_AHRS_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
+const CX7_AHRS_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX7_AHRS_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CX7_AHRS_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX7_AHRS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const CX7_AHRS_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CX7_AHRS_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-CX7-AHRS
 ///
 /// Attitude and heading reference system.
 ///
-/// Generation 7. Model number 6701. No manual is known. This profile is incomplete: No manual is
-/// known. Uncertain: Only MSCL lists it; the SDK does not.
+/// Generation 7. Model number 6701. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: none. GNSS antennas: none. No manual is known. This profile is
+/// incomplete: No manual is known. Uncertain: Only MSCL lists it; the SDK does not.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -2924,96 +3774,117 @@ pub static CX7_AHRS: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX7_AHRS_3;
-        0x01 0x02 "base.set_idle" [] CX7_AHRS_3;
-        0x01 0x03 "base.get_device_info" [] CX7_AHRS_3;
-        0x01 0x04 "base.get_device_descriptors" [] CX7_AHRS_3;
-        0x01 0x05 "base.built_in_test" [] CX7_AHRS_4;
-        0x01 0x06 "base.resume" [] CX7_AHRS_3;
-        0x01 0x07 "base.get_extended_descriptors" [] CX7_AHRS_3;
-        0x01 0x08 "base.continuous_built_in_test" [] CX7_AHRS_4;
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_AHRS_4;
-        0x01 0x7E "base.soft_reset" [] CX7_AHRS_4;
-        0x0C 0x0D "3dm.poll_data" [] CX7_AHRS_4;
-        0x0C 0x0E "3dm.get_base_rate" [] CX7_AHRS_3;
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
-        0x0C 0x10 "3dm.factory_streaming" [] CX7_AHRS_4;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x01 0x01 "base.ping" [] CX7_AHRS_2;
+        0x01 0x02 "base.set_idle" [] CX7_AHRS_2;
+        0x01 0x03 "base.get_device_info" [] CX7_AHRS_2;
+        0x01 0x04 "base.get_device_descriptors" [] CX7_AHRS_2;
+        0x01 0x05 "base.built_in_test" [] CX7_AHRS_3;
+        0x01 0x06 "base.resume" [] CX7_AHRS_2;
+        0x01 0x07 "base.get_extended_descriptors" [] CX7_AHRS_2;
+        0x01 0x08 "base.continuous_built_in_test" [] CX7_AHRS_3;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_AHRS_3;
+        0x01 0x7E "base.soft_reset" [] CX7_AHRS_3;
+        0x0C 0x0D "3dm.poll_data" [] CX7_AHRS_3;
+        0x0C 0x0E "3dm.get_base_rate" [] CX7_AHRS_2;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_2;
+        0x0C 0x10 "3dm.factory_streaming" [] CX7_AHRS_3;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
-        0x0C 0x2A "3dm.get_event_support" [] CX7_AHRS_4;
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_AHRS_4;
-        0x0C 0x2D "3dm.get_event_action_status" [] CX7_AHRS_4;
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_AHRS_3;
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_4;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_4;
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_AHRS_4;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_4;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_4;
+        0x0C 0x2A "3dm.get_event_support" [] CX7_AHRS_3;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_AHRS_3;
+        0x0C 0x2D "3dm.get_event_action_status" [] CX7_AHRS_3;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_AHRS_2;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_3;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_3;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_AHRS_3;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_3;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_3;
         0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_AHRS_4;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_AHRS_4;
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0D 0x01 "filter.reset" [] CX7_AHRS_4;
-        0x0D 0x03 "filter.set_initial_heading" [] CX7_AHRS_4;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_AHRS_3;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_AHRS_3;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0D 0x01 "filter.reset" [] CX7_AHRS_3;
+        0x0D 0x03 "filter.set_initial_heading" [] CX7_AHRS_3;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
         0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
         0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
         0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
-        0x13 0x31 "aiding.true_heading" [] CX7_AHRS_4;
-        0x13 0x32 "aiding.magnetic_field" [] CX7_AHRS_4;
-        0x80 0x04 "sensor.scaled_accel" [] CX7_AHRS_2;
-        0x80 0x05 "sensor.scaled_gyro" [] CX7_AHRS_2;
-        0x80 0x06 "sensor.scaled_mag" [] CX7_AHRS_2;
-        0x80 0x07 "sensor.delta_theta" [] CX7_AHRS_4;
-        0x80 0x08 "sensor.delta_velocity" [] CX7_AHRS_4;
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_AHRS_2;
-        0x80 0x0A "sensor.comp_quaternion" [] CX7_AHRS_2;
-        0x80 0x0C "sensor.comp_euler_angles" [] CX7_AHRS_2;
-        0x80 0x14 "sensor.temperature_statistics" [] CX7_AHRS_4;
-        0x80 0x17 "sensor.scaled_pressure" [] CX7_AHRS_2;
-        0x80 0x18 "sensor.overrange_status" [] CX7_AHRS_4;
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_AHRS_2;
-        0x82 0x04 "filter_data.attitude_dcm" [] CX7_AHRS_4;
-        0x82 0x05 "filter_data.euler_angles" [] CX7_AHRS_2;
-        0x82 0x06 "filter_data.gyro_bias" [] CX7_AHRS_2;
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_AHRS_2;
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_AHRS_2;
-        0x82 0x0D "filter_data.linear_accel" [] CX7_AHRS_2;
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_AHRS_2;
-        0x82 0x10 "filter_data.status" [] CX7_AHRS_2;
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_AHRS_2;
-        0x82 0x13 "filter_data.gravity_vector" [] CX7_AHRS_2;
-        0x82 0x1C "filter_data.comp_accel" [] CX7_AHRS_2;
-        0x82 0x21 "filter_data.pressure_altitude" [] CX7_AHRS_2;
-        0xA0 0x01 "system_data.built_in_test" [] CX7_AHRS_4;
-        0xA0 0x02 "system_data.time_sync_status" [] CX7_AHRS_2;
-        0xA0 0x03 "system_data.gpio_state" [] CX7_AHRS_2;
-        0xFF 0xD0 "shared.event_source" [] CX7_AHRS_4;
-        0xFF 0xD3 "shared.gps_timestamp" [] CX7_AHRS_2;
-        0xFF 0xD4 "shared.delta_time" [] CX7_AHRS_4;
-        0xFF 0xD5 "shared.reference_timestamp" [] CX7_AHRS_2;
-        0xFF 0xD6 "shared.reference_time_delta" [] CX7_AHRS_4;
-        0xFF 0xD7 "shared.external_timestamp" [] CX7_AHRS_2;
-        0xFF 0xD8 "shared.external_time_delta" [] CX7_AHRS_4;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x13 0x31 "aiding.true_heading" [] CX7_AHRS_3;
+        0x13 0x32 "aiding.magnetic_field" [] CX7_AHRS_3;
+        0x80 0x04 "sensor.scaled_accel" [] CX7_AHRS_3;
+        0x80 0x05 "sensor.scaled_gyro" [] CX7_AHRS_3;
+        0x80 0x06 "sensor.scaled_mag" [] CX7_AHRS_3;
+        0x80 0x07 "sensor.delta_theta" [] CX7_AHRS_3;
+        0x80 0x08 "sensor.delta_velocity" [] CX7_AHRS_3;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_AHRS_3;
+        0x80 0x0A "sensor.comp_quaternion" [] CX7_AHRS_3;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX7_AHRS_3;
+        0x80 0x14 "sensor.temperature_statistics" [] CX7_AHRS_3;
+        0x80 0x17 "sensor.scaled_pressure" [] CX7_AHRS_3;
+        0x80 0x18 "sensor.overrange_status" [] CX7_AHRS_3;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_AHRS_3;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX7_AHRS_3;
+        0x82 0x05 "filter_data.euler_angles" [] CX7_AHRS_3;
+        0x82 0x06 "filter_data.gyro_bias" [] CX7_AHRS_3;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_AHRS_3;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_AHRS_3;
+        0x82 0x0D "filter_data.linear_accel" [] CX7_AHRS_3;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_AHRS_3;
+        0x82 0x10 "filter_data.status" [] CX7_AHRS_3;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_AHRS_3;
+        0x82 0x13 "filter_data.gravity_vector" [] CX7_AHRS_3;
+        0x82 0x1C "filter_data.comp_accel" [] CX7_AHRS_3;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX7_AHRS_3;
+        0xA0 0x01 "system_data.built_in_test" [] CX7_AHRS_3;
+        0xA0 0x02 "system_data.time_sync_status" [] CX7_AHRS_3;
+        0xA0 0x03 "system_data.gpio_state" [] CX7_AHRS_3;
+        0xFF 0xD0 "shared.event_source" [] CX7_AHRS_3;
+        0xFF 0xD3 "shared.gps_timestamp" [] CX7_AHRS_3;
+        0xFF 0xD4 "shared.delta_time" [] CX7_AHRS_3;
+        0xFF 0xD5 "shared.reference_timestamp" [] CX7_AHRS_3;
+        0xFF 0xD6 "shared.reference_time_delta" [] CX7_AHRS_3;
+        0xFF 0xD7 "shared.external_timestamp" [] CX7_AHRS_3;
+        0xFF 0xD8 "shared.external_time_delta" [] CX7_AHRS_3;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] CX7_AHRS_4;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX7_AHRS_4;
+        0x0C 0x09 "3dm.gnss_message_format" [] CX7_AHRS_4;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CX7_AHRS_4;
+        0x0C 0x21 "3dm.constellation_settings" [] CX7_AHRS_4;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CX7_AHRS_4;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CX7_AHRS_4;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CX7_AHRS_4;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CX7_AHRS_4;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CX7_AHRS_4;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CX7_AHRS_4;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CX7_AHRS_4;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CX7_AHRS_4;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CX7_AHRS_4;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX7_AHRS_5;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CX7_AHRS_4 },
+        AbsentSet { set: 0x91, evidence: CX7_AHRS_4 },
+        AbsentSet { set: 0x92, evidence: CX7_AHRS_4 },
+        AbsentSet { set: 0x93, evidence: CX7_AHRS_4 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -3059,7 +3930,7 @@ pub static CX7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -3089,17 +3960,17 @@ pub static CX7_AHRS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -3112,24 +3983,49 @@ pub static CX7_AHRS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX7_AR_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const CX7_AR_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX7_AR_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
+const CX7_AR_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX7_AR_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CX7_AR_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX7_AR_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const CX7_AR_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CX7_AR_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const CX7_AR_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-CX7-AR
 ///
 /// Attitude reference.
 ///
-/// Generation 7. Model number 6700. No manual is known. This profile is incomplete: No manual is
-/// known. Uncertain: Only MSCL lists it; the SDK does not.
+/// Generation 7. Model number 6700. Sensors: accelerometer, gyroscope, pressure sensor. GNSS
+/// receivers: none. GNSS antennas: none. No manual is known. This profile is incomplete: No manual
+/// is known. Uncertain: Only MSCL lists it; the SDK does not.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -3176,96 +4072,134 @@ pub static CX7_AR: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX7_AR_3;
-        0x01 0x02 "base.set_idle" [] CX7_AR_3;
-        0x01 0x03 "base.get_device_info" [] CX7_AR_3;
-        0x01 0x04 "base.get_device_descriptors" [] CX7_AR_3;
-        0x01 0x05 "base.built_in_test" [] CX7_AR_4;
-        0x01 0x06 "base.resume" [] CX7_AR_3;
-        0x01 0x07 "base.get_extended_descriptors" [] CX7_AR_3;
-        0x01 0x08 "base.continuous_built_in_test" [] CX7_AR_4;
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_AR_4;
-        0x01 0x7E "base.soft_reset" [] CX7_AR_4;
-        0x0C 0x0D "3dm.poll_data" [] CX7_AR_4;
-        0x0C 0x0E "3dm.get_base_rate" [] CX7_AR_3;
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
-        0x0C 0x10 "3dm.factory_streaming" [] CX7_AR_4;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x01 0x01 "base.ping" [] CX7_AR_2;
+        0x01 0x02 "base.set_idle" [] CX7_AR_2;
+        0x01 0x03 "base.get_device_info" [] CX7_AR_2;
+        0x01 0x04 "base.get_device_descriptors" [] CX7_AR_2;
+        0x01 0x05 "base.built_in_test" [] CX7_AR_3;
+        0x01 0x06 "base.resume" [] CX7_AR_2;
+        0x01 0x07 "base.get_extended_descriptors" [] CX7_AR_2;
+        0x01 0x08 "base.continuous_built_in_test" [] CX7_AR_3;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_AR_3;
+        0x01 0x7E "base.soft_reset" [] CX7_AR_3;
+        0x0C 0x0D "3dm.poll_data" [] CX7_AR_3;
+        0x0C 0x0E "3dm.get_base_rate" [] CX7_AR_2;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_2;
+        0x0C 0x10 "3dm.factory_streaming" [] CX7_AR_3;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
-        0x0C 0x2A "3dm.get_event_support" [] CX7_AR_4;
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_AR_4;
-        0x0C 0x2D "3dm.get_event_action_status" [] CX7_AR_4;
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_AR_3;
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_4;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_4;
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_AR_4;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_4;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_4;
+        0x0C 0x2A "3dm.get_event_support" [] CX7_AR_3;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_AR_3;
+        0x0C 0x2D "3dm.get_event_action_status" [] CX7_AR_3;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_AR_2;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_3;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_3;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_AR_3;
         0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_AR_4;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_AR_4;
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0D 0x01 "filter.reset" [] CX7_AR_4;
-        0x0D 0x03 "filter.set_initial_heading" [] CX7_AR_4;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_AR_3;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_AR_3;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0D 0x01 "filter.reset" [] CX7_AR_3;
+        0x0D 0x03 "filter.set_initial_heading" [] CX7_AR_3;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
         0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
         0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
-        0x13 0x31 "aiding.true_heading" [] CX7_AR_4;
-        0x13 0x32 "aiding.magnetic_field" [] CX7_AR_4;
-        0x80 0x04 "sensor.scaled_accel" [] CX7_AR_2;
-        0x80 0x05 "sensor.scaled_gyro" [] CX7_AR_2;
-        0x80 0x06 "sensor.scaled_mag" [] CX7_AR_2;
-        0x80 0x07 "sensor.delta_theta" [] CX7_AR_4;
-        0x80 0x08 "sensor.delta_velocity" [] CX7_AR_4;
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_AR_2;
-        0x80 0x0A "sensor.comp_quaternion" [] CX7_AR_2;
-        0x80 0x0C "sensor.comp_euler_angles" [] CX7_AR_2;
-        0x80 0x14 "sensor.temperature_statistics" [] CX7_AR_4;
-        0x80 0x17 "sensor.scaled_pressure" [] CX7_AR_2;
-        0x80 0x18 "sensor.overrange_status" [] CX7_AR_4;
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_AR_2;
-        0x82 0x04 "filter_data.attitude_dcm" [] CX7_AR_4;
-        0x82 0x05 "filter_data.euler_angles" [] CX7_AR_2;
-        0x82 0x06 "filter_data.gyro_bias" [] CX7_AR_2;
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_AR_2;
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_AR_2;
-        0x82 0x0D "filter_data.linear_accel" [] CX7_AR_2;
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_AR_2;
-        0x82 0x10 "filter_data.status" [] CX7_AR_2;
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_AR_2;
-        0x82 0x13 "filter_data.gravity_vector" [] CX7_AR_2;
-        0x82 0x1C "filter_data.comp_accel" [] CX7_AR_2;
-        0x82 0x21 "filter_data.pressure_altitude" [] CX7_AR_2;
-        0xA0 0x01 "system_data.built_in_test" [] CX7_AR_4;
-        0xA0 0x02 "system_data.time_sync_status" [] CX7_AR_2;
-        0xA0 0x03 "system_data.gpio_state" [] CX7_AR_2;
-        0xFF 0xD0 "shared.event_source" [] CX7_AR_4;
-        0xFF 0xD3 "shared.gps_timestamp" [] CX7_AR_2;
-        0xFF 0xD4 "shared.delta_time" [] CX7_AR_4;
-        0xFF 0xD5 "shared.reference_timestamp" [] CX7_AR_2;
-        0xFF 0xD6 "shared.reference_time_delta" [] CX7_AR_4;
-        0xFF 0xD7 "shared.external_timestamp" [] CX7_AR_2;
-        0xFF 0xD8 "shared.external_time_delta" [] CX7_AR_4;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x13 0x31 "aiding.true_heading" [] CX7_AR_3;
+        0x13 0x32 "aiding.magnetic_field" [] CX7_AR_3;
+        0x80 0x04 "sensor.scaled_accel" [] CX7_AR_3;
+        0x80 0x05 "sensor.scaled_gyro" [] CX7_AR_3;
+        0x80 0x07 "sensor.delta_theta" [] CX7_AR_3;
+        0x80 0x08 "sensor.delta_velocity" [] CX7_AR_3;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_AR_3;
+        0x80 0x0A "sensor.comp_quaternion" [] CX7_AR_3;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX7_AR_3;
+        0x80 0x14 "sensor.temperature_statistics" [] CX7_AR_3;
+        0x80 0x17 "sensor.scaled_pressure" [] CX7_AR_3;
+        0x80 0x18 "sensor.overrange_status" [] CX7_AR_3;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_AR_3;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX7_AR_3;
+        0x82 0x05 "filter_data.euler_angles" [] CX7_AR_3;
+        0x82 0x06 "filter_data.gyro_bias" [] CX7_AR_3;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_AR_3;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_AR_3;
+        0x82 0x0D "filter_data.linear_accel" [] CX7_AR_3;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_AR_3;
+        0x82 0x10 "filter_data.status" [] CX7_AR_3;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_AR_3;
+        0x82 0x13 "filter_data.gravity_vector" [] CX7_AR_3;
+        0x82 0x1C "filter_data.comp_accel" [] CX7_AR_3;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX7_AR_3;
+        0xA0 0x01 "system_data.built_in_test" [] CX7_AR_3;
+        0xA0 0x02 "system_data.time_sync_status" [] CX7_AR_3;
+        0xA0 0x03 "system_data.gpio_state" [] CX7_AR_3;
+        0xFF 0xD0 "shared.event_source" [] CX7_AR_3;
+        0xFF 0xD3 "shared.gps_timestamp" [] CX7_AR_3;
+        0xFF 0xD4 "shared.delta_time" [] CX7_AR_3;
+        0xFF 0xD5 "shared.reference_timestamp" [] CX7_AR_3;
+        0xFF 0xD6 "shared.reference_time_delta" [] CX7_AR_3;
+        0xFF 0xD7 "shared.external_timestamp" [] CX7_AR_3;
+        0xFF 0xD8 "shared.external_time_delta" [] CX7_AR_3;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] CX7_AR_4;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX7_AR_4;
+        0x0C 0x09 "3dm.gnss_message_format" [] CX7_AR_4;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CX7_AR_4;
+        0x0C 0x21 "3dm.constellation_settings" [] CX7_AR_4;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CX7_AR_4;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CX7_AR_4;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CX7_AR_4;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CX7_AR_4;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] CX7_AR_5;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] CX7_AR_5;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CX7_AR_4;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [] CX7_AR_5;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [] CX7_AR_5;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [] CX7_AR_5;
+        0x0D 0x42 "filter.mag_noise" [] CX7_AR_5;
+        0x0D 0x43 "filter.magnetic_declination_source" [] CX7_AR_5;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [] CX7_AR_5;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [] CX7_AR_5;
+        0x0D 0x4C "filter.magnetic_inclination_source" [] CX7_AR_5;
+        0x0D 0x4D "filter.magnetic_magnitude_source" [] CX7_AR_5;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CX7_AR_4;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CX7_AR_4;
+        0x80 0x03 "sensor.raw_mag" [] CX7_AR_5;
+        0x80 0x06 "sensor.scaled_mag" [] CX7_AR_5;
+        0x82 0x1A "filter_data.mag_bias" [] CX7_AR_5;
+        0x82 0x1B "filter_data.mag_bias_uncertainty" [] CX7_AR_5;
+        0x82 0x25 "filter_data.mag_offset" [] CX7_AR_5;
+        0x82 0x26 "filter_data.mag_matrix" [] CX7_AR_5;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CX7_AR_5;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CX7_AR_5;
+        0x82 0x2A "filter_data.mag_covariance_matrix" [] CX7_AR_5;
+        0x82 0x2C "filter_data.mag_residual_vector" [] CX7_AR_5;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CX7_AR_4;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CX7_AR_4;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX7_AR_6;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CX7_AR_4 },
+        AbsentSet { set: 0x91, evidence: CX7_AR_4 },
+        AbsentSet { set: 0x92, evidence: CX7_AR_4 },
+        AbsentSet { set: 0x93, evidence: CX7_AR_4 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -3311,7 +4245,7 @@ pub static CX7_AR: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -3329,9 +4263,14 @@ pub static CX7_AR: Profile = Profile {
             difference: "only disabled, gpio and generated",
         },
         Variant {
-            parameter: "filter.magnetic_declination_source.source",
+            parameter: "3dm.sensor_range.sensor",
             read_as: None,
-            difference: "only none and manual",
+            difference: "only all, accel, gyro and pressure",
+        },
+        Variant {
+            parameter: "3dm.get_calibrated_sensor_ranges.sensor",
+            read_as: None,
+            difference: "only all, accel, gyro and pressure",
         },
         Variant {
             parameter: "filter.aiding_measurement_enable.aiding_source",
@@ -3339,19 +4278,24 @@ pub static CX7_AR: Profile = Profile {
             difference: "only external_heading and all",
         },
         Variant {
+            parameter: "sensor.overrange_status.status",
+            read_as: None,
+            difference: "only accel_x, accel_y, accel_z, gyro_x, gyro_y, gyro_z and pressure",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -3364,24 +4308,43 @@ pub static CX7_AR: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX7_INS_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const CX7_INS_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX7_INS_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
+const CX7_INS_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX7_INS_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const CX7_INS_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 #[rustfmt::skip]
-const CX7_INS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const CX7_INS_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const CX7_INS_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-CX7-INS
 ///
 /// Inertial navigation system.
 ///
-/// Generation 7. Model number 6702. No manual is known. This profile is incomplete: No manual is
-/// known. Uncertain: Only MSCL lists it; the SDK does not.
+/// Generation 7. Model number 6702. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: none. GNSS antennas: none. No manual is known. This profile is
+/// incomplete: No manual is known. Uncertain: Only MSCL lists it; the SDK does not.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -3429,135 +4392,156 @@ pub static CX7_INS: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX7_INS_3;
-        0x01 0x02 "base.set_idle" [] CX7_INS_3;
-        0x01 0x03 "base.get_device_info" [] CX7_INS_3;
-        0x01 0x04 "base.get_device_descriptors" [] CX7_INS_3;
-        0x01 0x05 "base.built_in_test" [] CX7_INS_4;
-        0x01 0x06 "base.resume" [] CX7_INS_3;
-        0x01 0x07 "base.get_extended_descriptors" [] CX7_INS_3;
-        0x01 0x08 "base.continuous_built_in_test" [] CX7_INS_4;
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_INS_4;
-        0x01 0x7E "base.soft_reset" [] CX7_INS_4;
-        0x0C 0x04 "3dm.poll_nmea_data" [] CX7_INS_4;
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x0D "3dm.poll_data" [] CX7_INS_4;
-        0x0C 0x0E "3dm.get_base_rate" [] CX7_INS_3;
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
-        0x0C 0x10 "3dm.factory_streaming" [] CX7_INS_4;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x01 0x01 "base.ping" [] CX7_INS_2;
+        0x01 0x02 "base.set_idle" [] CX7_INS_2;
+        0x01 0x03 "base.get_device_info" [] CX7_INS_2;
+        0x01 0x04 "base.get_device_descriptors" [] CX7_INS_2;
+        0x01 0x05 "base.built_in_test" [] CX7_INS_3;
+        0x01 0x06 "base.resume" [] CX7_INS_2;
+        0x01 0x07 "base.get_extended_descriptors" [] CX7_INS_2;
+        0x01 0x08 "base.continuous_built_in_test" [] CX7_INS_3;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_INS_3;
+        0x01 0x7E "base.soft_reset" [] CX7_INS_3;
+        0x0C 0x04 "3dm.poll_nmea_data" [] CX7_INS_3;
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x0D "3dm.poll_data" [] CX7_INS_3;
+        0x0C 0x0E "3dm.get_base_rate" [] CX7_INS_2;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_2;
+        0x0C 0x10 "3dm.factory_streaming" [] CX7_INS_3;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
-        0x0C 0x2A "3dm.get_event_support" [] CX7_INS_4;
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_INS_4;
-        0x0C 0x2D "3dm.get_event_action_status" [] CX7_INS_4;
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_INS_3;
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_4;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_4;
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_INS_4;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_4;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_4;
+        0x0C 0x2A "3dm.get_event_support" [] CX7_INS_3;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_INS_3;
+        0x0C 0x2D "3dm.get_event_action_status" [] CX7_INS_3;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_INS_2;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_3;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_3;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_INS_3;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_3;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_3;
         0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_INS_4;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_INS_4;
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0D 0x01 "filter.reset" [] CX7_INS_4;
-        0x0D 0x03 "filter.set_initial_heading" [] CX7_INS_4;
-        0x0D 0x05 "filter.run" [] CX7_INS_4;
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0D 0x17 "filter.external_heading_update" [] CX7_INS_4;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CX7_INS_4;
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_INS_3;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_INS_3;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0D 0x01 "filter.reset" [] CX7_INS_3;
+        0x0D 0x03 "filter.set_initial_heading" [] CX7_INS_3;
+        0x0D 0x05 "filter.run" [] CX7_INS_3;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0D 0x17 "filter.external_heading_update" [] CX7_INS_3;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CX7_INS_3;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
         0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
         0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
-        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
         0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
-        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
-        0x13 0x21 "aiding.ecef_position" [] CX7_INS_4;
-        0x13 0x22 "aiding.llh_position" [] CX7_INS_4;
-        0x13 0x23 "aiding.height_above_ellipsoid" [] CX7_INS_4;
-        0x13 0x28 "aiding.ecef_velocity" [] CX7_INS_4;
-        0x13 0x29 "aiding.ned_velocity" [] CX7_INS_4;
-        0x13 0x2A "aiding.body_frame_velocity" [] CX7_INS_4;
-        0x13 0x31 "aiding.true_heading" [] CX7_INS_4;
-        0x13 0x32 "aiding.magnetic_field" [] CX7_INS_4;
-        0x13 0x33 "aiding.pressure" [] CX7_INS_4;
-        0x80 0x04 "sensor.scaled_accel" [] CX7_INS_2;
-        0x80 0x05 "sensor.scaled_gyro" [] CX7_INS_2;
-        0x80 0x06 "sensor.scaled_mag" [] CX7_INS_2;
-        0x80 0x07 "sensor.delta_theta" [] CX7_INS_4;
-        0x80 0x08 "sensor.delta_velocity" [] CX7_INS_4;
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_INS_2;
-        0x80 0x0A "sensor.comp_quaternion" [] CX7_INS_2;
-        0x80 0x0C "sensor.comp_euler_angles" [] CX7_INS_2;
-        0x80 0x14 "sensor.temperature_statistics" [] CX7_INS_4;
-        0x80 0x17 "sensor.scaled_pressure" [] CX7_INS_2;
-        0x80 0x18 "sensor.overrange_status" [] CX7_INS_4;
-        0x82 0x01 "filter_data.llh_position" [] CX7_INS_4;
-        0x82 0x02 "filter_data.ned_velocity" [] CX7_INS_4;
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_INS_2;
-        0x82 0x04 "filter_data.attitude_dcm" [] CX7_INS_4;
-        0x82 0x05 "filter_data.euler_angles" [] CX7_INS_2;
-        0x82 0x06 "filter_data.gyro_bias" [] CX7_INS_2;
-        0x82 0x07 "filter_data.accel_bias" [] CX7_INS_2;
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] CX7_INS_4;
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CX7_INS_4;
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_INS_2;
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_INS_2;
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CX7_INS_2;
-        0x82 0x0D "filter_data.linear_accel" [] CX7_INS_2;
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_INS_2;
-        0x82 0x10 "filter_data.status" [] CX7_INS_2;
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_INS_2;
-        0x82 0x13 "filter_data.gravity_vector" [] CX7_INS_2;
-        0x82 0x15 "filter_data.magnetic_model" [] CX7_INS_4;
-        0x82 0x1C "filter_data.comp_accel" [] CX7_INS_2;
-        0x82 0x21 "filter_data.pressure_altitude" [] CX7_INS_2;
-        0x82 0x36 "filter_data.ecef_position_uncertainty" [] CX7_INS_4;
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CX7_INS_4;
-        0x82 0x40 "filter_data.ecef_position" [] CX7_INS_4;
-        0x82 0x41 "filter_data.ecef_velocity" [] CX7_INS_4;
-        0x82 0x42 "filter_data.ned_relative_position" [] CX7_INS_4;
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CX7_INS_4;
-        0x82 0x46 "filter_data.aiding_measurement_summary" [] CX7_INS_4;
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] CX7_INS_4;
-        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CX7_INS_4;
-        0x94 0x03 "gnss_external.llh_position" [] CX7_INS_4;
-        0x94 0x05 "gnss_external.ned_velocity" [] CX7_INS_4;
-        0x94 0x08 "gnss_external.utc_time" [] CX7_INS_4;
-        0x94 0x0B "gnss_external.fix_info" [] CX7_INS_4;
-        0x94 0x20 "gnss_external.satellite_status" [] CX7_INS_4;
-        0xA0 0x01 "system_data.built_in_test" [] CX7_INS_4;
-        0xA0 0x02 "system_data.time_sync_status" [] CX7_INS_2;
-        0xA0 0x03 "system_data.gpio_state" [] CX7_INS_2;
-        0xFF 0xD0 "shared.event_source" [] CX7_INS_4;
-        0xFF 0xD3 "shared.gps_timestamp" [] CX7_INS_2;
-        0xFF 0xD4 "shared.delta_time" [] CX7_INS_4;
-        0xFF 0xD5 "shared.reference_timestamp" [] CX7_INS_2;
-        0xFF 0xD6 "shared.reference_time_delta" [] CX7_INS_4;
-        0xFF 0xD7 "shared.external_timestamp" [] CX7_INS_2;
-        0xFF 0xD8 "shared.external_time_delta" [] CX7_INS_4;
+        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x13 0x21 "aiding.ecef_position" [] CX7_INS_3;
+        0x13 0x22 "aiding.llh_position" [] CX7_INS_3;
+        0x13 0x23 "aiding.height_above_ellipsoid" [] CX7_INS_3;
+        0x13 0x28 "aiding.ecef_velocity" [] CX7_INS_3;
+        0x13 0x29 "aiding.ned_velocity" [] CX7_INS_3;
+        0x13 0x2A "aiding.body_frame_velocity" [] CX7_INS_3;
+        0x13 0x31 "aiding.true_heading" [] CX7_INS_3;
+        0x13 0x32 "aiding.magnetic_field" [] CX7_INS_3;
+        0x13 0x33 "aiding.pressure" [] CX7_INS_3;
+        0x80 0x04 "sensor.scaled_accel" [] CX7_INS_3;
+        0x80 0x05 "sensor.scaled_gyro" [] CX7_INS_3;
+        0x80 0x06 "sensor.scaled_mag" [] CX7_INS_3;
+        0x80 0x07 "sensor.delta_theta" [] CX7_INS_3;
+        0x80 0x08 "sensor.delta_velocity" [] CX7_INS_3;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_INS_3;
+        0x80 0x0A "sensor.comp_quaternion" [] CX7_INS_3;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX7_INS_3;
+        0x80 0x14 "sensor.temperature_statistics" [] CX7_INS_3;
+        0x80 0x17 "sensor.scaled_pressure" [] CX7_INS_3;
+        0x80 0x18 "sensor.overrange_status" [] CX7_INS_3;
+        0x82 0x01 "filter_data.llh_position" [] CX7_INS_3;
+        0x82 0x02 "filter_data.ned_velocity" [] CX7_INS_3;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_INS_3;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX7_INS_3;
+        0x82 0x05 "filter_data.euler_angles" [] CX7_INS_3;
+        0x82 0x06 "filter_data.gyro_bias" [] CX7_INS_3;
+        0x82 0x07 "filter_data.accel_bias" [] CX7_INS_3;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] CX7_INS_3;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CX7_INS_3;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_INS_3;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_INS_3;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CX7_INS_3;
+        0x82 0x0D "filter_data.linear_accel" [] CX7_INS_3;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_INS_3;
+        0x82 0x10 "filter_data.status" [] CX7_INS_3;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_INS_3;
+        0x82 0x13 "filter_data.gravity_vector" [] CX7_INS_3;
+        0x82 0x15 "filter_data.magnetic_model" [] CX7_INS_3;
+        0x82 0x1C "filter_data.comp_accel" [] CX7_INS_3;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX7_INS_3;
+        0x82 0x36 "filter_data.ecef_position_uncertainty" [] CX7_INS_3;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CX7_INS_3;
+        0x82 0x40 "filter_data.ecef_position" [] CX7_INS_3;
+        0x82 0x41 "filter_data.ecef_velocity" [] CX7_INS_3;
+        0x82 0x42 "filter_data.ned_relative_position" [] CX7_INS_3;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CX7_INS_3;
+        0x82 0x46 "filter_data.aiding_measurement_summary" [] CX7_INS_3;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] CX7_INS_3;
+        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CX7_INS_3;
+        0x94 0x03 "gnss_external.llh_position" [] CX7_INS_3;
+        0x94 0x05 "gnss_external.ned_velocity" [] CX7_INS_3;
+        0x94 0x08 "gnss_external.utc_time" [] CX7_INS_3;
+        0x94 0x0B "gnss_external.fix_info" [] CX7_INS_3;
+        0x94 0x20 "gnss_external.satellite_status" [] CX7_INS_3;
+        0xA0 0x01 "system_data.built_in_test" [] CX7_INS_3;
+        0xA0 0x02 "system_data.time_sync_status" [] CX7_INS_3;
+        0xA0 0x03 "system_data.gpio_state" [] CX7_INS_3;
+        0xFF 0xD0 "shared.event_source" [] CX7_INS_3;
+        0xFF 0xD3 "shared.gps_timestamp" [] CX7_INS_3;
+        0xFF 0xD4 "shared.delta_time" [] CX7_INS_3;
+        0xFF 0xD5 "shared.reference_timestamp" [] CX7_INS_3;
+        0xFF 0xD6 "shared.reference_time_delta" [] CX7_INS_3;
+        0xFF 0xD7 "shared.external_timestamp" [] CX7_INS_3;
+        0xFF 0xD8 "shared.external_time_delta" [] CX7_INS_3;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] CX7_INS_4;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX7_INS_4;
+        0x0C 0x09 "3dm.gnss_message_format" [] CX7_INS_4;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] CX7_INS_4;
+        0x0C 0x21 "3dm.constellation_settings" [] CX7_INS_4;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] CX7_INS_4;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] CX7_INS_4;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] CX7_INS_4;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] CX7_INS_4;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] CX7_INS_4;
+        0x0D 0x54 "filter.multi_antenna_offset" [] CX7_INS_4;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] CX7_INS_4;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CX7_INS_4;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CX7_INS_4;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX7_INS_5;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: CX7_INS_4 },
+        AbsentSet { set: 0x91, evidence: CX7_INS_4 },
+        AbsentSet { set: 0x92, evidence: CX7_INS_4 },
+        AbsentSet { set: 0x93, evidence: CX7_INS_4 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -3617,7 +4601,7 @@ pub static CX7_INS: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -3635,6 +4619,11 @@ pub static CX7_INS: Profile = Profile {
             difference: "only disabled, gpio and generated",
         },
         Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only external",
+        },
+        Variant {
             parameter: "filter.aiding_measurement_enable.aiding_source",
             read_as: None,
             difference: "only gnss_position_velocity, altimeter, mag, external_heading, external_altimeter, external_mag, body_frame_velocity and all",
@@ -3647,17 +4636,17 @@ pub static CX7_INS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -3670,8 +4659,11 @@ pub static CX7_INS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const DH3_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const DH3_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 
 /// 3DM-DH3
 ///
@@ -3703,6 +4695,8 @@ pub static DH3: Profile = Profile {
     },
     refuses: supported! {
     },
+    absent_sets: &[
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -3728,22 +4722,41 @@ pub static DH3: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GQ4_45_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const GQ4_45_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GQ4_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-RQ1-45-LT and 3DM-GX4-45." };
+const GQ4_45_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-RQ1-45-LT and 3DM-GX4-45.",
+    absence: "",
+};
+#[rustfmt::skip]
+const GQ4_45_3: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
+#[rustfmt::skip]
+const GQ4_45_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 receivers, which the device lacks.",
+    absence: "has fewer than 2 GNSS receivers",
+};
 
 /// 3DM-GQ4-45
 ///
 /// Tactical grade inertial navigation system with GNSS.
 ///
-/// Generation 4. Model number 6250. Manual: LORD 3DM-GQ4-45 Data Communications Protocol, of
-/// September 26, 2015, known from its table of contents. This profile is incomplete: The manual's
-/// table of contents is known only up to the commands of the set `3dm`. The unknown part includes
-/// the sets `filter` and `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and
-/// 0x82, but none of their fields are known. Uncertain: It may accept raw RTCM by a command whose
-/// layout is not known.
+/// Generation 4. Model number 6250. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: 1. GNSS antennas: 1. Manual: LORD 3DM-GQ4-45 Data Communications
+/// Protocol, of September 26, 2015, known from its table of contents. This profile is incomplete:
+/// The manual's table of contents is known only up to the commands of the set `3dm`. The unknown
+/// part includes the sets `filter` and `system`. This profile is incomplete: It has the data sets
+/// 0x80, 0x81 and 0x82, but none of their fields are known. Uncertain: It may accept raw RTCM by a
+/// command whose layout is not known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -3844,7 +4857,11 @@ pub static GQ4_45: Profile = Profile {
         0x82 0x05 "filter_data.euler_angles" [] GQ4_45_2;
     },
     refuses: supported! {
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GQ4_45_3;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x92, evidence: GQ4_45_4 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -3875,6 +4892,11 @@ pub static GQ4_45: Profile = Profile {
             difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
         },
         Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only all_internal, external and internal_1",
+        },
+        Variant {
             parameter: "filter.heading_source.source",
             read_as: None,
             difference: "only none, mag, gnss_velocity and external",
@@ -3895,38 +4917,63 @@ pub static GQ4_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GQ7_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages)." };
+const GQ7_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GQ7_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)." };
+const GQ7_2: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GQ7_3: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const GQ7_3: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GQ7_4: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver)." };
+const GQ7_4: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GQ7_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const GQ7_5: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GQ7_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
+const GQ7_6: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver of the vendor: Example configurations).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GQ7_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (PX4: Driver of the vendor's sensors)." };
+const GQ7_7: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (PX4: Driver of the vendor's sensors).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GQ7_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const GQ7_8: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 
 /// 3DM-GQ7-GNSS/INS
 ///
 /// Inertial navigation system with two GNSS receivers.
 ///
-/// Also called 3DM-GQ7. Generation 7. Model number 6284. Manual: MicroStrain 3DM-GQ7 Documentation,
-/// online, known from some pages. This profile is incomplete: Only some pages of the manual are
-/// known, so it has more commands and data. This profile is incomplete: The baud rates of the Aux
-/// port are not known, nor all of its protocols. Uncertain: The values of
+/// Also called 3DM-GQ7. Generation 7. Model number 6284. Sensors: accelerometer, gyroscope,
+/// magnetometer, pressure sensor. GNSS receivers: 2. GNSS antennas: 2. Manual: MicroStrain 3DM-GQ7
+/// Documentation, online, known from some pages. This profile is incomplete: Only some pages of the
+/// manual are known, so it has more commands and data. This profile is incomplete: The baud rates
+/// of the Aux port are not known, nor all of its protocols. Uncertain: The values of
 /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource) are those that
 /// MSCL offers. Uncertain: According to MSCL, firmware from 1.0 to below 1.1 has only the values
 /// `all_internal` and `external` of [`filter::GnssSource`](crate::filter::GnssSource).
@@ -4164,6 +5211,8 @@ pub static GQ7: Profile = Profile {
     },
     refuses: supported! {
     },
+    absent_sets: &[
+    ],
     firmware: &[
         Firmware {
             set: 0x0C,
@@ -4238,7 +5287,7 @@ pub static GQ7: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -4273,17 +5322,17 @@ pub static GQ7: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -4296,30 +5345,55 @@ pub static GQ7: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GV7_AHRS_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const GV7_AHRS_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AHRS_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
+const GV7_AHRS_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver of the vendor: Example configurations).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AHRS_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const GV7_AHRS_3: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AHRS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
+const GV7_AHRS_4: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AHRS_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const GV7_AHRS_5: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AHRS_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const GV7_AHRS_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const GV7_AHRS_7: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-GV7-AHRS
 ///
 /// Attitude and heading reference system.
 ///
-/// Generation 7. Model number 6288. No manual is known. This profile is incomplete: No manual is
-/// known.
+/// Generation 7. Model number 6288. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: none. GNSS antennas: none. No manual is known. This profile is
+/// incomplete: No manual is known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -4367,93 +5441,114 @@ pub static GV7_AHRS: Profile = Profile {
         0x01 0x01 "base.ping" [] GV7_AHRS_1;
         0x01 0x02 "base.set_idle" [] GV7_AHRS_1;
         0x01 0x03 "base.get_device_info" [] GV7_AHRS_1;
-        0x01 0x04 "base.get_device_descriptors" [] GV7_AHRS_5;
-        0x01 0x05 "base.built_in_test" [] GV7_AHRS_6;
+        0x01 0x04 "base.get_device_descriptors" [] GV7_AHRS_4;
+        0x01 0x05 "base.built_in_test" [] GV7_AHRS_5;
         0x01 0x06 "base.resume" [] GV7_AHRS_1;
-        0x01 0x07 "base.get_extended_descriptors" [] GV7_AHRS_5;
-        0x01 0x08 "base.continuous_built_in_test" [] GV7_AHRS_6;
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_AHRS_6;
-        0x01 0x7E "base.soft_reset" [] GV7_AHRS_6;
-        0x0C 0x0D "3dm.poll_data" [] GV7_AHRS_6;
+        0x01 0x07 "base.get_extended_descriptors" [] GV7_AHRS_4;
+        0x01 0x08 "base.continuous_built_in_test" [] GV7_AHRS_5;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_AHRS_5;
+        0x01 0x7E "base.soft_reset" [] GV7_AHRS_5;
+        0x0C 0x0D "3dm.poll_data" [] GV7_AHRS_5;
         0x0C 0x0E "3dm.get_base_rate" [] GV7_AHRS_1;
         0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
-        0x0C 0x10 "3dm.factory_streaming" [] GV7_AHRS_6;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0C 0x10 "3dm.factory_streaming" [] GV7_AHRS_5;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_2;
-        0x0C 0x2A "3dm.get_event_support" [] GV7_AHRS_6;
+        0x0C 0x2A "3dm.get_event_support" [] GV7_AHRS_5;
         0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
-        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_AHRS_6;
-        0x0C 0x2D "3dm.get_event_action_status" [] GV7_AHRS_6;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_AHRS_5;
+        0x0C 0x2D "3dm.get_event_action_status" [] GV7_AHRS_5;
         0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
         0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GV7_AHRS_1;
         0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_6;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_6;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_5;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_5;
         0x0C 0x39 "3dm.capture_gyro_bias" [] GV7_AHRS_1;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_6;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_6;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_5;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_5;
         0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_3;
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_AHRS_6;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_AHRS_6;
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_AHRS_5;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_AHRS_5;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
         0x0D 0x01 "filter.reset" [] GV7_AHRS_1;
-        0x0D 0x03 "filter.set_initial_heading" [] GV7_AHRS_6;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0D 0x03 "filter.set_initial_heading" [] GV7_AHRS_5;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
         0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_2;
         0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
         0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_2;
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
-        0x13 0x31 "aiding.true_heading" [] GV7_AHRS_6;
-        0x13 0x32 "aiding.magnetic_field" [] GV7_AHRS_6;
-        0x80 0x04 "sensor.scaled_accel" [] GV7_AHRS_4;
-        0x80 0x05 "sensor.scaled_gyro" [] GV7_AHRS_4;
-        0x80 0x06 "sensor.scaled_mag" [] GV7_AHRS_4;
-        0x80 0x07 "sensor.delta_theta" [] GV7_AHRS_6;
-        0x80 0x08 "sensor.delta_velocity" [] GV7_AHRS_6;
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_AHRS_4;
-        0x80 0x0A "sensor.comp_quaternion" [] GV7_AHRS_4;
-        0x80 0x0C "sensor.comp_euler_angles" [] GV7_AHRS_4;
-        0x80 0x14 "sensor.temperature_statistics" [] GV7_AHRS_6;
-        0x80 0x17 "sensor.scaled_pressure" [] GV7_AHRS_4;
-        0x80 0x18 "sensor.overrange_status" [] GV7_AHRS_6;
-        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_AHRS_4;
-        0x82 0x04 "filter_data.attitude_dcm" [] GV7_AHRS_6;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_5;
+        0x13 0x31 "aiding.true_heading" [] GV7_AHRS_5;
+        0x13 0x32 "aiding.magnetic_field" [] GV7_AHRS_5;
+        0x80 0x04 "sensor.scaled_accel" [] GV7_AHRS_5;
+        0x80 0x05 "sensor.scaled_gyro" [] GV7_AHRS_5;
+        0x80 0x06 "sensor.scaled_mag" [] GV7_AHRS_5;
+        0x80 0x07 "sensor.delta_theta" [] GV7_AHRS_5;
+        0x80 0x08 "sensor.delta_velocity" [] GV7_AHRS_5;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_AHRS_5;
+        0x80 0x0A "sensor.comp_quaternion" [] GV7_AHRS_5;
+        0x80 0x0C "sensor.comp_euler_angles" [] GV7_AHRS_5;
+        0x80 0x14 "sensor.temperature_statistics" [] GV7_AHRS_5;
+        0x80 0x17 "sensor.scaled_pressure" [] GV7_AHRS_5;
+        0x80 0x18 "sensor.overrange_status" [] GV7_AHRS_5;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_AHRS_5;
+        0x82 0x04 "filter_data.attitude_dcm" [] GV7_AHRS_5;
         0x82 0x05 "filter_data.euler_angles" [] GV7_AHRS_1;
-        0x82 0x06 "filter_data.gyro_bias" [] GV7_AHRS_4;
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_AHRS_4;
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_AHRS_4;
-        0x82 0x0D "filter_data.linear_accel" [] GV7_AHRS_4;
-        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_AHRS_4;
+        0x82 0x06 "filter_data.gyro_bias" [] GV7_AHRS_5;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_AHRS_5;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_AHRS_5;
+        0x82 0x0D "filter_data.linear_accel" [] GV7_AHRS_5;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_AHRS_5;
         0x82 0x10 "filter_data.status" [] GV7_AHRS_1;
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_AHRS_4;
-        0x82 0x13 "filter_data.gravity_vector" [] GV7_AHRS_4;
-        0x82 0x1C "filter_data.comp_accel" [] GV7_AHRS_4;
-        0x82 0x21 "filter_data.pressure_altitude" [] GV7_AHRS_4;
-        0xA0 0x01 "system_data.built_in_test" [] GV7_AHRS_6;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_AHRS_5;
+        0x82 0x13 "filter_data.gravity_vector" [] GV7_AHRS_5;
+        0x82 0x1C "filter_data.comp_accel" [] GV7_AHRS_5;
+        0x82 0x21 "filter_data.pressure_altitude" [] GV7_AHRS_5;
+        0xA0 0x01 "system_data.built_in_test" [] GV7_AHRS_5;
         0xA0 0x02 "system_data.time_sync_status" [] GV7_AHRS_2;
-        0xA0 0x03 "system_data.gpio_state" [] GV7_AHRS_4;
+        0xA0 0x03 "system_data.gpio_state" [] GV7_AHRS_5;
         0xFF 0xD0 "shared.event_source" [] GV7_AHRS_1;
         0xFF 0xD3 "shared.gps_timestamp" [] GV7_AHRS_1;
-        0xFF 0xD4 "shared.delta_time" [] GV7_AHRS_6;
-        0xFF 0xD5 "shared.reference_timestamp" [] GV7_AHRS_4;
-        0xFF 0xD6 "shared.reference_time_delta" [] GV7_AHRS_6;
-        0xFF 0xD7 "shared.external_timestamp" [] GV7_AHRS_4;
-        0xFF 0xD8 "shared.external_time_delta" [] GV7_AHRS_6;
+        0xFF 0xD4 "shared.delta_time" [] GV7_AHRS_5;
+        0xFF 0xD5 "shared.reference_timestamp" [] GV7_AHRS_5;
+        0xFF 0xD6 "shared.reference_time_delta" [] GV7_AHRS_5;
+        0xFF 0xD7 "shared.external_timestamp" [] GV7_AHRS_5;
+        0xFF 0xD8 "shared.external_time_delta" [] GV7_AHRS_5;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] GV7_AHRS_6;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GV7_AHRS_6;
+        0x0C 0x09 "3dm.gnss_message_format" [] GV7_AHRS_6;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GV7_AHRS_6;
+        0x0C 0x21 "3dm.constellation_settings" [] GV7_AHRS_6;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] GV7_AHRS_6;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] GV7_AHRS_6;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] GV7_AHRS_6;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] GV7_AHRS_6;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] GV7_AHRS_6;
+        0x0D 0x54 "filter.multi_antenna_offset" [] GV7_AHRS_6;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] GV7_AHRS_6;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] GV7_AHRS_6;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] GV7_AHRS_6;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GV7_AHRS_7;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: GV7_AHRS_6 },
+        AbsentSet { set: 0x91, evidence: GV7_AHRS_6 },
+        AbsentSet { set: 0x92, evidence: GV7_AHRS_6 },
+        AbsentSet { set: 0x93, evidence: GV7_AHRS_6 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -4499,7 +5594,7 @@ pub static GV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -4529,17 +5624,17 @@ pub static GV7_AHRS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -4552,30 +5647,61 @@ pub static GV7_AHRS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GV7_AR_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const GV7_AR_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AR_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
+const GV7_AR_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver of the vendor: Example configurations).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AR_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const GV7_AR_3: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AR_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
+const GV7_AR_4: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AR_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const GV7_AR_5: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_AR_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const GV7_AR_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const GV7_AR_7: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const GV7_AR_8: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-GV7-AR
 ///
 /// Attitude reference.
 ///
-/// Generation 7. Model number 6289. No manual is known. This profile is incomplete: No manual is
-/// known.
+/// Generation 7. Model number 6289. Sensors: accelerometer, gyroscope, pressure sensor. GNSS
+/// receivers: none. GNSS antennas: none. No manual is known. This profile is incomplete: No manual
+/// is known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -4623,93 +5749,131 @@ pub static GV7_AR: Profile = Profile {
         0x01 0x01 "base.ping" [] GV7_AR_1;
         0x01 0x02 "base.set_idle" [] GV7_AR_1;
         0x01 0x03 "base.get_device_info" [] GV7_AR_1;
-        0x01 0x04 "base.get_device_descriptors" [] GV7_AR_5;
-        0x01 0x05 "base.built_in_test" [] GV7_AR_6;
+        0x01 0x04 "base.get_device_descriptors" [] GV7_AR_4;
+        0x01 0x05 "base.built_in_test" [] GV7_AR_5;
         0x01 0x06 "base.resume" [] GV7_AR_1;
-        0x01 0x07 "base.get_extended_descriptors" [] GV7_AR_5;
-        0x01 0x08 "base.continuous_built_in_test" [] GV7_AR_6;
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_AR_6;
-        0x01 0x7E "base.soft_reset" [] GV7_AR_6;
-        0x0C 0x0D "3dm.poll_data" [] GV7_AR_6;
+        0x01 0x07 "base.get_extended_descriptors" [] GV7_AR_4;
+        0x01 0x08 "base.continuous_built_in_test" [] GV7_AR_5;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_AR_5;
+        0x01 0x7E "base.soft_reset" [] GV7_AR_5;
+        0x0C 0x0D "3dm.poll_data" [] GV7_AR_5;
         0x0C 0x0E "3dm.get_base_rate" [] GV7_AR_1;
         0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
-        0x0C 0x10 "3dm.factory_streaming" [] GV7_AR_6;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0C 0x10 "3dm.factory_streaming" [] GV7_AR_5;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_2;
-        0x0C 0x2A "3dm.get_event_support" [] GV7_AR_6;
+        0x0C 0x2A "3dm.get_event_support" [] GV7_AR_5;
         0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
-        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_AR_6;
-        0x0C 0x2D "3dm.get_event_action_status" [] GV7_AR_6;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_AR_5;
+        0x0C 0x2D "3dm.get_event_action_status" [] GV7_AR_5;
         0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
         0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GV7_AR_1;
         0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_6;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_6;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_5;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_5;
         0x0C 0x39 "3dm.capture_gyro_bias" [] GV7_AR_1;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_6;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_6;
         0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_3;
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_AR_6;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_AR_6;
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_AR_5;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_AR_5;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
         0x0D 0x01 "filter.reset" [] GV7_AR_1;
-        0x0D 0x03 "filter.set_initial_heading" [] GV7_AR_6;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_2;
+        0x0D 0x03 "filter.set_initial_heading" [] GV7_AR_5;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
         0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_2;
         0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_2;
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
-        0x13 0x31 "aiding.true_heading" [] GV7_AR_6;
-        0x13 0x32 "aiding.magnetic_field" [] GV7_AR_6;
-        0x80 0x04 "sensor.scaled_accel" [] GV7_AR_4;
-        0x80 0x05 "sensor.scaled_gyro" [] GV7_AR_4;
-        0x80 0x06 "sensor.scaled_mag" [] GV7_AR_4;
-        0x80 0x07 "sensor.delta_theta" [] GV7_AR_6;
-        0x80 0x08 "sensor.delta_velocity" [] GV7_AR_6;
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_AR_4;
-        0x80 0x0A "sensor.comp_quaternion" [] GV7_AR_4;
-        0x80 0x0C "sensor.comp_euler_angles" [] GV7_AR_4;
-        0x80 0x14 "sensor.temperature_statistics" [] GV7_AR_6;
-        0x80 0x17 "sensor.scaled_pressure" [] GV7_AR_4;
-        0x80 0x18 "sensor.overrange_status" [] GV7_AR_6;
-        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_AR_4;
-        0x82 0x04 "filter_data.attitude_dcm" [] GV7_AR_6;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_5;
+        0x13 0x31 "aiding.true_heading" [] GV7_AR_5;
+        0x13 0x32 "aiding.magnetic_field" [] GV7_AR_5;
+        0x80 0x04 "sensor.scaled_accel" [] GV7_AR_5;
+        0x80 0x05 "sensor.scaled_gyro" [] GV7_AR_5;
+        0x80 0x07 "sensor.delta_theta" [] GV7_AR_5;
+        0x80 0x08 "sensor.delta_velocity" [] GV7_AR_5;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_AR_5;
+        0x80 0x0A "sensor.comp_quaternion" [] GV7_AR_5;
+        0x80 0x0C "sensor.comp_euler_angles" [] GV7_AR_5;
+        0x80 0x14 "sensor.temperature_statistics" [] GV7_AR_5;
+        0x80 0x17 "sensor.scaled_pressure" [] GV7_AR_5;
+        0x80 0x18 "sensor.overrange_status" [] GV7_AR_5;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_AR_5;
+        0x82 0x04 "filter_data.attitude_dcm" [] GV7_AR_5;
         0x82 0x05 "filter_data.euler_angles" [] GV7_AR_1;
-        0x82 0x06 "filter_data.gyro_bias" [] GV7_AR_4;
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_AR_4;
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_AR_4;
-        0x82 0x0D "filter_data.linear_accel" [] GV7_AR_4;
-        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_AR_4;
+        0x82 0x06 "filter_data.gyro_bias" [] GV7_AR_5;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_AR_5;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_AR_5;
+        0x82 0x0D "filter_data.linear_accel" [] GV7_AR_5;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_AR_5;
         0x82 0x10 "filter_data.status" [] GV7_AR_1;
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_AR_4;
-        0x82 0x13 "filter_data.gravity_vector" [] GV7_AR_4;
-        0x82 0x1C "filter_data.comp_accel" [] GV7_AR_4;
-        0x82 0x21 "filter_data.pressure_altitude" [] GV7_AR_4;
-        0xA0 0x01 "system_data.built_in_test" [] GV7_AR_6;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_AR_5;
+        0x82 0x13 "filter_data.gravity_vector" [] GV7_AR_5;
+        0x82 0x1C "filter_data.comp_accel" [] GV7_AR_5;
+        0x82 0x21 "filter_data.pressure_altitude" [] GV7_AR_5;
+        0xA0 0x01 "system_data.built_in_test" [] GV7_AR_5;
         0xA0 0x02 "system_data.time_sync_status" [] GV7_AR_2;
-        0xA0 0x03 "system_data.gpio_state" [] GV7_AR_4;
+        0xA0 0x03 "system_data.gpio_state" [] GV7_AR_5;
         0xFF 0xD0 "shared.event_source" [] GV7_AR_1;
         0xFF 0xD3 "shared.gps_timestamp" [] GV7_AR_1;
-        0xFF 0xD4 "shared.delta_time" [] GV7_AR_6;
-        0xFF 0xD5 "shared.reference_timestamp" [] GV7_AR_4;
-        0xFF 0xD6 "shared.reference_time_delta" [] GV7_AR_6;
-        0xFF 0xD7 "shared.external_timestamp" [] GV7_AR_4;
-        0xFF 0xD8 "shared.external_time_delta" [] GV7_AR_6;
+        0xFF 0xD4 "shared.delta_time" [] GV7_AR_5;
+        0xFF 0xD5 "shared.reference_timestamp" [] GV7_AR_5;
+        0xFF 0xD6 "shared.reference_time_delta" [] GV7_AR_5;
+        0xFF 0xD7 "shared.external_timestamp" [] GV7_AR_5;
+        0xFF 0xD8 "shared.external_time_delta" [] GV7_AR_5;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] GV7_AR_6;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GV7_AR_6;
+        0x0C 0x09 "3dm.gnss_message_format" [] GV7_AR_6;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GV7_AR_6;
+        0x0C 0x21 "3dm.constellation_settings" [] GV7_AR_6;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] GV7_AR_6;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] GV7_AR_6;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] GV7_AR_6;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] GV7_AR_6;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] GV7_AR_7;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] GV7_AR_7;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] GV7_AR_6;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [] GV7_AR_7;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [] GV7_AR_7;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [] GV7_AR_7;
+        0x0D 0x42 "filter.mag_noise" [] GV7_AR_7;
+        0x0D 0x43 "filter.magnetic_declination_source" [] GV7_AR_7;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [] GV7_AR_7;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [] GV7_AR_7;
+        0x0D 0x4C "filter.magnetic_inclination_source" [] GV7_AR_7;
+        0x0D 0x4D "filter.magnetic_magnitude_source" [] GV7_AR_7;
+        0x0D 0x54 "filter.multi_antenna_offset" [] GV7_AR_6;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] GV7_AR_6;
+        0x80 0x03 "sensor.raw_mag" [] GV7_AR_7;
+        0x80 0x06 "sensor.scaled_mag" [] GV7_AR_7;
+        0x82 0x1A "filter_data.mag_bias" [] GV7_AR_7;
+        0x82 0x1B "filter_data.mag_bias_uncertainty" [] GV7_AR_7;
+        0x82 0x25 "filter_data.mag_offset" [] GV7_AR_7;
+        0x82 0x26 "filter_data.mag_matrix" [] GV7_AR_7;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] GV7_AR_7;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] GV7_AR_7;
+        0x82 0x2A "filter_data.mag_covariance_matrix" [] GV7_AR_7;
+        0x82 0x2C "filter_data.mag_residual_vector" [] GV7_AR_7;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] GV7_AR_6;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] GV7_AR_6;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GV7_AR_8;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: GV7_AR_6 },
+        AbsentSet { set: 0x91, evidence: GV7_AR_6 },
+        AbsentSet { set: 0x92, evidence: GV7_AR_6 },
+        AbsentSet { set: 0x93, evidence: GV7_AR_6 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -4755,7 +5919,7 @@ pub static GV7_AR: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -4773,9 +5937,14 @@ pub static GV7_AR: Profile = Profile {
             difference: "only disabled, gpio and generated",
         },
         Variant {
-            parameter: "filter.magnetic_declination_source.source",
+            parameter: "3dm.sensor_range.sensor",
             read_as: None,
-            difference: "only none and manual",
+            difference: "only all, accel, gyro and pressure",
+        },
+        Variant {
+            parameter: "3dm.get_calibrated_sensor_ranges.sensor",
+            read_as: None,
+            difference: "only all, accel, gyro and pressure",
         },
         Variant {
             parameter: "filter.aiding_measurement_enable.aiding_source",
@@ -4783,19 +5952,24 @@ pub static GV7_AR: Profile = Profile {
             difference: "only external_heading and all",
         },
         Variant {
+            parameter: "sensor.overrange_status.status",
+            read_as: None,
+            difference: "only accel_x, accel_y, accel_z, gyro_x, gyro_y, gyro_z and pressure",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -4808,30 +5982,55 @@ pub static GV7_AR: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GV7_INS_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const GV7_INS_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_INS_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
+const GV7_INS_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver of the vendor: Example configurations).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_INS_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const GV7_INS_3: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_INS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
+const GV7_INS_4: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_INS_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const GV7_INS_5: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GV7_INS_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
+const GV7_INS_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const GV7_INS_7: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-GV7-INS
 ///
 /// Inertial navigation system.
 ///
-/// Generation 7. Model number 6290. No manual is known. This profile is incomplete: No manual is
-/// known.
+/// Generation 7. Model number 6290. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: none. GNSS antennas: none. No manual is known. This profile is
+/// incomplete: No manual is known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -4880,132 +6079,153 @@ pub static GV7_INS: Profile = Profile {
         0x01 0x01 "base.ping" [] GV7_INS_1;
         0x01 0x02 "base.set_idle" [] GV7_INS_1;
         0x01 0x03 "base.get_device_info" [] GV7_INS_1;
-        0x01 0x04 "base.get_device_descriptors" [] GV7_INS_5;
-        0x01 0x05 "base.built_in_test" [] GV7_INS_6;
+        0x01 0x04 "base.get_device_descriptors" [] GV7_INS_4;
+        0x01 0x05 "base.built_in_test" [] GV7_INS_5;
         0x01 0x06 "base.resume" [] GV7_INS_1;
-        0x01 0x07 "base.get_extended_descriptors" [] GV7_INS_5;
-        0x01 0x08 "base.continuous_built_in_test" [] GV7_INS_6;
+        0x01 0x07 "base.get_extended_descriptors" [] GV7_INS_4;
+        0x01 0x08 "base.continuous_built_in_test" [] GV7_INS_5;
         0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_INS_6;
-        0x01 0x7E "base.soft_reset" [] GV7_INS_6;
-        0x0C 0x04 "3dm.poll_nmea_data" [] GV7_INS_6;
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0C 0x0D "3dm.poll_data" [] GV7_INS_6;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_INS_5;
+        0x01 0x7E "base.soft_reset" [] GV7_INS_5;
+        0x0C 0x04 "3dm.poll_nmea_data" [] GV7_INS_5;
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0C 0x0D "3dm.poll_data" [] GV7_INS_5;
         0x0C 0x0E "3dm.get_base_rate" [] GV7_INS_1;
         0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_1;
-        0x0C 0x10 "3dm.factory_streaming" [] GV7_INS_6;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x10 "3dm.factory_streaming" [] GV7_INS_5;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
-        0x0C 0x2A "3dm.get_event_support" [] GV7_INS_6;
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_INS_6;
-        0x0C 0x2D "3dm.get_event_action_status" [] GV7_INS_6;
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x2A "3dm.get_event_support" [] GV7_INS_5;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_INS_5;
+        0x0C 0x2D "3dm.get_event_action_status" [] GV7_INS_5;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GV7_INS_1;
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_6;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_6;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_5;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_5;
         0x0C 0x39 "3dm.capture_gyro_bias" [] GV7_INS_1;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_6;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_6;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_5;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_5;
         0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
         0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_INS_2;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_INS_6;
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_INS_5;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
         0x0D 0x01 "filter.reset" [] GV7_INS_1;
-        0x0D 0x03 "filter.set_initial_heading" [] GV7_INS_6;
-        0x0D 0x05 "filter.run" [] GV7_INS_6;
+        0x0D 0x03 "filter.set_initial_heading" [] GV7_INS_5;
+        0x0D 0x05 "filter.run" [] GV7_INS_5;
         0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0D 0x17 "filter.external_heading_update" [] GV7_INS_6;
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0D 0x1F "filter.external_heading_update_with_time" [] GV7_INS_6;
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0D 0x17 "filter.external_heading_update" [] GV7_INS_5;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] GV7_INS_5;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
         0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
         0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_1;
         0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_1;
         0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_3;
         0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
-        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
         0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_1;
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
-        0x13 0x21 "aiding.ecef_position" [] GV7_INS_6;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_5;
+        0x13 0x21 "aiding.ecef_position" [] GV7_INS_5;
         0x13 0x22 "aiding.llh_position" [] GV7_INS_1;
-        0x13 0x23 "aiding.height_above_ellipsoid" [] GV7_INS_6;
-        0x13 0x28 "aiding.ecef_velocity" [] GV7_INS_6;
+        0x13 0x23 "aiding.height_above_ellipsoid" [] GV7_INS_5;
+        0x13 0x28 "aiding.ecef_velocity" [] GV7_INS_5;
         0x13 0x29 "aiding.ned_velocity" [] GV7_INS_1;
         0x13 0x2A "aiding.body_frame_velocity" [] GV7_INS_1;
         0x13 0x31 "aiding.true_heading" [] GV7_INS_1;
-        0x13 0x32 "aiding.magnetic_field" [] GV7_INS_6;
-        0x13 0x33 "aiding.pressure" [] GV7_INS_6;
-        0x80 0x04 "sensor.scaled_accel" [] GV7_INS_4;
-        0x80 0x05 "sensor.scaled_gyro" [] GV7_INS_4;
-        0x80 0x06 "sensor.scaled_mag" [] GV7_INS_4;
-        0x80 0x07 "sensor.delta_theta" [] GV7_INS_6;
-        0x80 0x08 "sensor.delta_velocity" [] GV7_INS_6;
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_INS_4;
-        0x80 0x0A "sensor.comp_quaternion" [] GV7_INS_4;
-        0x80 0x0C "sensor.comp_euler_angles" [] GV7_INS_4;
-        0x80 0x14 "sensor.temperature_statistics" [] GV7_INS_6;
-        0x80 0x17 "sensor.scaled_pressure" [] GV7_INS_4;
-        0x80 0x18 "sensor.overrange_status" [] GV7_INS_6;
+        0x13 0x32 "aiding.magnetic_field" [] GV7_INS_5;
+        0x13 0x33 "aiding.pressure" [] GV7_INS_5;
+        0x80 0x04 "sensor.scaled_accel" [] GV7_INS_5;
+        0x80 0x05 "sensor.scaled_gyro" [] GV7_INS_5;
+        0x80 0x06 "sensor.scaled_mag" [] GV7_INS_5;
+        0x80 0x07 "sensor.delta_theta" [] GV7_INS_5;
+        0x80 0x08 "sensor.delta_velocity" [] GV7_INS_5;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_INS_5;
+        0x80 0x0A "sensor.comp_quaternion" [] GV7_INS_5;
+        0x80 0x0C "sensor.comp_euler_angles" [] GV7_INS_5;
+        0x80 0x14 "sensor.temperature_statistics" [] GV7_INS_5;
+        0x80 0x17 "sensor.scaled_pressure" [] GV7_INS_5;
+        0x80 0x18 "sensor.overrange_status" [] GV7_INS_5;
         0x82 0x01 "filter_data.llh_position" [] GV7_INS_1;
         0x82 0x02 "filter_data.ned_velocity" [] GV7_INS_1;
-        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_INS_4;
-        0x82 0x04 "filter_data.attitude_dcm" [] GV7_INS_6;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_INS_5;
+        0x82 0x04 "filter_data.attitude_dcm" [] GV7_INS_5;
         0x82 0x05 "filter_data.euler_angles" [] GV7_INS_1;
-        0x82 0x06 "filter_data.gyro_bias" [] GV7_INS_4;
-        0x82 0x07 "filter_data.accel_bias" [] GV7_INS_4;
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] GV7_INS_6;
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GV7_INS_6;
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_INS_4;
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_INS_4;
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] GV7_INS_4;
-        0x82 0x0D "filter_data.linear_accel" [] GV7_INS_4;
-        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_INS_4;
+        0x82 0x06 "filter_data.gyro_bias" [] GV7_INS_5;
+        0x82 0x07 "filter_data.accel_bias" [] GV7_INS_5;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] GV7_INS_5;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GV7_INS_5;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_INS_5;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_INS_5;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] GV7_INS_5;
+        0x82 0x0D "filter_data.linear_accel" [] GV7_INS_5;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_INS_5;
         0x82 0x10 "filter_data.status" [] GV7_INS_1;
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_INS_4;
-        0x82 0x13 "filter_data.gravity_vector" [] GV7_INS_4;
-        0x82 0x15 "filter_data.magnetic_model" [] GV7_INS_6;
-        0x82 0x1C "filter_data.comp_accel" [] GV7_INS_4;
-        0x82 0x21 "filter_data.pressure_altitude" [] GV7_INS_4;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_INS_5;
+        0x82 0x13 "filter_data.gravity_vector" [] GV7_INS_5;
+        0x82 0x15 "filter_data.magnetic_model" [] GV7_INS_5;
+        0x82 0x1C "filter_data.comp_accel" [] GV7_INS_5;
+        0x82 0x21 "filter_data.pressure_altitude" [] GV7_INS_5;
         0x82 0x36 "filter_data.ecef_position_uncertainty" [] GV7_INS_2;
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] GV7_INS_6;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] GV7_INS_5;
         0x82 0x40 "filter_data.ecef_position" [] GV7_INS_2;
-        0x82 0x41 "filter_data.ecef_velocity" [] GV7_INS_6;
+        0x82 0x41 "filter_data.ecef_velocity" [] GV7_INS_5;
         0x82 0x42 "filter_data.ned_relative_position" [] GV7_INS_2;
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GV7_INS_6;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GV7_INS_5;
         0x82 0x46 "filter_data.aiding_measurement_summary" [] GV7_INS_2;
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] GV7_INS_6;
-        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] GV7_INS_6;
-        0x94 0x03 "gnss_external.llh_position" [] GV7_INS_6;
-        0x94 0x05 "gnss_external.ned_velocity" [] GV7_INS_6;
-        0x94 0x08 "gnss_external.utc_time" [] GV7_INS_6;
-        0x94 0x0B "gnss_external.fix_info" [] GV7_INS_6;
-        0x94 0x20 "gnss_external.satellite_status" [] GV7_INS_6;
-        0xA0 0x01 "system_data.built_in_test" [] GV7_INS_6;
-        0xA0 0x02 "system_data.time_sync_status" [] GV7_INS_4;
-        0xA0 0x03 "system_data.gpio_state" [] GV7_INS_4;
-        0xFF 0xD0 "shared.event_source" [] GV7_INS_6;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] GV7_INS_5;
+        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] GV7_INS_5;
+        0x94 0x03 "gnss_external.llh_position" [] GV7_INS_5;
+        0x94 0x05 "gnss_external.ned_velocity" [] GV7_INS_5;
+        0x94 0x08 "gnss_external.utc_time" [] GV7_INS_5;
+        0x94 0x0B "gnss_external.fix_info" [] GV7_INS_5;
+        0x94 0x20 "gnss_external.satellite_status" [] GV7_INS_5;
+        0xA0 0x01 "system_data.built_in_test" [] GV7_INS_5;
+        0xA0 0x02 "system_data.time_sync_status" [] GV7_INS_5;
+        0xA0 0x03 "system_data.gpio_state" [] GV7_INS_5;
+        0xFF 0xD0 "shared.event_source" [] GV7_INS_5;
         0xFF 0xD3 "shared.gps_timestamp" [] GV7_INS_1;
-        0xFF 0xD4 "shared.delta_time" [] GV7_INS_6;
-        0xFF 0xD5 "shared.reference_timestamp" [] GV7_INS_4;
-        0xFF 0xD6 "shared.reference_time_delta" [] GV7_INS_6;
-        0xFF 0xD7 "shared.external_timestamp" [] GV7_INS_4;
-        0xFF 0xD8 "shared.external_time_delta" [] GV7_INS_6;
+        0xFF 0xD4 "shared.delta_time" [] GV7_INS_5;
+        0xFF 0xD5 "shared.reference_timestamp" [] GV7_INS_5;
+        0xFF 0xD6 "shared.reference_time_delta" [] GV7_INS_5;
+        0xFF 0xD7 "shared.external_timestamp" [] GV7_INS_5;
+        0xFF 0xD8 "shared.external_time_delta" [] GV7_INS_5;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] GV7_INS_6;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GV7_INS_6;
+        0x0C 0x09 "3dm.gnss_message_format" [] GV7_INS_6;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GV7_INS_6;
+        0x0C 0x21 "3dm.constellation_settings" [] GV7_INS_6;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] GV7_INS_6;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] GV7_INS_6;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] GV7_INS_6;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] GV7_INS_6;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] GV7_INS_6;
+        0x0D 0x54 "filter.multi_antenna_offset" [] GV7_INS_6;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] GV7_INS_6;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] GV7_INS_6;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] GV7_INS_6;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GV7_INS_7;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: GV7_INS_6 },
+        AbsentSet { set: 0x91, evidence: GV7_INS_6 },
+        AbsentSet { set: 0x92, evidence: GV7_INS_6 },
+        AbsentSet { set: 0x93, evidence: GV7_INS_6 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -5058,7 +6278,7 @@ pub static GV7_INS: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
@@ -5076,6 +6296,11 @@ pub static GV7_INS: Profile = Profile {
             difference: "only disabled, gpio and generated",
         },
         Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only external",
+        },
+        Variant {
             parameter: "filter.aiding_measurement_enable.aiding_source",
             read_as: None,
             difference: "only gnss_position_velocity, altimeter, mag, external_heading, external_altimeter, external_mag, body_frame_velocity and all",
@@ -5088,17 +6313,17 @@ pub static GV7_INS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
+            difference: "values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation)",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -5111,18 +6336,45 @@ pub static GV7_INS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX3_15_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const GX3_15_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX3_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX3-35." };
+const GX3_15_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX3-35.",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX3_15_3: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const GX3_15_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const GX3_15_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a pressure sensor, which the device lacks.",
+    absence: "has no pressure sensor",
+};
 
 /// 3DM-GX3-15
 ///
 /// Inertial sensor of generation 3.
 ///
-/// Generation 3. Model number 6227. No manual is known. This profile is incomplete: Its manual
-/// (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.
+/// Generation 3. Model number 6227. Sensors: accelerometer, gyroscope. GNSS receivers: none. GNSS
+/// antennas: none. No manual is known. This profile is incomplete: Its manual (8500-0024, revision
+/// 002 of 2012, for firmware 2.0.00 and later) is not known. Uncertain: The sensors are inferred
+/// from the name of the model; that it has no magnetometer also from MSCL, which offers it no north
+/// compensation.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -5154,10 +6406,31 @@ pub static GX3_15: Profile = Profile {
         0x0C 0x64 "3dm.device_status" [] GX3_15_2;
         0x80 0x04 "sensor.scaled_accel" [] GX3_15_2;
         0x80 0x05 "sensor.scaled_gyro" [] GX3_15_2;
-        0x80 0x06 "sensor.scaled_mag" [] GX3_15_2;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX3_15_3;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX3_15_3;
+        0x0C 0x09 "3dm.gnss_message_format" [] GX3_15_3;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GX3_15_3;
+        0x0C 0x21 "3dm.constellation_settings" [] GX3_15_3;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] GX3_15_3;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] GX3_15_3;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] GX3_15_3;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] GX3_15_3;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] GX3_15_4;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] GX3_15_4;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] GX3_15_3;
+        0x80 0x03 "sensor.raw_mag" [] GX3_15_4;
+        0x80 0x06 "sensor.scaled_mag" [] GX3_15_4;
+        0x80 0x16 "sensor.raw_pressure" [] GX3_15_5;
+        0x80 0x17 "sensor.scaled_pressure" [] GX3_15_5;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: GX3_15_3 },
+        AbsentSet { set: 0x91, evidence: GX3_15_3 },
+        AbsentSet { set: 0x92, evidence: GX3_15_3 },
+        AbsentSet { set: 0x93, evidence: GX3_15_3 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -5175,12 +6448,17 @@ pub static GX3_15: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
+        },
+        Variant {
+            parameter: "3dm.device_power_state.device",
+            read_as: None,
+            difference: "only imu",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
     ],
     ack_codes: &[
@@ -5188,27 +6466,56 @@ pub static GX3_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX3_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const GX3_25_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX3_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)." };
+const GX3_25_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX3_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX3-35." };
+const GX3_25_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX3-35.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX3_25_4: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 347)." };
+const GX3_25_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (ROS driver of the vendor: Issue 347).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX3_25_5: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (firmware 2.0.06; ROS driver of the vendor: Issue 213)." };
+const GX3_25_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (firmware 2.0.06; ROS driver of the vendor: Issue 213).",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX3_25_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const GX3_25_7: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a pressure sensor, which the device lacks.",
+    absence: "has no pressure sensor",
+};
 
 /// 3DM-GX3-25
 ///
 /// Inertial sensor of generation 3.
 ///
-/// Generation 3. Model number 6223. No manual is known. This profile is incomplete: Its manual
-/// (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.
+/// Generation 3. Model number 6223. Sensors: accelerometer, gyroscope, magnetometer. GNSS
+/// receivers: none. GNSS antennas: none. No manual is known. This profile is incomplete: Its manual
+/// (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known. Uncertain: The
+/// sensors are inferred from the name of the model.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -5243,15 +6550,26 @@ pub static GX3_25: Profile = Profile {
         0x80 0x06 "sensor.scaled_mag" [] GX3_25_3;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX3_25_6;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX3_25_6;
+        0x0C 0x09 "3dm.gnss_message_format" [] GX3_25_6;
         0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GX3_25_6;
+        0x0C 0x21 "3dm.constellation_settings" [] GX3_25_6;
         0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] GX3_25_6;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] GX3_25_6;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] GX3_25_6;
         0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] GX3_25_6;
         0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
         0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
         0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
         0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
         0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
         0x0E 0x10 "gnss.rtk_dongle_config" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x80 0x16 "sensor.raw_pressure" [] GX3_25_7;
+        0x80 0x17 "sensor.scaled_pressure" [] GX3_25_7;
         0x81 0x03 "gnss_data.llh_position" [] GX3_25_5;
         0x81 0x05 "gnss_data.ned_velocity" [] GX3_25_5;
         0x81 0x0B "gnss_data.fix_info" [] GX3_25_5;
@@ -5272,6 +6590,12 @@ pub static GX3_25: Profile = Profile {
         0x91 0x05 "gnss_1.ned_velocity" [] GX3_25_5;
         0x91 0x0B "gnss_1.fix_info" [] GX3_25_5;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: GX3_25_6 },
+        AbsentSet { set: 0x91, evidence: GX3_25_6 },
+        AbsentSet { set: 0x92, evidence: GX3_25_6 },
+        AbsentSet { set: 0x93, evidence: GX3_25_6 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -5289,12 +6613,17 @@ pub static GX3_25: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
+        },
+        Variant {
+            parameter: "3dm.device_power_state.device",
+            read_as: None,
+            difference: "only imu",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
     ],
     ack_codes: &[
@@ -5302,18 +6631,37 @@ pub static GX3_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX3_35_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+const GX3_35_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX3_35_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)." };
+const GX3_35_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX3_35_3: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a pressure sensor, which the device lacks.",
+    absence: "has no pressure sensor",
+};
+#[rustfmt::skip]
+const GX3_35_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 receivers, which the device lacks.",
+    absence: "has fewer than 2 GNSS receivers",
+};
 
 /// 3DM-GX3-35
 ///
 /// Inertial sensor of generation 3.
 ///
-/// Generation 3. Model number 6225. No manual is known. This profile is incomplete: Its manual
-/// (1.00 of 2011-01-04) is not known.
+/// Generation 3. Model number 6225. Sensors: accelerometer, gyroscope, magnetometer. GNSS
+/// receivers: 1. GNSS antennas: 1. No manual is known. This profile is incomplete: Its manual (1.00
+/// of 2011-01-04) is not known. Uncertain: The sensors are inferred from the name of the model.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features; mip-sdk-2014: Example of the
 /// 3DM-GX3-35.
@@ -5363,7 +6711,12 @@ pub static GX3_35: Profile = Profile {
         0x81 0x09 "gnss_data.gps_time" [] GX3_35_1;
     },
     refuses: supported! {
+        0x80 0x16 "sensor.raw_pressure" [] GX3_35_3;
+        0x80 0x17 "sensor.scaled_pressure" [] GX3_35_3;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x92, evidence: GX3_35_4 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -5394,21 +6747,50 @@ pub static GX3_35: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX3_45_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+const GX3_45_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX3_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const GX3_45_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX3_45_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX3-35." };
+const GX3_45_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX3-35.",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX3_45_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a pressure sensor, which the device lacks.",
+    absence: "has no pressure sensor",
+};
+#[rustfmt::skip]
+const GX3_45_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
+#[rustfmt::skip]
+const GX3_45_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 receivers, which the device lacks.",
+    absence: "has fewer than 2 GNSS receivers",
+};
 
 /// 3DM-GX3-45
 ///
 /// Inertial sensor of generation 3.
 ///
-/// Generation 3. Model number 6228. No manual is known. This profile is incomplete: No manual is
-/// known. Uncertain: The SDK of 2014 has the model number 6226.
+/// Generation 3. Model number 6228. Sensors: accelerometer, gyroscope, magnetometer. GNSS
+/// receivers: 1. GNSS antennas: 1. No manual is known. This profile is incomplete: No manual is
+/// known. Uncertain: The SDK of 2014 has the model number 6226. Uncertain: The sensors are inferred
+/// from the name of the model.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features; mip-sdk-2014: Example of the
 /// 3DM-GX3-45.
@@ -5472,7 +6854,16 @@ pub static GX3_45: Profile = Profile {
         0x82 0x05 "filter_data.euler_angles" [] GX3_45_1;
     },
     refuses: supported! {
+        0x0D 0x29 "filter.pressure_altitude_noise" [] GX3_45_4;
+        0x0D 0x47 "filter.altitude_aiding" [] GX3_45_4;
+        0x80 0x16 "sensor.raw_pressure" [] GX3_45_4;
+        0x80 0x17 "sensor.scaled_pressure" [] GX3_45_4;
+        0x82 0x21 "filter_data.pressure_altitude" [] GX3_45_4;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX3_45_5;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x92, evidence: GX3_45_6 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -5508,6 +6899,11 @@ pub static GX3_45: Profile = Profile {
             difference: "only gyro_bias",
         },
         Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only all_internal, external and internal_1",
+        },
+        Variant {
             parameter: "filter.heading_source.source",
             read_as: None,
             difference: "only none, mag, gnss_velocity and external",
@@ -5528,21 +6924,44 @@ pub static GX3_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX4_15_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+const GX4_15_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX4_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const GX4_15_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX4-25.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX4_15_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX4-25." };
+const GX4_15_3: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const GX4_15_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const GX4_15_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-GX4-15
 ///
 /// Device of generation 4.
 ///
-/// Generation 4. Model number 6233. No manual is known. This profile is incomplete: No manual is
-/// known.
+/// Generation 4. Model number 6233. Sensors: accelerometer, gyroscope, pressure sensor. GNSS
+/// receivers: none. GNSS antennas: none. No manual is known. This profile is incomplete: No manual
+/// is known. Uncertain: The sensors are inferred from the name of the model; that it has no
+/// magnetometer also from MSCL, which offers it no north compensation.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -5576,8 +6995,8 @@ pub static GX4_15: Profile = Profile {
         0x01 0x03 "base.get_device_info" [] GX4_15_1;
         0x01 0x04 "base.get_device_descriptors" [] GX4_15_1;
         0x01 0x05 "base.built_in_test" [] GX4_15_1;
-        0x01 0x06 "base.resume" [] GX4_15_3;
-        0x01 0x7E "base.soft_reset" [] GX4_15_3;
+        0x01 0x06 "base.resume" [] GX4_15_2;
+        0x01 0x7E "base.soft_reset" [] GX4_15_2;
         0x0C 0x01 "3dm.poll_imu_data" [] GX4_15_1;
         0x0C 0x03 "3dm.poll_filter_data" [] GX4_15_1;
         0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_15_1;
@@ -5585,13 +7004,13 @@ pub static GX4_15: Profile = Profile {
         0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
         0x0C 0x0B "3dm.get_filter_base_rate" [] GX4_15_1;
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX4_15_3;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX4_15_2;
         0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_15_1;
         0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_15_1;
         0x0C 0x39 "3dm.capture_gyro_bias" [] GX4_15_1;
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX4_15_3;
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX4_15_3;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_15_3;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX4_15_2;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX4_15_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_15_2;
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
         0x0C 0x64 "3dm.device_status" [] GX4_15_1;
         0x0D 0x01 "filter.reset" [] GX4_15_1;
@@ -5607,36 +7026,76 @@ pub static GX4_15: Profile = Profile {
         0x0D 0x23 "filter.commanded_angular_zupt" [] GX4_15_1;
         0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
         0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_15_2;
         0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
         0x80 0x04 "sensor.scaled_accel" [] GX4_15_1;
         0x80 0x05 "sensor.scaled_gyro" [] GX4_15_1;
-        0x80 0x06 "sensor.scaled_mag" [] GX4_15_1;
-        0x80 0x07 "sensor.delta_theta" [] GX4_15_3;
-        0x80 0x08 "sensor.delta_velocity" [] GX4_15_3;
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GX4_15_3;
-        0x80 0x0A "sensor.comp_quaternion" [] GX4_15_3;
-        0x80 0x0C "sensor.comp_euler_angles" [] GX4_15_3;
-        0x80 0x10 "sensor.north_vector" [] GX4_15_3;
-        0x80 0x11 "sensor.up_vector" [] GX4_15_3;
-        0x80 0x12 "sensor.gps_timestamp" [] GX4_15_3;
-        0x80 0x17 "sensor.scaled_pressure" [] GX4_15_3;
-        0x82 0x03 "filter_data.attitude_quaternion" [] GX4_15_3;
-        0x82 0x04 "filter_data.attitude_dcm" [] GX4_15_3;
+        0x80 0x07 "sensor.delta_theta" [] GX4_15_2;
+        0x80 0x08 "sensor.delta_velocity" [] GX4_15_2;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GX4_15_2;
+        0x80 0x0A "sensor.comp_quaternion" [] GX4_15_2;
+        0x80 0x0C "sensor.comp_euler_angles" [] GX4_15_2;
+        0x80 0x10 "sensor.north_vector" [] GX4_15_2;
+        0x80 0x11 "sensor.up_vector" [] GX4_15_2;
+        0x80 0x12 "sensor.gps_timestamp" [] GX4_15_2;
+        0x80 0x17 "sensor.scaled_pressure" [] GX4_15_2;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GX4_15_2;
+        0x82 0x04 "filter_data.attitude_dcm" [] GX4_15_2;
         0x82 0x05 "filter_data.euler_angles" [] GX4_15_1;
-        0x82 0x06 "filter_data.gyro_bias" [] GX4_15_3;
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX4_15_3;
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX4_15_3;
-        0x82 0x0D "filter_data.linear_accel" [] GX4_15_3;
-        0x82 0x0E "filter_data.comp_angular_rate" [] GX4_15_3;
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX4_15_3;
-        0x82 0x10 "filter_data.status" [] GX4_15_3;
-        0x82 0x11 "filter_data.timestamp" [] GX4_15_3;
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX4_15_3;
-        0x82 0x13 "filter_data.gravity_vector" [] GX4_15_3;
+        0x82 0x06 "filter_data.gyro_bias" [] GX4_15_2;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX4_15_2;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX4_15_2;
+        0x82 0x0D "filter_data.linear_accel" [] GX4_15_2;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GX4_15_2;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX4_15_2;
+        0x82 0x10 "filter_data.status" [] GX4_15_2;
+        0x82 0x11 "filter_data.timestamp" [] GX4_15_2;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX4_15_2;
+        0x82 0x13 "filter_data.gravity_vector" [] GX4_15_2;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX4_15_3;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX4_15_3;
+        0x0C 0x09 "3dm.gnss_message_format" [] GX4_15_3;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GX4_15_3;
+        0x0C 0x21 "3dm.constellation_settings" [] GX4_15_3;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] GX4_15_3;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] GX4_15_3;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] GX4_15_3;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] GX4_15_3;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] GX4_15_4;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] GX4_15_4;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] GX4_15_3;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [] GX4_15_4;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [] GX4_15_4;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [] GX4_15_4;
+        0x0D 0x42 "filter.mag_noise" [] GX4_15_4;
+        0x0D 0x43 "filter.magnetic_declination_source" [] GX4_15_4;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [] GX4_15_4;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [] GX4_15_4;
+        0x0D 0x4C "filter.magnetic_inclination_source" [] GX4_15_4;
+        0x0D 0x4D "filter.magnetic_magnitude_source" [] GX4_15_4;
+        0x0D 0x54 "filter.multi_antenna_offset" [] GX4_15_3;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] GX4_15_3;
+        0x80 0x03 "sensor.raw_mag" [] GX4_15_4;
+        0x80 0x06 "sensor.scaled_mag" [] GX4_15_4;
+        0x82 0x1A "filter_data.mag_bias" [] GX4_15_4;
+        0x82 0x1B "filter_data.mag_bias_uncertainty" [] GX4_15_4;
+        0x82 0x25 "filter_data.mag_offset" [] GX4_15_4;
+        0x82 0x26 "filter_data.mag_matrix" [] GX4_15_4;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] GX4_15_4;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] GX4_15_4;
+        0x82 0x2A "filter_data.mag_covariance_matrix" [] GX4_15_4;
+        0x82 0x2C "filter_data.mag_residual_vector" [] GX4_15_4;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] GX4_15_3;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] GX4_15_3;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX4_15_5;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: GX4_15_3 },
+        AbsentSet { set: 0x91, evidence: GX4_15_3 },
+        AbsentSet { set: 0x92, evidence: GX4_15_3 },
+        AbsentSet { set: 0x93, evidence: GX4_15_3 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -5654,12 +7113,12 @@ pub static GX4_15: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "filter.estimation_control.flags",
@@ -5672,24 +7131,39 @@ pub static GX4_15: Profile = Profile {
             difference: "only disabled and fixed",
         },
         Variant {
-            parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
+            parameter: "system.comm_mode.mode",
             read_as: None,
-            difference: "only disabled and fixed",
+            difference: "only standard and sensor_direct",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
         },
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
     ],
     ack_codes: &[
@@ -5697,25 +7171,51 @@ pub static GX4_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX4_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+const GX4_25_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX4_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (Public programs of users: Driver imu_3dm_gx4)." };
+const GX4_25_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (Public programs of users: Driver imu_3dm_gx4).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX4_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-25." };
+const GX4_25_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-25.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX4_25_4: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 30)." };
+const GX4_25_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (MicroStrain Communication Library: Issue 30).",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX4_25_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const GX4_25_6: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-GX4-25
 ///
 /// Device of generation 4.
 ///
-/// Generation 4. Model number 6234. No manual is known. This profile is incomplete: Its manual (of
-/// 2014-12-23) is not known. Uncertain: A third-party ROS driver uses the model number 6253 for it,
-/// which is that of the 3DM-GX5-25.
+/// Generation 4. Model number 6234. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: none. GNSS antennas: none. No manual is known. This profile is
+/// incomplete: Its manual (of 2014-12-23) is not known. Uncertain: A third-party ROS driver uses
+/// the model number 6253 for it, which is that of the 3DM-GX5-25. Uncertain: The sensors are
+/// inferred from the name of the model.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -5821,8 +7321,29 @@ pub static GX4_25: Profile = Profile {
         0x82 0x15 "filter_data.magnetic_model" [] GX4_25_3;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX4_25_5;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX4_25_5;
+        0x0C 0x09 "3dm.gnss_message_format" [] GX4_25_5;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GX4_25_5;
+        0x0C 0x21 "3dm.constellation_settings" [] GX4_25_5;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] GX4_25_5;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] GX4_25_5;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] GX4_25_5;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] GX4_25_5;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] GX4_25_5;
+        0x0D 0x54 "filter.multi_antenna_offset" [] GX4_25_5;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] GX4_25_5;
         0x82 0x07 "filter_data.accel_bias" [] GX4_25_4;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] GX4_25_5;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] GX4_25_5;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX4_25_6;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: GX4_25_5 },
+        AbsentSet { set: 0x91, evidence: GX4_25_5 },
+        AbsentSet { set: 0x92, evidence: GX4_25_5 },
+        AbsentSet { set: 0x93, evidence: GX4_25_5 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -5842,12 +7363,12 @@ pub static GX4_25: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "filter.estimation_control.flags",
@@ -5870,19 +7391,44 @@ pub static GX4_25: Profile = Profile {
             difference: "only disabled and fixed",
         },
         Variant {
+            parameter: "system.comm_mode.mode",
+            read_as: None,
+            difference: "only standard and sensor_direct",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.heading_update_state.source",
+            read_as: None,
+            difference: "only mag and external",
         },
     ],
     ack_codes: &[
@@ -5890,18 +7436,37 @@ pub static GX4_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX4_45_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+const GX4_45_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX4_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-25." };
+const GX4_45_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-25.",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX4_45_3: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
+#[rustfmt::skip]
+const GX4_45_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 receivers, which the device lacks.",
+    absence: "has fewer than 2 GNSS receivers",
+};
 
 /// 3DM-GX4-45
 ///
 /// Device of generation 4.
 ///
-/// Generation 4. Model number 6236. No manual is known. This profile is incomplete: No manual is
-/// known.
+/// Generation 4. Model number 6236. Sensors: accelerometer, gyroscope, magnetometer, pressure
+/// sensor. GNSS receivers: 1. GNSS antennas: 1. No manual is known. This profile is incomplete: No
+/// manual is known. Uncertain: The sensors are inferred from the name of the model.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -6020,7 +7585,11 @@ pub static GX4_45: Profile = Profile {
         0x82 0x15 "filter_data.magnetic_model" [] GX4_45_2;
     },
     refuses: supported! {
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX4_45_3;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x92, evidence: GX4_45_4 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -6056,6 +7625,11 @@ pub static GX4_45: Profile = Profile {
             difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
         },
         Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only all_internal, external and internal_1",
+        },
+        Variant {
             parameter: "filter.heading_source.source",
             read_as: None,
             difference: "only none, mag, gnss_velocity and external",
@@ -6071,19 +7645,34 @@ pub static GX4_45: Profile = Profile {
             difference: "only disabled and fixed",
         },
         Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
     ],
     ack_codes: &[
@@ -6091,11 +7680,17 @@ pub static GX4_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX4_IMU_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+const GX4_IMU_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX4_IMU_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-GX4-25." };
+const GX4_IMU_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-GX4-25.",
+    absence: "",
+};
 
 /// 3DM-GX4-IMU
 ///
@@ -6138,6 +7733,8 @@ pub static GX4_IMU: Profile = Profile {
     },
     refuses: supported! {
     },
+    absent_sets: &[
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -6158,17 +7755,42 @@ pub static GX4_IMU: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX5_15_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const GX5_15_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_15_2: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 301)." };
+const GX5_15_2: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (MicroStrain Communication Library: Issue 301).",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX5_15_3: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const GX5_15_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
+#[rustfmt::skip]
+const GX5_15_5: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
 
 /// 3DM-GX5-15
 ///
 /// Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.
 ///
-/// Also called 3DM-GX5-AR. Generation 5. Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data
+/// Also called 3DM-GX5-AR. Generation 5. Model number 6254. Sensors: accelerometer, gyroscope,
+/// pressure sensor. GNSS receivers: none. GNSS antennas: none. Manual: LORD Sensing 3DM-GX5-15 Data
 /// Communications Protocol, 8500-0067 rev. E.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
@@ -6297,9 +7919,51 @@ pub static GX5_15: Profile = Profile {
         0x82 0x21 "filter_data.pressure_altitude" [] GX5_15_1;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX5_15_3;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX5_15_3;
+        0x0C 0x09 "3dm.gnss_message_format" [] GX5_15_3;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GX5_15_3;
+        0x0C 0x21 "3dm.constellation_settings" [] GX5_15_3;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] GX5_15_3;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] GX5_15_3;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] GX5_15_3;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] GX5_15_3;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] GX5_15_4;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] GX5_15_4;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] GX5_15_3;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [] GX5_15_4;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [] GX5_15_4;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [] GX5_15_4;
+        0x0D 0x42 "filter.mag_noise" [] GX5_15_4;
+        0x0D 0x43 "filter.magnetic_declination_source" [] GX5_15_4;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [] GX5_15_4;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [] GX5_15_4;
+        0x0D 0x4C "filter.magnetic_inclination_source" [] GX5_15_4;
+        0x0D 0x4D "filter.magnetic_magnitude_source" [] GX5_15_4;
+        0x0D 0x54 "filter.multi_antenna_offset" [] GX5_15_3;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] GX5_15_3;
         0x80 0x01 "sensor.raw_accel" [] GX5_15_2;
         0x80 0x02 "sensor.raw_gyro" [] GX5_15_2;
+        0x80 0x03 "sensor.raw_mag" [] GX5_15_4;
+        0x80 0x06 "sensor.scaled_mag" [] GX5_15_4;
+        0x82 0x1A "filter_data.mag_bias" [] GX5_15_4;
+        0x82 0x1B "filter_data.mag_bias_uncertainty" [] GX5_15_4;
+        0x82 0x25 "filter_data.mag_offset" [] GX5_15_4;
+        0x82 0x26 "filter_data.mag_matrix" [] GX5_15_4;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] GX5_15_4;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] GX5_15_4;
+        0x82 0x2A "filter_data.mag_covariance_matrix" [] GX5_15_4;
+        0x82 0x2C "filter_data.mag_residual_vector" [] GX5_15_4;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] GX5_15_3;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] GX5_15_3;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX5_15_5;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: GX5_15_3 },
+        AbsentSet { set: 0x91, evidence: GX5_15_3 },
+        AbsentSet { set: 0x92, evidence: GX5_15_3 },
+        AbsentSet { set: 0x93, evidence: GX5_15_3 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -6409,6 +8073,11 @@ pub static GX5_15: Profile = Profile {
             difference: "only accel",
         },
         Variant {
+            parameter: "system.comm_mode.mode",
+            read_as: None,
+            difference: "only standard and sensor_direct",
+        },
+        Variant {
             parameter: "sensor.comp_orientation_matrix.m",
             read_as: None,
             difference: "Rotation from the NED frame to the sensor frame",
@@ -6416,7 +8085,7 @@ pub static GX5_15: Profile = Profile {
         Variant {
             parameter: "sensor.comp_quaternion.q",
             read_as: None,
-            difference: "Rotation between the NED frame and the sensor frame",
+            difference: "Rotates vectors of the sensor frame into the NED frame; Hamilton quaternion, w first",
         },
         Variant {
             parameter: "sensor.gps_timestamp.tow",
@@ -6465,42 +8134,79 @@ pub static GX5_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX5_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Transcribed from the manual by others (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018)." };
+const GX5_25_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Transcribed from the manual by others (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const GX5_25_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const GX5_25_3: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_25_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions)." };
+const GX5_25_4: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_25_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver microstrain_mips: Conditions by model)." };
+const GX5_25_5: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver microstrain_mips: Conditions by model).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_25_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const GX5_25_6: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_25_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45." };
+const GX5_25_7: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_25_8: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 238)." };
+const GX5_25_8: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (ROS driver of the vendor: Issue 238).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_25_9: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (firmware 1.1.76; ROS driver of the vendor: Issue 368)." };
+const GX5_25_9: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (firmware 1.1.76; ROS driver of the vendor: Issue 368).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_25_10: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200)." };
+const GX5_25_10: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200).",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX5_25_11: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
 
 /// 3DM-GX5-25
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual is known. This profile is
-/// incomplete: Its manual (8500-0065) is not known.
+/// Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. Sensors: accelerometer, gyroscope,
+/// magnetometer, pressure sensor. GNSS receivers: none. GNSS antennas: none. No manual is known.
+/// This profile is incomplete: Its manual (8500-0065) is not known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -6615,13 +8321,27 @@ pub static GX5_25: Profile = Profile {
         0x82 0x29 "filter_data.mag_matrix_uncertainty" [] GX5_25_1;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX5_25_11;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX5_25_11;
+        0x0C 0x09 "3dm.gnss_message_format" [] GX5_25_11;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GX5_25_11;
+        0x0C 0x21 "3dm.constellation_settings" [] GX5_25_11;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] GX5_25_11;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] GX5_25_11;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] GX5_25_11;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] GX5_25_11;
         0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GX5_25_8;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] GX5_25_11;
+        0x0D 0x54 "filter.multi_antenna_offset" [] GX5_25_11;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [] GX5_25_11;
         0x80 0x18 "sensor.overrange_status" [] GX5_25_9;
         0x81 0x03 "gnss_data.llh_position" [] GX5_25_8;
         0x81 0x0B "gnss_data.fix_info" [] GX5_25_8;
         0x82 0x01 "filter_data.llh_position" [] GX5_25_9;
         0x82 0x02 "filter_data.ned_velocity" [] GX5_25_10;
         0x82 0x08 "filter_data.llh_position_uncertainty" [] GX5_25_9;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] GX5_25_11;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] GX5_25_11;
         0x82 0x43 "filter_data.gnss_position_aiding_status" [] GX5_25_8;
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX5_25_8;
         0x91 0x03 "gnss_1.llh_position" [] GX5_25_8;
@@ -6631,6 +8351,12 @@ pub static GX5_25: Profile = Profile {
         0x92 0x14 "gnss_2.rf_error_detection" [] GX5_25_9;
         0x93 0x31 "gnss_corrections.rtk_corrections_status" [] GX5_25_8;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: GX5_25_11 },
+        AbsentSet { set: 0x91, evidence: GX5_25_11 },
+        AbsentSet { set: 0x92, evidence: GX5_25_11 },
+        AbsentSet { set: 0x93, evidence: GX5_25_11 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -6643,17 +8369,17 @@ pub static GX5_25: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("gx5_built_in_test"),
-            difference: "values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it",
+            difference: "values of gx5_built_in_test (inferred: the 3DM-GX5-15 has it)",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "filter.estimation_control.flags",
@@ -6666,19 +8392,44 @@ pub static GX5_25: Profile = Profile {
             difference: "only none, mag and external",
         },
         Variant {
+            parameter: "system.comm_mode.mode",
+            read_as: None,
+            difference: "only standard and sensor_direct",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.heading_update_state.source",
+            read_as: None,
+            difference: "only mag and external",
         },
     ],
     ack_codes: &[
@@ -6686,23 +8437,39 @@ pub static GX5_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX5_35_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const GX5_35_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_35_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const GX5_35_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_35_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45." };
+const GX5_35_3: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX5_35_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 receivers, which the device lacks.",
+    absence: "has fewer than 2 GNSS receivers",
+};
 
 /// 3DM-GX5-35
 ///
 /// Attitude and heading reference system (AHRS) with GNSS.
 ///
-/// Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP
-/// Manual, revision unknown, known from some pages. This profile is incomplete: Only some pages of
-/// the manual are known, so it has more commands and data. Uncertain: The base rates are those that
-/// the manual states for all 3DM-GX5.
+/// Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Sensors: accelerometer,
+/// gyroscope, magnetometer, pressure sensor. GNSS receivers: 1. GNSS antennas: 1. Manual: LORD
+/// 3DM-GX5-35 DCP Manual, revision unknown, known from some pages. This profile is incomplete: Only
+/// some pages of the manual are known, so it has more commands and data. Uncertain: The base rates
+/// are those that the manual states for all 3DM-GX5.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -6793,6 +8560,9 @@ pub static GX5_35: Profile = Profile {
     },
     refuses: supported! {
     },
+    absent_sets: &[
+        AbsentSet { set: 0x92, evidence: GX5_35_4 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -6877,51 +8647,97 @@ pub static GX5_35: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX5_45_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const GX5_45_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented (LORD 3DM-GX5-45 DCP Manual: Single pages)." };
+const GX5_45_2: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented (LORD 3DM-GX5-45 DCP Manual: Single pages).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+const GX5_45_3: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
+const GX5_45_4: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions)." };
+const GX5_45_5: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const GX5_45_6: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)." };
+const GX5_45_7: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
+const GX5_45_8: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_9: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-35." };
+const GX5_45_9: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-35.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_10: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
+const GX5_45_10: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+    absence: "",
+};
 #[rustfmt::skip]
-const GX5_45_11: &Evidence =
-    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 43)." };
+const GX5_45_11: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Rejected by the device (MicroStrain Communication Library: Issue 43).",
+    absence: "",
+};
+#[rustfmt::skip]
+const GX5_45_12: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
+#[rustfmt::skip]
+const GX5_45_13: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 receivers, which the device lacks.",
+    absence: "has fewer than 2 GNSS receivers",
+};
 
 /// 3DM-GX5-45
 ///
 /// Inertial navigation system with GNSS, magnetometer and pressure sensor.
 ///
-/// Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP
-/// Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only some pages of
-/// the manual are known, so it has more commands and data. This profile is incomplete: Only four
-/// fields of the filter data are listed; the manual documents 27 or more. Uncertain: The values of
-/// [`filter::GnssSource`](crate::filter::GnssSource) are those that MSCL offers. Uncertain: The
-/// base rates are those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 state for all
-/// 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz for the sensor data.
-/// Uncertain: The manual states the length of
+/// Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Sensors: accelerometer,
+/// gyroscope, magnetometer, pressure sensor. GNSS receivers: 1. GNSS antennas: 1. Manual: LORD
+/// 3DM-GX5-45 DCP Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only
+/// some pages of the manual are known, so it has more commands and data. This profile is
+/// incomplete: Only four fields of the filter data are listed; the manual documents 27 or more.
+/// Uncertain: The values of [`filter::GnssSource`](crate::filter::GnssSource) are those that MSCL
+/// offers. Uncertain: The base rates are those that the manuals of the 3DM-GX5-35 and the
+/// 3DM-GX5-45 state for all 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz
+/// for the sensor data. Uncertain: The manual states the length of
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and offsets of
 /// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response);
@@ -7088,7 +8904,11 @@ pub static GX5_45: Profile = Profile {
     },
     refuses: supported! {
         0x80 0x01 "sensor.raw_accel" [] GX5_45_11;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX5_45_12;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x92, evidence: GX5_45_13 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -7180,19 +9000,34 @@ pub static GX5_45: Profile = Profile {
             difference: "frame sensor",
         },
         Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
     ],
     ack_codes: &[
@@ -7200,15 +9035,31 @@ pub static GX5_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const MV5_AR_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const MV5_AR_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
+#[rustfmt::skip]
+const MV5_AR_2: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a receiver, which the device lacks.",
+    absence: "has no GNSS receiver",
+};
+#[rustfmt::skip]
+const MV5_AR_3: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires a magnetometer, which the device lacks.",
+    absence: "has no magnetometer",
+};
 
 /// 3DM-MV5-AR
 ///
 /// Device of generation 5.
 ///
-/// Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual is known. This profile is
-/// incomplete: No manual is known.
+/// Also called 3DM-MV5-15. Generation 5. Model number 6243. Sensors: accelerometer, gyroscope. GNSS
+/// receivers: none. GNSS antennas: none. No manual is known. This profile is incomplete: No manual
+/// is known. Uncertain: The sensors are inferred from the name of the model.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -7244,7 +9095,25 @@ pub static MV5_AR: Profile = Profile {
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] MV5_AR_1;
     },
     refuses: supported! {
+        0x0C 0x02 "3dm.poll_gnss_data" [] MV5_AR_2;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] MV5_AR_2;
+        0x0C 0x09 "3dm.gnss_message_format" [] MV5_AR_2;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] MV5_AR_2;
+        0x0C 0x21 "3dm.constellation_settings" [] MV5_AR_2;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [] MV5_AR_2;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [] MV5_AR_2;
+        0x0C 0x24 "3dm.gnss_time_assistance" [] MV5_AR_2;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [] MV5_AR_2;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [] MV5_AR_3;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [] MV5_AR_3;
+        0x0C 0x62 "3dm.gps_advanced_settings" [] MV5_AR_2;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x81, evidence: MV5_AR_2 },
+        AbsentSet { set: 0x91, evidence: MV5_AR_2 },
+        AbsentSet { set: 0x92, evidence: MV5_AR_2 },
+        AbsentSet { set: 0x93, evidence: MV5_AR_2 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -7257,12 +9126,12 @@ pub static MV5_AR: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
     ],
     ack_codes: &[
@@ -7270,19 +9139,37 @@ pub static MV5_AR: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const RQ1_45_LT_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const RQ1_45_LT_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const RQ1_45_LT_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+const RQ1_45_LT_2: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
+#[rustfmt::skip]
+const RQ1_45_LT_3: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
+#[rustfmt::skip]
+const RQ1_45_LT_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 receivers, which the device lacks.",
+    absence: "has fewer than 2 GNSS receivers",
+};
 
 /// 3DM-RQ1-45-LT
 ///
 /// Ruggedized tactical grade inertial navigation system with GPS.
 ///
-/// Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data
-/// Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
-/// incomplete: The manual's table of contents is known only up to
+/// Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. GNSS receivers: 1. GNSS antennas: 1.
+/// Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25, 2013, known from its table of
+/// contents. This profile is incomplete: The manual's table of contents is known only up to
 /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The unknown part includes the
 /// set `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of
 /// their fields are known. Uncertain: The SDK writes the name with an underscore before LT and ST.
@@ -7388,7 +9275,11 @@ pub static RQ1_45_LT: Profile = Profile {
         0x82 0x05 "filter_data.euler_angles" [] RQ1_45_LT_2;
     },
     refuses: supported! {
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] RQ1_45_LT_3;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x92, evidence: RQ1_45_LT_4 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -7424,6 +9315,11 @@ pub static RQ1_45_LT: Profile = Profile {
             difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
         },
         Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only all_internal, external and internal_1",
+        },
+        Variant {
             parameter: "filter.heading_source.source",
             read_as: None,
             difference: "only none, gnss_velocity and external",
@@ -7444,19 +9340,37 @@ pub static RQ1_45_LT: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const RQ1_45_ST_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Documented." };
+const RQ1_45_ST_1: &Evidence = &Evidence {
+    answer: Support::Yes,
+    why: "Documented.",
+    absence: "",
+};
 #[rustfmt::skip]
-const RQ1_45_ST_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-RQ1-45-LT." };
+const RQ1_45_ST_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by nearly identical devices, 3DM-RQ1-45-LT.",
+    absence: "",
+};
+#[rustfmt::skip]
+const RQ1_45_ST_3: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 antennas, which the device lacks.",
+    absence: "has fewer than 2 GNSS antennas",
+};
+#[rustfmt::skip]
+const RQ1_45_ST_4: &Evidence = &Evidence {
+    answer: Support::No,
+    why: "Requires 2 receivers, which the device lacks.",
+    absence: "has fewer than 2 GNSS receivers",
+};
 
 /// 3DM-RQ1-45-ST
 ///
 /// Ruggedized tactical grade inertial navigation system with GPS.
 ///
-/// Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data
-/// Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
-/// incomplete: The manual's table of contents is known only up to
+/// Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. GNSS receivers: 1. GNSS antennas: 1.
+/// Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25, 2013, known from its table of
+/// contents. This profile is incomplete: The manual's table of contents is known only up to
 /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The unknown part includes the
 /// set `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of
 /// their fields are known. Uncertain: The SDK writes the name with an underscore before LT and ST.
@@ -7562,7 +9476,11 @@ pub static RQ1_45_ST: Profile = Profile {
         0x82 0x05 "filter_data.euler_angles" [] RQ1_45_ST_2;
     },
     refuses: supported! {
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] RQ1_45_ST_3;
     },
+    absent_sets: &[
+        AbsentSet { set: 0x92, evidence: RQ1_45_ST_4 },
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -7598,6 +9516,11 @@ pub static RQ1_45_ST: Profile = Profile {
             difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
         },
         Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only all_internal, external and internal_1",
+        },
+        Variant {
             parameter: "filter.heading_source.source",
             read_as: None,
             difference: "only none, gnss_velocity and external",
@@ -7618,11 +9541,17 @@ pub static RQ1_45_ST: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const RQ1_IMU_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+const RQ1_IMU_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+    absence: "",
+};
 #[rustfmt::skip]
-const RQ1_IMU_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-GX4-25." };
+const RQ1_IMU_2: &Evidence = &Evidence {
+    answer: Support::Assumed,
+    why: "Supported by devices of the same generation, 3DM-GX4-25.",
+    absence: "",
+};
 
 /// 3DM-RQ1-IMU
 ///
@@ -7663,6 +9592,8 @@ pub static RQ1_IMU: Profile = Profile {
     },
     refuses: supported! {
     },
+    absent_sets: &[
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -7683,8 +9614,11 @@ pub static RQ1_IMU: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const RTK_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
+const RTK_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
+    absence: "",
+};
 
 /// 3DM-RTK
 ///
@@ -7727,6 +9661,8 @@ pub static RTK: Profile = Profile {
     },
     refuses: supported! {
     },
+    absent_sets: &[
+    ],
     firmware: &[
     ],
     base_rates: &[
@@ -7744,7 +9680,7 @@ pub static RTK: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
-            difference: "values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it",
+            difference: "values of cv7_built_in_test (inferred: the 3DM-CV7-GNSS/INS has it)",
         },
         Variant {
             parameter: "base.comm_speed_response.port",
@@ -7757,8 +9693,11 @@ pub static RTK: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const DEMOD_DC_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Displacement node)." };
+const DEMOD_DC_1: &Evidence = &Evidence {
+    answer: Support::Likely,
+    why: "Used by programs for this model (MicroStrain Communication Library: Displacement node).",
+    absence: "",
+};
 
 /// DEMOD-DC
 ///
@@ -7795,6 +9734,8 @@ pub static DEMOD_DC: Profile = Profile {
     },
     refuses: supported! {
     },
+    absent_sets: &[
+    ],
     firmware: &[
     ],
     base_rates: &[

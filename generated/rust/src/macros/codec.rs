@@ -61,6 +61,13 @@ macro_rules! decode {
     };
 }
 
+/// Names the member of an error.
+macro_rules! named {
+    ($writer:ident $member:ident $($name:literal)?) => {
+        |kind| $writer.in_member(kind, spec_name!($member $($name)?))
+    };
+}
+
 /// Writes a step from references with the names of the members.
 macro_rules! encode {
     ($writer:ident $selected:ident $member:ident $($name:literal)? $(by $count:ident)?) => {
@@ -71,13 +78,13 @@ macro_rules! encode {
         let $selected = *$member;
     };
     ($writer:ident $selected:ident $member:ident $($name:literal)? as $tag:ident) => {
-        $writer.union(*$tag, $member)?;
+        $writer.union(*$tag, $member).map_err(named!($writer $member $($name)?))?;
     };
     (
         $writer:ident $selected:ident $count:ident $($name:literal)?: $number:ident
         counts $list:ident $($list_name:literal)?
     ) => {
-        $writer.count::<$number>($list.len())?;
+        $writer.count::<$number>($list.len()).map_err(named!($writer $list $($list_name)?))?;
     };
     ($writer:ident $selected:ident $constant:ident: $number:ident = $value:literal) => {
         $writer.write::<$number>(&$value)?;
@@ -86,20 +93,29 @@ macro_rules! encode {
         $writer:ident $selected:ident $member:ident $($name:literal)? as $tag:ident
         $(optional)? $(for $($function:ident)+)?
     ) => {
-        $writer.some_union(required!($selected $($($function)+)?), *$tag, $member)?;
+        $writer
+            .some_union(required!($selected $($($function)+)?), *$tag, $member)
+            .map_err(named!($writer $member $($name)?))?;
     };
     (
         $writer:ident $selected:ident $member:ident $($name:literal)?
         $(optional)? $(for $($function:ident)+)?
     ) => {
-        $writer.some(required!($selected $($($function)+)?), $member)?;
+        $writer
+            .some(required!($selected $($($function)+)?), $member)
+            .map_err(named!($writer $member $($name)?))?;
     };
     (
         $writer:ident $selected:ident ($($member:ident),*)
         $(optional)? $(for $($function:ident)+)? { $([$($step:tt)*])* }
     ) => {
         let present = [$($member.is_some()),*];
-        $writer.group(required!($selected $($($function)+)?), present)?;
+        let group = $writer.group(required!($selected $($($function)+)?), present);
+        group.map_err(|kind| {
+            let names = [$(stringify!($member)),*];
+            let missing = names.iter().zip(present).find(|(_, is_present)| !is_present);
+            $writer.in_member(kind, missing.map_or("", |(name, _)| name))
+        })?;
         if let ($(Some($member),)*) = ($($member,)*) {
             $(encode!($writer $selected $($step)*);)*
         }

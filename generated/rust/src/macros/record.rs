@@ -96,6 +96,7 @@ macro_rules! members {
         $(#[$meta])*
         #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name {
             $($(#[$member_meta])* pub $member: $type,)*
@@ -370,5 +371,36 @@ macro_rules! item {
         impl $crate::list::Item for $name {
             const BLANK: Self = Self { $($member: $crate::list::Item::BLANK),* };
         }
+    };
+}
+
+/// Implements the methods that return whether values are valid, from the flags of each.
+macro_rules! valid {
+    ($name:ident $($is_valid:ident $text:literal: $($flags:ident $($mask:literal)?)&&+;)+) => {
+        impl $name {$(
+            #[doc = concat!("Is `", $text, "` valid, as its flags say?")]
+            #[inline]
+            #[must_use]
+            pub fn $is_valid(&self) -> bool {
+                $(flag!(self $flags $($mask)?))&&+
+            }
+        )+}
+    };
+}
+
+/// Are all bits of a mask set? Without a mask: is there a value?
+macro_rules! flag {
+    ($self:ident $value:ident) => {
+        $self.$value.is_some()
+    };
+    ($self:ident $flags:ident $mask:literal) => {
+        $crate::bits::are_set(flags!($self $flags), $mask)
+    };
+}
+
+/// The bits of a bitfield or a `Bool`.
+macro_rules! flags {
+    ($self:ident $flags:ident) => {
+        $crate::bits::Storage::get($self.$flags.0, 0, 63)
     };
 }

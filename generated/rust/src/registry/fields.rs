@@ -135,10 +135,10 @@ registry! {
     }
     #[cfg(feature = "mip_3dm")]
     0x0C => {
-        /// Poll IMU Data (0x0C,0x01).
+        /// Poll IMU data (0x0C,0x01).
         Mip3dmPollImuData(crate::mip_3dm::PollImuData):
             Command 0x01, of 1,
-            "3dm.poll_imu_data", "Poll IMU Data",
+            "3dm.poll_imu_data", "Poll IMU data",
             [], {
                 "suppress_ack";
                 "descriptors" {
@@ -146,10 +146,10 @@ registry! {
                     "reserved";
                 };
             };
-        /// Poll GNSS Data (0x0C,0x02).
+        /// Poll GNSS data (0x0C,0x02).
         Mip3dmPollGnssData(crate::mip_3dm::PollGnssData):
             Command 0x02, of 1,
-            "3dm.poll_gnss_data", "Poll GNSS Data",
+            "3dm.poll_gnss_data", "Poll GNSS data",
             [], {
                 "suppress_ack";
                 "descriptors" {
@@ -157,10 +157,10 @@ registry! {
                     "reserved";
                 };
             };
-        /// Poll Estimation Filter Data (0x0C,0x03).
+        /// Poll estimation filter data (0x0C,0x03).
         Mip3dmPollFilterData(crate::mip_3dm::PollFilterData):
             Command 0x03, of 1,
-            "3dm.poll_filter_data", "Poll Estimation Filter Data",
+            "3dm.poll_filter_data", "Poll estimation filter data",
             [], {
                 "suppress_ack";
                 "descriptors" {
@@ -168,10 +168,10 @@ registry! {
                     "reserved";
                 };
             };
-        /// Poll NMEA Data (0x0C,0x04).
+        /// Poll NMEA data (0x0C,0x04).
         Mip3dmPollNmeaData(crate::mip_3dm::PollNmeaData):
             Command 0x04, of 1,
-            "3dm.poll_nmea_data", "Poll NMEA Data",
+            "3dm.poll_nmea_data", "Poll NMEA data",
             [], {
                 "suppress_ack";
                 "format_entries" {
@@ -181,20 +181,20 @@ registry! {
                     "decimation";
                 };
             };
-        /// Get IMU Data Base Rate (0x0C,0x06).
+        /// Get IMU data base rate (0x0C,0x06).
         Mip3dmGetImuBaseRate(crate::mip_3dm::GetImuBaseRate):
             Command 0x06, of 1,
-            "3dm.get_imu_base_rate", "Get IMU Data Base Rate",
+            "3dm.get_imu_base_rate", "Get IMU data base rate",
             ["3dm.get_imu_base_rate_response"], {};
-        /// Get GNSS Data Base Rate (0x0C,0x07).
+        /// Get GNSS data base rate (0x0C,0x07).
         Mip3dmGetGnssBaseRate(crate::mip_3dm::GetGnssBaseRate):
             Command 0x07, of 1,
-            "3dm.get_gnss_base_rate", "Get GNSS Data Base Rate",
+            "3dm.get_gnss_base_rate", "Get GNSS data base rate",
             ["3dm.get_gnss_base_rate_response"], {};
-        /// IMU Message Format (0x0C,0x08).
+        /// IMU message format (0x0C,0x08).
         Mip3dmImuMessageFormat(crate::mip_3dm::ImuMessageFormat):
             Command 0x08, of 1,
-            "3dm.imu_message_format", "IMU Message Format",
+            "3dm.imu_message_format", "IMU message format",
             ["3dm.imu_message_format_response"], {
                 "function";
                 "descriptors" {
@@ -202,10 +202,10 @@ registry! {
                     "decimation";
                 };
             };
-        /// GNSS Message Format (0x0C,0x09).
+        /// GNSS message format (0x0C,0x09).
         Mip3dmGnssMessageFormat(crate::mip_3dm::GnssMessageFormat):
             Command 0x09, of 1,
-            "3dm.gnss_message_format", "GNSS Message Format",
+            "3dm.gnss_message_format", "GNSS message format",
             ["3dm.gnss_message_format_response"], {
                 "function";
                 "descriptors" {
@@ -213,10 +213,10 @@ registry! {
                     "decimation";
                 };
             };
-        /// Estimation Filter Message Format (0x0C,0x0A).
+        /// Estimation filter message format (0x0C,0x0A).
         Mip3dmFilterMessageFormat(crate::mip_3dm::FilterMessageFormat):
             Command 0x0A, of 1,
-            "3dm.filter_message_format", "Estimation Filter Message Format",
+            "3dm.filter_message_format", "Estimation filter message format",
             ["3dm.filter_message_format_response"], {
                 "function";
                 "descriptors" {
@@ -224,15 +224,15 @@ registry! {
                     "decimation";
                 };
             };
-        /// Get Estimation Filter Data Base Rate (0x0C,0x0B).
+        /// Get estimation filter data base rate (0x0C,0x0B).
         Mip3dmGetFilterBaseRate(crate::mip_3dm::GetFilterBaseRate):
             Command 0x0B, of 1,
-            "3dm.get_filter_base_rate", "Get Estimation Filter Data Base Rate",
+            "3dm.get_filter_base_rate", "Get estimation filter data base rate",
             ["3dm.get_filter_base_rate_response"], {};
-        /// NMEA Message Format (0x0C,0x0C).
+        /// NMEA message format (0x0C,0x0C).
         Mip3dmNmeaMessageFormat(crate::mip_3dm::NmeaMessageFormat):
             Command 0x0C, of 1,
-            "3dm.nmea_message_format", "NMEA Message Format",
+            "3dm.nmea_message_format", "NMEA message format",
             ["3dm.nmea_message_format_response"], {
                 "function";
                 "format_entries" {
@@ -242,26 +242,26 @@ registry! {
                     "decimation";
                 };
             };
-        /// Poll Data (0x0C,0x0D).
+        /// Poll data (0x0C,0x0D).
         Mip3dmPollData(crate::mip_3dm::PollData):
             Command 0x0D, of 1,
-            "3dm.poll_data", "Poll Data",
+            "3dm.poll_data", "Poll data",
             [], {
                 "descriptor_set";
                 "suppress_ack";
                 "descriptors";
             };
-        /// Get Data Base Rate (0x0C,0x0E).
+        /// Get data base rate (0x0C,0x0E).
         Mip3dmGetBaseRate(crate::mip_3dm::GetBaseRate):
             Command 0x0E, of 1,
-            "3dm.get_base_rate", "Get Data Base Rate",
+            "3dm.get_base_rate", "Get data base rate",
             ["3dm.get_base_rate_response"], {
                 "descriptor_set";
             };
-        /// Message Format (0x0C,0x0F).
+        /// Message format (0x0C,0x0F).
         Mip3dmMessageFormat(crate::mip_3dm::MessageFormat):
             Command 0x0F, of 1,
-            "3dm.message_format", "Message Format",
+            "3dm.message_format", "Message format",
             ["3dm.message_format_response"], {
                 "function";
                 "descriptor_set";
@@ -270,18 +270,18 @@ registry! {
                     "decimation";
                 };
             };
-        /// Factory Streaming (0x0C,0x10).
+        /// Factory streaming (0x0C,0x10).
         Mip3dmFactoryStreaming(crate::mip_3dm::FactoryStreaming):
             Command 0x10, of 1,
-            "3dm.factory_streaming", "Factory Streaming",
+            "3dm.factory_streaming", "Factory streaming",
             [], {
                 "action";
                 "reserved";
             };
-        /// Data Stream Control (0x0C,0x11).
+        /// Data stream control (0x0C,0x11).
         Mip3dmDataStreamControl(crate::mip_3dm::DataStreamControl):
             Command 0x11, of 1,
-            "3dm.data_stream_control", "Data Stream Control",
+            "3dm.data_stream_control", "Data stream control",
             ["3dm.data_stream_control_response"], {
                 "function";
                 "descriptor_set";
@@ -294,10 +294,10 @@ registry! {
             [], {
                 "data";
             };
-        /// Constellation Settings (0x0C,0x21).
+        /// Constellation settings (0x0C,0x21).
         Mip3dmConstellationSettings(crate::mip_3dm::ConstellationSettings):
             Command 0x21, of 1,
-            "3dm.constellation_settings", "Constellation Settings",
+            "3dm.constellation_settings", "Constellation settings",
             ["3dm.constellation_settings_response"], {
                 "function";
                 "max_channels" in ["1"];
@@ -309,77 +309,77 @@ registry! {
                     "option_flags";
                 };
             };
-        /// GNSS SBAS Settings (0x0C,0x22).
+        /// GNSS SBAS settings (0x0C,0x22).
         Mip3dmGnssSbasSettings(crate::mip_3dm::GnssSbasSettings):
             Command 0x22, of 1,
-            "3dm.gnss_sbas_settings", "GNSS SBAS Settings",
+            "3dm.gnss_sbas_settings", "GNSS SBAS settings",
             ["3dm.gnss_sbas_settings_response"], {
                 "function";
                 "enable_sbas";
                 "sbas_options";
                 "included_prns";
             };
-        /// GNSS Assisted Fix (0x0C,0x23).
+        /// GNSS assisted fix (0x0C,0x23).
         Mip3dmGnssAssistedFix(crate::mip_3dm::GnssAssistedFix):
             Command 0x23, of 1,
-            "3dm.gnss_assisted_fix", "GNSS Assisted Fix",
+            "3dm.gnss_assisted_fix", "GNSS assisted fix",
             ["3dm.gnss_assisted_fix_response"], {
                 "function";
                 "option";
                 "flags";
             };
-        /// GNSS Time Assistance (0x0C,0x24).
+        /// GNSS time assistance (0x0C,0x24).
         Mip3dmGnssTimeAssistance(crate::mip_3dm::GnssTimeAssistance):
             Command 0x24, of 1,
-            "3dm.gnss_time_assistance", "GNSS Time Assistance",
+            "3dm.gnss_time_assistance", "GNSS time assistance",
             ["3dm.gnss_time_assistance_response"], {
                 "function";
                 "tow" in ["s"];
                 "week_number" in ["week"];
                 "accuracy" in ["s"];
             };
-        /// PPS Source Control (0x0C,0x28).
+        /// PPS source control (0x0C,0x28).
         Mip3dmPpsSourceControl(crate::mip_3dm::PpsSourceControl):
             Command 0x28, of 1,
-            "3dm.pps_source_control", "PPS Source Control",
+            "3dm.pps_source_control", "PPS source control",
             ["3dm.pps_source_control_response"], {
                 "function";
                 "source";
             };
-        /// Get Supported Events (0x0C,0x2A).
+        /// Get supported events (0x0C,0x2A).
         Mip3dmGetEventSupport(crate::mip_3dm::GetEventSupport):
             Command 0x2A, of 1,
-            "3dm.get_event_support", "Get Supported Events",
+            "3dm.get_event_support", "Get supported events",
             ["3dm.get_event_support_response"], {
                 "query";
             };
-        /// Event Control (0x0C,0x2B).
+        /// Event control (0x0C,0x2B).
         Mip3dmEventControl(crate::mip_3dm::EventControl):
             Command 0x2B, of 1,
-            "3dm.event_control", "Event Control",
+            "3dm.event_control", "Event control",
             ["3dm.event_control_response"], {
                 "function";
                 "instance";
                 "mode";
             };
-        /// Get Event Trigger Status (0x0C,0x2C).
+        /// Get event trigger status (0x0C,0x2C).
         Mip3dmGetEventTriggerStatus(crate::mip_3dm::GetEventTriggerStatus):
             Command 0x2C, of 1,
-            "3dm.get_event_trigger_status", "Get Event Trigger Status",
+            "3dm.get_event_trigger_status", "Get event trigger status",
             ["3dm.get_event_trigger_status_response"], {
                 "requested_instances";
             };
-        /// Get Event Action Status (0x0C,0x2D).
+        /// Get event action status (0x0C,0x2D).
         Mip3dmGetEventActionStatus(crate::mip_3dm::GetEventActionStatus):
             Command 0x2D, of 1,
-            "3dm.get_event_action_status", "Get Event Action Status",
+            "3dm.get_event_action_status", "Get event action status",
             ["3dm.get_event_action_status_response"], {
                 "requested_instances";
             };
-        /// Event Trigger Configuration (0x0C,0x2E).
+        /// Event trigger configuration (0x0C,0x2E).
         Mip3dmEventTriggerConfig(crate::mip_3dm::EventTriggerConfig):
             Command 0x2E, of 1,
-            "3dm.event_trigger_config", "Event Trigger Configuration",
+            "3dm.event_trigger_config", "Event trigger configuration",
             ["3dm.event_trigger_config_response"], {
                 "function";
                 "instance";
@@ -411,10 +411,10 @@ registry! {
                     };
                 };
             };
-        /// Event Action Configuration (0x0C,0x2F).
+        /// Event action configuration (0x0C,0x2F).
         Mip3dmEventActionConfig(crate::mip_3dm::EventActionConfig):
             Command 0x2F, of 1,
-            "3dm.event_action_config", "Event Action Configuration",
+            "3dm.event_action_config", "Event action configuration",
             ["3dm.event_action_config_response"], {
                 "function";
                 "instance";
@@ -432,35 +432,35 @@ registry! {
                     };
                 };
             };
-        /// Device Start Up Settings (0x0C,0x30).
+        /// Device start up settings (0x0C,0x30).
         Mip3dmDeviceSettings(crate::mip_3dm::DeviceSettings):
             Command 0x30, of 1,
-            "3dm.device_settings", "Device Start Up Settings",
+            "3dm.device_settings", "Device start up settings",
             [], {
                 "function";
             };
-        /// Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+        /// Sensor-to-vehicle frame transformation Euler (0x0C,0x31).
         Mip3dmSensorToVehicleTransformEuler(crate::mip_3dm::SensorToVehicleTransformEuler):
             Command 0x31, of 1,
-            "3dm.sensor_to_vehicle_transform_euler", "Sensor-to-Vehicle Frame Transformation Euler",
+            "3dm.sensor_to_vehicle_transform_euler", "Sensor-to-vehicle frame transformation Euler",
             ["3dm.sensor_to_vehicle_transform_euler_response"], {
                 "function";
-                "roll" in ["rad"];
-                "pitch" in ["rad"];
-                "yaw" in ["rad"];
+                "roll" in ["rad"] of "vehicle";
+                "pitch" in ["rad"] of "vehicle";
+                "yaw" in ["rad"] of "vehicle";
             };
-        /// Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+        /// Sensor-to-vehicle frame transformation quaternion (0x0C,0x32).
         Mip3dmSensorToVehicleTransformQuaternion(crate::mip_3dm::SensorToVehicleTransformQuaternion):
             Command 0x32, of 1,
-            "3dm.sensor_to_vehicle_transform_quaternion", "Sensor-to-Vehicle Frame Transformation Quaternion",
+            "3dm.sensor_to_vehicle_transform_quaternion", "Sensor-to-vehicle frame transformation quaternion",
             ["3dm.sensor_to_vehicle_transform_quaternion_response"], {
                 "function";
                 "q": ["w" "x" "y" "z"] in ["1"];
             };
-        /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+        /// Sensor-to-vehicle frame transformation direction cosine matrix (0x0C,0x33).
         Mip3dmSensorToVehicleTransformDcm(crate::mip_3dm::SensorToVehicleTransformDcm):
             Command 0x33, of 1,
-            "3dm.sensor_to_vehicle_transform_dcm", "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix",
+            "3dm.sensor_to_vehicle_transform_dcm", "Sensor-to-vehicle frame transformation direction cosine matrix",
             ["3dm.sensor_to_vehicle_transform_dcm_response"], {
                 "function";
                 "dcm": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"];
@@ -497,65 +497,65 @@ registry! {
                 "selector";
                 "time";
             };
-        /// Accelerometer Bias Configuration (0x0C,0x37).
+        /// Accelerometer bias configuration (0x0C,0x37).
         Mip3dmAccelBias(crate::mip_3dm::AccelBias):
             Command 0x37, of 1,
-            "3dm.accel_bias", "Accelerometer Bias Configuration",
+            "3dm.accel_bias", "Accelerometer bias configuration",
             ["3dm.accel_bias_response"], {
                 "function";
                 "bias": ["x" "y" "z"] in ["g"] of "sensor";
             };
-        /// Gyroscope Bias Configuration (0x0C,0x38).
+        /// Gyroscope bias configuration (0x0C,0x38).
         Mip3dmGyroBias(crate::mip_3dm::GyroBias):
             Command 0x38, of 1,
-            "3dm.gyro_bias", "Gyroscope Bias Configuration",
+            "3dm.gyro_bias", "Gyroscope bias configuration",
             ["3dm.gyro_bias_response"], {
                 "function";
                 "bias": ["x" "y" "z"] in ["rad/s"] of "sensor";
             };
-        /// Capture Gyroscope Bias (0x0C,0x39).
+        /// Capture gyroscope bias (0x0C,0x39).
         Mip3dmCaptureGyroBias(crate::mip_3dm::CaptureGyroBias):
             Command 0x39, of 1,
-            "3dm.capture_gyro_bias", "Capture Gyroscope Bias",
+            "3dm.capture_gyro_bias", "Capture gyroscope bias",
             ["3dm.gyro_bias_response"], {
                 "averaging_time_ms" in ["ms"];
             };
-        /// Magnetometer Hard Iron Offset (0x0C,0x3A).
+        /// Magnetometer hard iron offset (0x0C,0x3A).
         Mip3dmMagHardIronOffset(crate::mip_3dm::MagHardIronOffset):
             Command 0x3A, of 1,
-            "3dm.mag_hard_iron_offset", "Magnetometer Hard Iron Offset",
+            "3dm.mag_hard_iron_offset", "Magnetometer hard iron offset",
             ["3dm.mag_hard_iron_offset_response"], {
                 "function";
                 "offset": ["x" "y" "z"] in ["gauss"] of "sensor";
             };
-        /// Magnetometer Soft Iron Matrix (0x0C,0x3B).
+        /// Magnetometer soft iron matrix (0x0C,0x3B).
         Mip3dmMagSoftIronMatrix(crate::mip_3dm::MagSoftIronMatrix):
             Command 0x3B, of 1,
-            "3dm.mag_soft_iron_matrix", "Magnetometer Soft Iron Matrix",
+            "3dm.mag_soft_iron_matrix", "Magnetometer soft iron matrix",
             ["3dm.mag_soft_iron_matrix_response"], {
                 "function";
                 "matrix": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"] of "sensor";
             };
-        /// Coning and Sculling Enable (0x0C,0x3E).
+        /// Coning and sculling enable (0x0C,0x3E).
         Mip3dmConingScullingEnable(crate::mip_3dm::ConingScullingEnable):
             Command 0x3E, of 1,
-            "3dm.coning_sculling_enable", "Coning and Sculling Enable",
+            "3dm.coning_sculling_enable", "Coning and sculling enable",
             ["3dm.coning_sculling_enable_response"], {
                 "function";
                 "enable";
             };
-        /// UART Baud Rate (0x0C,0x40).
+        /// UART baud rate (0x0C,0x40).
         Mip3dmUartBaudRate(crate::mip_3dm::UartBaudRate):
             Command 0x40, of 1,
-            "3dm.uart_baud_rate", "UART Baud Rate",
+            "3dm.uart_baud_rate", "UART baud rate",
             ["3dm.uart_baud_rate_response"], {
                 "function";
                 "baud" in ["Bd"];
             };
-        /// GPIO Configuration (0x0C,0x41).
+        /// GPIO configuration (0x0C,0x41).
         Mip3dmGpioConfig(crate::mip_3dm::GpioConfig):
             Command 0x41, of 1,
-            "3dm.gpio_config", "GPIO Configuration",
+            "3dm.gpio_config", "GPIO configuration",
             ["3dm.gpio_config_response"], {
                 "function";
                 "pin";
@@ -563,29 +563,29 @@ registry! {
                 "behavior";
                 "pin_mode";
             };
-        /// GPIO State (0x0C,0x42).
+        /// GPIO state (0x0C,0x42).
         Mip3dmGpioState(crate::mip_3dm::GpioState):
             Command 0x42, of 1,
-            "3dm.gpio_state", "GPIO State",
+            "3dm.gpio_state", "GPIO state",
             ["3dm.gpio_state_response"], {
                 "function";
                 "pin";
                 "state";
             };
-        /// Odometer Configuration (0x0C,0x43).
+        /// Odometer configuration (0x0C,0x43).
         Mip3dmOdometerConfig(crate::mip_3dm::OdometerConfig):
             Command 0x43, of 1,
-            "3dm.odometer_config", "Odometer Configuration",
+            "3dm.odometer_config", "Odometer configuration",
             ["3dm.odometer_config_response"], {
                 "function";
                 "mode";
                 "scaling" in ["pulse/m"];
                 "uncertainty" in ["1"];
             };
-        /// Advanced Low-Pass Filter Settings (0x0C,0x50).
+        /// Advanced low-pass filter settings (0x0C,0x50).
         Mip3dmImuLowPassFilter(crate::mip_3dm::ImuLowPassFilter):
             Command 0x50, of 1,
-            "3dm.imu_low_pass_filter", "Advanced Low-Pass Filter Settings",
+            "3dm.imu_low_pass_filter", "Advanced low-pass filter settings",
             ["3dm.imu_low_pass_filter_response"], {
                 "function";
                 "target_descriptor";
@@ -594,10 +594,10 @@ registry! {
                 "frequency" in ["Hz"];
                 "reserved";
             };
-        /// Complementary Filter Configuration (0x0C,0x51).
+        /// Complementary filter configuration (0x0C,0x51).
         Mip3dmComplementaryFilter(crate::mip_3dm::ComplementaryFilter):
             Command 0x51, of 1,
-            "3dm.complementary_filter", "Complementary Filter Configuration",
+            "3dm.complementary_filter", "Complementary filter configuration",
             ["3dm.complementary_filter_response"], {
                 "function";
                 "pitch_roll_enable";
@@ -605,26 +605,26 @@ registry! {
                 "pitch_roll_time_constant" in ["s"];
                 "heading_time_constant" in ["s"];
             };
-        /// Sensor Range (0x0C,0x52).
+        /// Sensor range (0x0C,0x52).
         Mip3dmSensorRange(crate::mip_3dm::SensorRange):
             Command 0x52, of 1,
-            "3dm.sensor_range", "Sensor Range",
+            "3dm.sensor_range", "Sensor range",
             ["3dm.sensor_range_response"], {
                 "function";
                 "sensor";
                 "setting";
             };
-        /// Get Calibrated Sensor Ranges (0x0C,0x53).
+        /// Get calibrated sensor ranges (0x0C,0x53).
         Mip3dmGetCalibratedSensorRanges(crate::mip_3dm::GetCalibratedSensorRanges):
             Command 0x53, of 1,
-            "3dm.get_calibrated_sensor_ranges", "Get Calibrated Sensor Ranges",
+            "3dm.get_calibrated_sensor_ranges", "Get calibrated sensor ranges",
             ["3dm.get_calibrated_sensor_ranges_response"], {
                 "sensor";
             };
-        /// Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+        /// Low-pass anti-aliasing filter (0x0C,0x54).
         Mip3dmLowPassFilter(crate::mip_3dm::LowPassFilter):
             Command 0x54, of 1,
-            "3dm.low_pass_filter", "Low-Pass Anti-Aliasing Filter",
+            "3dm.low_pass_filter", "Low-pass anti-aliasing filter",
             ["3dm.low_pass_filter_response"], {
                 "function";
                 "descriptor_set";
@@ -658,62 +658,62 @@ registry! {
             [], {
                 "function";
             };
-        /// Device Status (0x0C,0x64).
+        /// Device status (0x0C,0x64).
         Mip3dmDeviceStatus(crate::mip_3dm::DeviceStatus):
             Command 0x64, of 1,
-            "3dm.device_status", "Device Status",
+            "3dm.device_status", "Device status",
             ["3dm.device_status_basic_rq1_imu_response", "3dm.device_status_basic_response", "3dm.device_status_basic_without_state_response", "3dm.device_status_diagnostic_response", "3dm.device_status_diagnostic_gnss_response", "3dm.device_status_diagnostic_gq4_45_response", "3dm.device_status_diagnostic_rq1_45_response", "3dm.device_status_diagnostic_gx4_response", "3dm.device_status_diagnostic_imu_response", "3dm.device_status_diagnostic_gx4_imu_response", "3dm.device_status_diagnostic_rq1_imu_response", "3dm.device_status_basic_gx3_response", "3dm.device_status_diagnostic_gx3_response"], {
                 "model_number";
                 "status_selector";
             };
-        /// IMU Message Format response (0x0C,0x80).
+        /// IMU message format response (0x0C,0x80).
         Mip3dmImuMessageFormatResponse(crate::mip_3dm::ImuMessageFormatResponse):
             Response 0x80, of 1,
-            "3dm.imu_message_format_response", "IMU Message Format response",
+            "3dm.imu_message_format_response", "IMU message format response",
             ["3dm.imu_message_format"], {
                 "descriptors" {
                     "descriptor";
                     "decimation";
                 };
             };
-        /// GNSS Message Format response (0x0C,0x81).
+        /// GNSS message format response (0x0C,0x81).
         Mip3dmGnssMessageFormatResponse(crate::mip_3dm::GnssMessageFormatResponse):
             Response 0x81, of 1,
-            "3dm.gnss_message_format_response", "GNSS Message Format response",
+            "3dm.gnss_message_format_response", "GNSS message format response",
             ["3dm.gnss_message_format"], {
                 "descriptors" {
                     "descriptor";
                     "decimation";
                 };
             };
-        /// Estimation Filter Message Format response (0x0C,0x82).
+        /// Estimation filter message format response (0x0C,0x82).
         Mip3dmFilterMessageFormatResponse(crate::mip_3dm::FilterMessageFormatResponse):
             Response 0x82, of 1,
-            "3dm.filter_message_format_response", "Estimation Filter Message Format response",
+            "3dm.filter_message_format_response", "Estimation filter message format response",
             ["3dm.filter_message_format"], {
                 "descriptors" {
                     "descriptor";
                     "decimation";
                 };
             };
-        /// Get IMU Data Base Rate response (0x0C,0x83).
+        /// Get IMU data base rate response (0x0C,0x83).
         Mip3dmGetImuBaseRateResponse(crate::mip_3dm::GetImuBaseRateResponse):
             Response 0x83, of 1,
-            "3dm.get_imu_base_rate_response", "Get IMU Data Base Rate response",
+            "3dm.get_imu_base_rate_response", "Get IMU data base rate response",
             ["3dm.get_imu_base_rate"], {
                 "rate" in ["Hz"];
             };
-        /// Get GNSS Data Base Rate response (0x0C,0x84).
+        /// Get GNSS data base rate response (0x0C,0x84).
         Mip3dmGetGnssBaseRateResponse(crate::mip_3dm::GetGnssBaseRateResponse):
             Response 0x84, of 1,
-            "3dm.get_gnss_base_rate_response", "Get GNSS Data Base Rate response",
+            "3dm.get_gnss_base_rate_response", "Get GNSS data base rate response",
             ["3dm.get_gnss_base_rate"], {
                 "rate" in ["Hz"];
             };
-        /// Data Stream Control response (0x0C,0x85).
+        /// Data stream control response (0x0C,0x85).
         Mip3dmDataStreamControlResponse(crate::mip_3dm::DataStreamControlResponse):
             Response 0x85, of 1,
-            "3dm.data_stream_control_response", "Data Stream Control response",
+            "3dm.data_stream_control_response", "Data stream control response",
             ["3dm.data_stream_control"], {
                 "descriptor_set";
                 "enabled";
@@ -732,10 +732,10 @@ registry! {
                 "mag_bandwidth";
                 "reserved";
             };
-        /// UART Baud Rate response (0x0C,0x87).
+        /// UART baud rate response (0x0C,0x87).
         Mip3dmUartBaudRateResponse(crate::mip_3dm::UartBaudRateResponse):
             Response 0x87, of 1,
-            "3dm.uart_baud_rate_response", "UART Baud Rate response",
+            "3dm.uart_baud_rate_response", "UART baud rate response",
             ["3dm.uart_baud_rate"], {
                 "baud" in ["Bd"];
             };
@@ -755,17 +755,17 @@ registry! {
                 "device";
                 "state";
             };
-        /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
+        /// Get estimation filter data base rate response (0x0C,0x8A).
         Mip3dmGetFilterBaseRateResponse(crate::mip_3dm::GetFilterBaseRateResponse):
             Response 0x8A, of 1,
-            "3dm.get_filter_base_rate_response", "Get Estimation Filter Data Base Rate response",
+            "3dm.get_filter_base_rate_response", "Get estimation filter data base rate response",
             ["3dm.get_filter_base_rate"], {
                 "rate" in ["Hz"];
             };
-        /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
+        /// Advanced low-pass filter settings response (0x0C,0x8B).
         Mip3dmImuLowPassFilterResponse(crate::mip_3dm::ImuLowPassFilterResponse):
             Response 0x8B, of 1,
-            "3dm.imu_low_pass_filter_response", "Advanced Low-Pass Filter Settings response",
+            "3dm.imu_low_pass_filter_response", "Advanced low-pass filter settings response",
             ["3dm.imu_low_pass_filter"], {
                 "target_descriptor";
                 "enable";
@@ -773,10 +773,10 @@ registry! {
                 "frequency" in ["Hz"];
                 "reserved";
             };
-        /// NMEA Message Format response (0x0C,0x8C).
+        /// NMEA message format response (0x0C,0x8C).
         Mip3dmNmeaMessageFormatResponse(crate::mip_3dm::NmeaMessageFormatResponse):
             Response 0x8C, of 1,
-            "3dm.nmea_message_format_response", "NMEA Message Format response",
+            "3dm.nmea_message_format_response", "NMEA message format response",
             ["3dm.nmea_message_format"], {
                 "format_entries" {
                     "message_id";
@@ -785,18 +785,18 @@ registry! {
                     "decimation";
                 };
             };
-        /// Get Data Base Rate response (0x0C,0x8E).
+        /// Get data base rate response (0x0C,0x8E).
         Mip3dmGetBaseRateResponse(crate::mip_3dm::GetBaseRateResponse):
             Response 0x8E, of 1,
-            "3dm.get_base_rate_response", "Get Data Base Rate response",
+            "3dm.get_base_rate_response", "Get data base rate response",
             ["3dm.get_base_rate"], {
                 "descriptor_set";
                 "rate" in ["Hz"];
             };
-        /// Message Format response (0x0C,0x8F).
+        /// Message format response (0x0C,0x8F).
         Mip3dmMessageFormatResponse(crate::mip_3dm::MessageFormatResponse):
             Response 0x8F, of 1,
-            "3dm.message_format_response", "Message Format response",
+            "3dm.message_format_response", "Message format response",
             ["3dm.message_format"], {
                 "descriptor_set";
                 "descriptors" {
@@ -804,37 +804,37 @@ registry! {
                     "decimation";
                 };
             };
-        /// Basic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+        /// Basic device status (inertial sensor of the 3DM-RQ1-45) (0x0C,0x90).
         Mip3dmDeviceStatusBasicRq1ImuResponse(crate::mip_3dm::DeviceStatusBasicRq1ImuResponse):
             Response 0x90, of 13,
-            "3dm.device_status_basic_rq1_imu_response", "Basic Device Status of the inertial sensor of the 3DM-RQ1-45",
+            "3dm.device_status_basic_rq1_imu_response", "Basic device status (inertial sensor of the 3DM-RQ1-45)",
             ["3dm.device_status"], {
                 "status_flags";
                 "system_timer" in ["us"];
             };
-        /// Basic Device Status (0x0C,0x90).
+        /// Basic device status (0x0C,0x90).
         Mip3dmDeviceStatusBasicResponse(crate::mip_3dm::DeviceStatusBasicResponse):
             Response 0x90, of 13,
-            "3dm.device_status_basic_response", "Basic Device Status",
+            "3dm.device_status_basic_response", "Basic device status",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
                 "system_state";
                 "system_timer" in ["ms"];
             };
-        /// Basic Device Status without a state (0x0C,0x90).
+        /// Basic device status (without state) (0x0C,0x90).
         Mip3dmDeviceStatusBasicWithoutStateResponse(crate::mip_3dm::DeviceStatusBasicWithoutStateResponse):
             Response 0x90, of 13,
-            "3dm.device_status_basic_without_state_response", "Basic Device Status without a state",
+            "3dm.device_status_basic_without_state_response", "Basic device status (without state)",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
                 "system_timer" in ["ms"];
             };
-        /// Diagnostic Device Status (0x0C,0x90).
+        /// Diagnostic device status (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticResponse(crate::mip_3dm::DeviceStatusDiagnosticResponse):
             Response 0x90, of 13,
-            "3dm.device_status_diagnostic_response", "Diagnostic Device Status",
+            "3dm.device_status_diagnostic_response", "Diagnostic device status",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
@@ -852,10 +852,10 @@ registry! {
                 "imu_message_count" in ["1"];
                 "imu_last_message_time" in ["ms"];
             };
-        /// Diagnostic Device Status with GNSS (0x0C,0x90).
+        /// Diagnostic device status (with GNSS) (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGnssResponse(crate::mip_3dm::DeviceStatusDiagnosticGnssResponse):
             Response 0x90, of 13,
-            "3dm.device_status_diagnostic_gnss_response", "Diagnostic Device Status with GNSS",
+            "3dm.device_status_diagnostic_gnss_response", "Diagnostic device status (with GNSS)",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
@@ -881,10 +881,10 @@ registry! {
                 "gnss_message_count" in ["1"];
                 "gnss_last_message_time" in ["ms"];
             };
-        /// Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
+        /// Diagnostic device status (3DM-GQ4-45) (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGq4_45Response(crate::mip_3dm::DeviceStatusDiagnosticGq4_45Response):
             Response 0x90, of 13,
-            "3dm.device_status_diagnostic_gq4_45_response", "Diagnostic Device Status of the 3DM-GQ4-45",
+            "3dm.device_status_diagnostic_gq4_45_response", "Diagnostic device status (3DM-GQ4-45)",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
@@ -913,10 +913,10 @@ registry! {
                 "pressure_init_failed";
                 "receiver_init_failed";
             };
-        /// Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
+        /// Diagnostic device status (3DM-RQ1-45) (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticRq1_45Response(crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response):
             Response 0x90, of 13,
-            "3dm.device_status_diagnostic_rq1_45_response", "Diagnostic Device Status of the 3DM-RQ1-45",
+            "3dm.device_status_diagnostic_rq1_45_response", "Diagnostic device status (3DM-RQ1-45)",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
@@ -945,10 +945,10 @@ registry! {
                 "gnss_message_count" in ["1"];
                 "gnss_last_message_time" in ["ms"];
             };
-        /// Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
+        /// Diagnostic device status (3DM-GX4-15, 3DM-GX4-25) (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGx4Response(crate::mip_3dm::DeviceStatusDiagnosticGx4Response):
             Response 0x90, of 13,
-            "3dm.device_status_diagnostic_gx4_response", "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
+            "3dm.device_status_diagnostic_gx4_response", "Diagnostic device status (3DM-GX4-15, 3DM-GX4-25)",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
@@ -971,10 +971,10 @@ registry! {
                 "imu_message_count" in ["1"];
                 "imu_last_message_time" in ["ms"];
             };
-        /// Diagnostic Device Status of an IMU (0x0C,0x90).
+        /// Diagnostic device status (IMU) (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticImuResponse(crate::mip_3dm::DeviceStatusDiagnosticImuResponse):
             Response 0x90, of 13,
-            "3dm.device_status_diagnostic_imu_response", "Diagnostic Device Status of an IMU",
+            "3dm.device_status_diagnostic_imu_response", "Diagnostic device status (IMU)",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
@@ -997,10 +997,10 @@ registry! {
                 "comm_port_write_overruns" in ["1"];
                 "comm_port_read_overruns" in ["1"];
             };
-        /// Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45 (0x0C,0x90).
+        /// Diagnostic device status (inertial sensor of the 3DM-GX4-45) (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGx4ImuResponse(crate::mip_3dm::DeviceStatusDiagnosticGx4ImuResponse):
             Response 0x90, of 13,
-            "3dm.device_status_diagnostic_gx4_imu_response", "Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45",
+            "3dm.device_status_diagnostic_gx4_imu_response", "Diagnostic device status (inertial sensor of the 3DM-GX4-45)",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
@@ -1023,10 +1023,10 @@ registry! {
                 "comm_port_write_overruns" in ["1"];
                 "comm_port_read_overruns" in ["1"];
             };
-        /// Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+        /// Diagnostic device status (inertial sensor of the 3DM-RQ1-45) (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticRq1ImuResponse(crate::mip_3dm::DeviceStatusDiagnosticRq1ImuResponse):
             Response 0x90, of 13,
-            "3dm.device_status_diagnostic_rq1_imu_response", "Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45",
+            "3dm.device_status_diagnostic_rq1_imu_response", "Diagnostic device status (inertial sensor of the 3DM-RQ1-45)",
             ["3dm.device_status"], {
                 "model_number";
                 "status_flags";
@@ -1047,10 +1047,10 @@ registry! {
                 "comm_port_write_overruns" in ["1"];
                 "comm_port_read_overruns" in ["1"];
             };
-        /// Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
+        /// Basic device status (3DM-GX3-35, 3DM-GX3-45) (0x0C,0x90).
         Mip3dmDeviceStatusBasicGx3Response(crate::mip_3dm::DeviceStatusBasicGx3Response):
             Response 0x90, of 13,
-            "3dm.device_status_basic_gx3_response", "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
+            "3dm.device_status_basic_gx3_response", "Basic device status (3DM-GX3-35, 3DM-GX3-45)",
             ["3dm.device_status"], {
                 "model_number";
                 "comm_mode";
@@ -1059,10 +1059,10 @@ registry! {
                 "comm_state";
                 "comm_baud_rate" in ["Bd"];
             };
-        /// Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
+        /// Diagnostic device status (3DM-GX3-35, 3DM-GX3-45) (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGx3Response(crate::mip_3dm::DeviceStatusDiagnosticGx3Response):
             Response 0x90, of 13,
-            "3dm.device_status_diagnostic_gx3_response", "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
+            "3dm.device_status_diagnostic_gx3_response", "Diagnostic device status (3DM-GX3-35, 3DM-GX3-45)",
             ["3dm.device_status"], {
                 "model_number";
                 "comm_mode";
@@ -1111,55 +1111,55 @@ registry! {
                 "selector";
                 "time";
             };
-        /// Complementary Filter Configuration response (0x0C,0x97).
+        /// Complementary filter configuration response (0x0C,0x97).
         Mip3dmComplementaryFilterResponse(crate::mip_3dm::ComplementaryFilterResponse):
             Response 0x97, of 1,
-            "3dm.complementary_filter_response", "Complementary Filter Configuration response",
+            "3dm.complementary_filter_response", "Complementary filter configuration response",
             ["3dm.complementary_filter"], {
                 "pitch_roll_enable";
                 "heading_enable";
                 "pitch_roll_time_constant" in ["s"];
                 "heading_time_constant" in ["s"];
             };
-        /// Accelerometer Bias Configuration response (0x0C,0x9A).
+        /// Accelerometer bias configuration response (0x0C,0x9A).
         Mip3dmAccelBiasResponse(crate::mip_3dm::AccelBiasResponse):
             Response 0x9A, of 1,
-            "3dm.accel_bias_response", "Accelerometer Bias Configuration response",
+            "3dm.accel_bias_response", "Accelerometer bias configuration response",
             ["3dm.accel_bias"], {
                 "bias": ["x" "y" "z"] in ["g"] of "sensor";
             };
-        /// Gyroscope Bias Configuration response (0x0C,0x9B).
+        /// Gyroscope bias configuration response (0x0C,0x9B).
         Mip3dmGyroBiasResponse(crate::mip_3dm::GyroBiasResponse):
             Response 0x9B, of 1,
-            "3dm.gyro_bias_response", "Gyroscope Bias Configuration response",
+            "3dm.gyro_bias_response", "Gyroscope bias configuration response",
             ["3dm.gyro_bias", "3dm.capture_gyro_bias"], {
                 "bias": ["x" "y" "z"] in ["rad/s"] of "sensor";
             };
-        /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
+        /// Magnetometer hard iron offset response (0x0C,0x9C).
         Mip3dmMagHardIronOffsetResponse(crate::mip_3dm::MagHardIronOffsetResponse):
             Response 0x9C, of 1,
-            "3dm.mag_hard_iron_offset_response", "Magnetometer Hard Iron Offset response",
+            "3dm.mag_hard_iron_offset_response", "Magnetometer hard iron offset response",
             ["3dm.mag_hard_iron_offset"], {
                 "offset": ["x" "y" "z"] in ["gauss"] of "sensor";
             };
-        /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
+        /// Magnetometer soft iron matrix response (0x0C,0x9D).
         Mip3dmMagSoftIronMatrixResponse(crate::mip_3dm::MagSoftIronMatrixResponse):
             Response 0x9D, of 1,
-            "3dm.mag_soft_iron_matrix_response", "Magnetometer Soft Iron Matrix response",
+            "3dm.mag_soft_iron_matrix_response", "Magnetometer soft iron matrix response",
             ["3dm.mag_soft_iron_matrix"], {
                 "matrix": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"] of "sensor";
             };
-        /// Coning and Sculling Enable response (0x0C,0x9E).
+        /// Coning and sculling enable response (0x0C,0x9E).
         Mip3dmConingScullingEnableResponse(crate::mip_3dm::ConingScullingEnableResponse):
             Response 0x9E, of 1,
-            "3dm.coning_sculling_enable_response", "Coning and Sculling Enable response",
+            "3dm.coning_sculling_enable_response", "Coning and sculling enable response",
             ["3dm.coning_sculling_enable"], {
                 "enable";
             };
-        /// Constellation Settings response (0x0C,0xA0).
+        /// Constellation settings response (0x0C,0xA0).
         Mip3dmConstellationSettingsResponse(crate::mip_3dm::ConstellationSettingsResponse):
             Response 0xA0, of 1,
-            "3dm.constellation_settings_response", "Constellation Settings response",
+            "3dm.constellation_settings_response", "Constellation settings response",
             ["3dm.constellation_settings"], {
                 "max_channels_available" in ["1"];
                 "max_channels_use" in ["1"];
@@ -1171,66 +1171,66 @@ registry! {
                     "option_flags";
                 };
             };
-        /// GNSS SBAS Settings response (0x0C,0xA1).
+        /// GNSS SBAS settings response (0x0C,0xA1).
         Mip3dmGnssSbasSettingsResponse(crate::mip_3dm::GnssSbasSettingsResponse):
             Response 0xA1, of 1,
-            "3dm.gnss_sbas_settings_response", "GNSS SBAS Settings response",
+            "3dm.gnss_sbas_settings_response", "GNSS SBAS settings response",
             ["3dm.gnss_sbas_settings"], {
                 "enable_sbas";
                 "sbas_options";
                 "included_prns";
             };
-        /// GNSS Assisted Fix response (0x0C,0xA2).
+        /// GNSS assisted fix response (0x0C,0xA2).
         Mip3dmGnssAssistedFixResponse(crate::mip_3dm::GnssAssistedFixResponse):
             Response 0xA2, of 1,
-            "3dm.gnss_assisted_fix_response", "GNSS Assisted Fix response",
+            "3dm.gnss_assisted_fix_response", "GNSS assisted fix response",
             ["3dm.gnss_assisted_fix"], {
                 "option";
                 "flags";
             };
-        /// GNSS Time Assistance response (0x0C,0xA3).
+        /// GNSS time assistance response (0x0C,0xA3).
         Mip3dmGnssTimeAssistanceResponse(crate::mip_3dm::GnssTimeAssistanceResponse):
             Response 0xA3, of 1,
-            "3dm.gnss_time_assistance_response", "GNSS Time Assistance response",
+            "3dm.gnss_time_assistance_response", "GNSS time assistance response",
             ["3dm.gnss_time_assistance"], {
                 "tow" in ["s"];
                 "week_number" in ["week"];
                 "accuracy" in ["s"];
             };
-        /// PPS Source Control response (0x0C,0xA8).
+        /// PPS source control response (0x0C,0xA8).
         Mip3dmPpsSourceControlResponse(crate::mip_3dm::PpsSourceControlResponse):
             Response 0xA8, of 1,
-            "3dm.pps_source_control_response", "PPS Source Control response",
+            "3dm.pps_source_control_response", "PPS source control response",
             ["3dm.pps_source_control"], {
                 "source";
             };
-        /// Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
+        /// Sensor-to-vehicle frame transformation Euler response (0x0C,0xB1).
         Mip3dmSensorToVehicleTransformEulerResponse(crate::mip_3dm::SensorToVehicleTransformEulerResponse):
             Response 0xB1, of 1,
-            "3dm.sensor_to_vehicle_transform_euler_response", "Sensor-to-Vehicle Frame Transformation Euler response",
+            "3dm.sensor_to_vehicle_transform_euler_response", "Sensor-to-vehicle frame transformation Euler response",
             ["3dm.sensor_to_vehicle_transform_euler"], {
-                "roll" in ["rad"];
-                "pitch" in ["rad"];
-                "yaw" in ["rad"];
+                "roll" in ["rad"] of "vehicle";
+                "pitch" in ["rad"] of "vehicle";
+                "yaw" in ["rad"] of "vehicle";
             };
-        /// Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
+        /// Sensor-to-vehicle frame transformation quaternion response (0x0C,0xB2).
         Mip3dmSensorToVehicleTransformQuaternionResponse(crate::mip_3dm::SensorToVehicleTransformQuaternionResponse):
             Response 0xB2, of 1,
-            "3dm.sensor_to_vehicle_transform_quaternion_response", "Sensor-to-Vehicle Frame Transformation Quaternion response",
+            "3dm.sensor_to_vehicle_transform_quaternion_response", "Sensor-to-vehicle frame transformation quaternion response",
             ["3dm.sensor_to_vehicle_transform_quaternion"], {
                 "q": ["w" "x" "y" "z"] in ["1"];
             };
-        /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
+        /// Sensor-to-vehicle frame transformation direction cosine matrix response (0x0C,0xB3).
         Mip3dmSensorToVehicleTransformDcmResponse(crate::mip_3dm::SensorToVehicleTransformDcmResponse):
             Response 0xB3, of 1,
-            "3dm.sensor_to_vehicle_transform_dcm_response", "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response",
+            "3dm.sensor_to_vehicle_transform_dcm_response", "Sensor-to-vehicle frame transformation direction cosine matrix response",
             ["3dm.sensor_to_vehicle_transform_dcm"], {
                 "dcm": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"];
             };
-        /// Get Supported Events response (0x0C,0xB4).
+        /// Get supported events response (0x0C,0xB4).
         Mip3dmGetEventSupportResponse(crate::mip_3dm::GetEventSupportResponse):
             Response 0xB4, of 1,
-            "3dm.get_event_support_response", "Get Supported Events response",
+            "3dm.get_event_support_response", "Get supported events response",
             ["3dm.get_event_support"], {
                 "query";
                 "max_instances" in ["1"];
@@ -1239,38 +1239,38 @@ registry! {
                     "count" in ["1"];
                 };
             };
-        /// Event Control response (0x0C,0xB5).
+        /// Event control response (0x0C,0xB5).
         Mip3dmEventControlResponse(crate::mip_3dm::EventControlResponse):
             Response 0xB5, of 1,
-            "3dm.event_control_response", "Event Control response",
+            "3dm.event_control_response", "Event control response",
             ["3dm.event_control"], {
                 "instance";
                 "mode";
             };
-        /// Get Event Trigger Status response (0x0C,0xB6).
+        /// Get event trigger status response (0x0C,0xB6).
         Mip3dmGetEventTriggerStatusResponse(crate::mip_3dm::GetEventTriggerStatusResponse):
             Response 0xB6, of 1,
-            "3dm.get_event_trigger_status_response", "Get Event Trigger Status response",
+            "3dm.get_event_trigger_status_response", "Get event trigger status response",
             ["3dm.get_event_trigger_status"], {
                 "triggers" {
                     "type";
                     "status";
                 };
             };
-        /// Get Event Action Status response (0x0C,0xB7).
+        /// Get event action status response (0x0C,0xB7).
         Mip3dmGetEventActionStatusResponse(crate::mip_3dm::GetEventActionStatusResponse):
             Response 0xB7, of 1,
-            "3dm.get_event_action_status_response", "Get Event Action Status response",
+            "3dm.get_event_action_status_response", "Get event action status response",
             ["3dm.get_event_action_status"], {
                 "actions" {
                     "action_type";
                     "trigger_id";
                 };
             };
-        /// Event Trigger Configuration response (0x0C,0xB8).
+        /// Event trigger configuration response (0x0C,0xB8).
         Mip3dmEventTriggerConfigResponse(crate::mip_3dm::EventTriggerConfigResponse):
             Response 0xB8, of 1,
-            "3dm.event_trigger_config_response", "Event Trigger Configuration response",
+            "3dm.event_trigger_config_response", "Event trigger configuration response",
             ["3dm.event_trigger_config"], {
                 "instance";
                 "type";
@@ -1301,10 +1301,10 @@ registry! {
                     };
                 };
             };
-        /// Event Action Configuration response (0x0C,0xB9).
+        /// Event action configuration response (0x0C,0xB9).
         Mip3dmEventActionConfigResponse(crate::mip_3dm::EventActionConfigResponse):
             Response 0xB9, of 1,
-            "3dm.event_action_config_response", "Event Action Configuration response",
+            "3dm.event_action_config_response", "Event action configuration response",
             ["3dm.event_action_config"], {
                 "instance";
                 "trigger";
@@ -1321,45 +1321,45 @@ registry! {
                     };
                 };
             };
-        /// GPIO Configuration response (0x0C,0xC1).
+        /// GPIO configuration response (0x0C,0xC1).
         Mip3dmGpioConfigResponse(crate::mip_3dm::GpioConfigResponse):
             Response 0xC1, of 1,
-            "3dm.gpio_config_response", "GPIO Configuration response",
+            "3dm.gpio_config_response", "GPIO configuration response",
             ["3dm.gpio_config"], {
                 "pin";
                 "feature";
                 "behavior";
                 "pin_mode";
             };
-        /// GPIO State response (0x0C,0xC2).
+        /// GPIO state response (0x0C,0xC2).
         Mip3dmGpioStateResponse(crate::mip_3dm::GpioStateResponse):
             Response 0xC2, of 1,
-            "3dm.gpio_state_response", "GPIO State response",
+            "3dm.gpio_state_response", "GPIO state response",
             ["3dm.gpio_state"], {
                 "pin";
                 "state";
             };
-        /// Odometer Configuration response (0x0C,0xC3).
+        /// Odometer configuration response (0x0C,0xC3).
         Mip3dmOdometerConfigResponse(crate::mip_3dm::OdometerConfigResponse):
             Response 0xC3, of 1,
-            "3dm.odometer_config_response", "Odometer Configuration response",
+            "3dm.odometer_config_response", "Odometer configuration response",
             ["3dm.odometer_config"], {
                 "mode";
                 "scaling" in ["pulse/m"];
                 "uncertainty" in ["1"];
             };
-        /// Sensor Range response (0x0C,0xD2).
+        /// Sensor range response (0x0C,0xD2).
         Mip3dmSensorRangeResponse(crate::mip_3dm::SensorRangeResponse):
             Response 0xD2, of 1,
-            "3dm.sensor_range_response", "Sensor Range response",
+            "3dm.sensor_range_response", "Sensor range response",
             ["3dm.sensor_range"], {
                 "sensor";
                 "setting";
             };
-        /// Get Calibrated Sensor Ranges response (0x0C,0xD3).
+        /// Get calibrated sensor ranges response (0x0C,0xD3).
         Mip3dmGetCalibratedSensorRangesResponse(crate::mip_3dm::GetCalibratedSensorRangesResponse):
             Response 0xD3, of 1,
-            "3dm.get_calibrated_sensor_ranges_response", "Get Calibrated Sensor Ranges response",
+            "3dm.get_calibrated_sensor_ranges_response", "Get calibrated sensor ranges response",
             ["3dm.get_calibrated_sensor_ranges"], {
                 "sensor";
                 "ranges" {
@@ -1367,10 +1367,10 @@ registry! {
                     "range";
                 };
             };
-        /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
+        /// Low-pass anti-aliasing filter response (0x0C,0xD4).
         Mip3dmLowPassFilterResponse(crate::mip_3dm::LowPassFilterResponse):
             Response 0xD4, of 1,
-            "3dm.low_pass_filter_response", "Low-Pass Anti-Aliasing Filter response",
+            "3dm.low_pass_filter_response", "Low-pass anti-aliasing filter response",
             ["3dm.low_pass_filter"], {
                 "descriptor_set";
                 "field_descriptor";
@@ -1407,7 +1407,7 @@ registry! {
             Command 0x04, of 1,
             "filter.set_initial_attitude_from_imu", "Set initial attitude from IMU",
             [], {
-                "declination" in ["rad"];
+                "declination" in ["rad"] of "ned";
             };
         /// Run navigation filter (0x0D,0x05).
         FilterRun(crate::filter::Run):
@@ -1428,9 +1428,9 @@ registry! {
             "filter.sensor_to_vehicle_rotation_euler", "Sensor to vehicle frame transformation",
             ["filter.sensor_to_vehicle_rotation_euler_response"], {
                 "function";
-                "roll" in ["rad"];
-                "pitch" in ["rad"];
-                "yaw" in ["rad"];
+                "roll" in ["rad"] of "sensor";
+                "pitch" in ["rad"] of "sensor";
+                "yaw" in ["rad"] of "sensor";
             };
         /// Sensor to vehicle offset (0x0D,0x12).
         FilterSensorToVehicleOffset(crate::filter::SensorToVehicleOffset):
@@ -1657,7 +1657,7 @@ registry! {
             ["filter.magnetic_declination_source_response"], {
                 "function";
                 "source";
-                "declination" in ["rad"];
+                "declination" in ["rad"] of "ned";
             };
         /// Gravity magnitude error adaptive measurement (0x0D,0x44).
         FilterAccelMagnitudeErrorAdaptiveMeasurement(crate::filter::AccelMagnitudeErrorAdaptiveMeasurement):
@@ -1722,7 +1722,7 @@ registry! {
             ["filter.magnetic_inclination_source_response"], {
                 "function";
                 "source";
-                "inclination" in ["rad"];
+                "inclination" in ["rad"] of "ned";
             };
         /// Magnetic field magnitude source (0x0D,0x4D).
         FilterMagneticMagnitudeSource(crate::filter::MagneticMagnitudeSource):
@@ -1777,9 +1777,9 @@ registry! {
                 "wait_for_run_command";
                 "initial_condition_source";
                 "auto_heading_alignment_selector";
-                "initial_heading" in ["deg"];
-                "initial_pitch" in ["deg"];
-                "initial_roll" in ["deg"];
+                "initial_heading" in ["deg"] of "ned";
+                "initial_pitch" in ["deg"] of "ned";
+                "initial_roll" in ["deg"] of "ned";
                 "initial_position": ["x" "y" "z"];
                 "initial_velocity": ["x" "y" "z"] in ["m/s"];
                 "reference_frame_selector";
@@ -1877,9 +1877,9 @@ registry! {
             Response 0x81, of 1,
             "filter.sensor_to_vehicle_rotation_euler_response", "Sensor to vehicle frame transformation response",
             ["filter.sensor_to_vehicle_rotation_euler"], {
-                "roll" in ["rad"];
-                "pitch" in ["rad"];
-                "yaw" in ["rad"];
+                "roll" in ["rad"] of "sensor";
+                "pitch" in ["rad"] of "sensor";
+                "yaw" in ["rad"] of "sensor";
             };
         /// Sensor to vehicle offset response (0x0D,0x82).
         FilterSensorToVehicleOffsetResponse(crate::filter::SensorToVehicleOffsetResponse):
@@ -2034,7 +2034,7 @@ registry! {
             "filter.magnetic_declination_source_response", "Magnetic declination source response",
             ["filter.magnetic_declination_source"], {
                 "source";
-                "declination" in ["rad"];
+                "declination" in ["rad"] of "ned";
             };
         /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
         FilterAccelMagnitudeErrorAdaptiveMeasurementResponse(crate::filter::AccelMagnitudeErrorAdaptiveMeasurementResponse):
@@ -2093,7 +2093,7 @@ registry! {
             "filter.magnetic_inclination_source_response", "Magnetic inclination source response",
             ["filter.magnetic_inclination_source"], {
                 "source";
-                "inclination" in ["rad"];
+                "inclination" in ["rad"] of "ned";
             };
         /// Magnetic field magnitude source response (0x0D,0xBD).
         FilterMagneticMagnitudeSourceResponse(crate::filter::MagneticMagnitudeSourceResponse):
@@ -2142,9 +2142,9 @@ registry! {
                 "wait_for_run_command";
                 "initial_condition_source";
                 "auto_heading_alignment_selector";
-                "initial_heading" in ["deg"];
-                "initial_pitch" in ["deg"];
-                "initial_roll" in ["deg"];
+                "initial_heading" in ["deg"] of "ned";
+                "initial_pitch" in ["deg"] of "ned";
+                "initial_roll" in ["deg"] of "ned";
                 "initial_position": ["x" "y" "z"];
                 "initial_velocity": ["x" "y" "z"] in ["m/s"];
                 "reference_frame_selector";
@@ -2272,6 +2272,14 @@ registry! {
                 "next_key_tow" in ["s"];
                 "next_key_week" in ["week"];
                 "next_key";
+            };
+        /// Receiver safe mode (0x0E,0x60).
+        GnssReceiverSafeMode(crate::gnss::ReceiverSafeMode):
+            Command 0x60, of 1,
+            "gnss.receiver_safe_mode", "Receiver safe mode",
+            [], {
+                "receiver_id";
+                "enable";
             };
         /// Receiver info response (0x0E,0x81).
         GnssReceiverInfoResponse(crate::gnss::ReceiverInfoResponse):
@@ -2472,38 +2480,38 @@ registry! {
     }
     #[cfg(feature = "displacement")]
     0x11 => {
-        /// Get Analog to Displacement Calibration (0x11,0x01).
+        /// Get analog to displacement calibration (0x11,0x01).
         DisplacementGetCalibration(crate::displacement::GetCalibration):
             Command 0x01, of 1,
-            "displacement.get_calibration", "Get Analog to Displacement Calibration",
+            "displacement.get_calibration", "Get analog to displacement calibration",
             ["displacement.get_calibration_response"], {};
-        /// Displacement Output Data Rate (0x11,0x02).
+        /// Displacement output data rate (0x11,0x02).
         DisplacementOutputRate(crate::displacement::OutputRate):
             Command 0x02, of 1,
-            "displacement.output_rate", "Displacement Output Data Rate",
+            "displacement.output_rate", "Displacement output data rate",
             ["displacement.output_rate_response"], {
                 "function";
             };
-        /// Displacement Device Time (0x11,0x04).
+        /// Displacement device time (0x11,0x04).
         DisplacementDeviceTime(crate::displacement::DeviceTime):
             Command 0x04, of 1,
-            "displacement.device_time", "Displacement Device Time",
+            "displacement.device_time", "Displacement device time",
             [], {
                 "function";
                 "time" in ["ns"];
             };
-        /// Get Analog to Displacement Calibration response (0x11,0x81).
+        /// Get analog to displacement calibration response (0x11,0x81).
         DisplacementGetCalibrationResponse(crate::displacement::GetCalibrationResponse):
             Response 0x81, of 1,
-            "displacement.get_calibration_response", "Get Analog to Displacement Calibration response",
+            "displacement.get_calibration_response", "Get analog to displacement calibration response",
             ["displacement.get_calibration"], {
                 "slope";
                 "offset";
             };
-        /// Displacement Output Data Rate response (0x11,0x82).
+        /// Displacement output data rate response (0x11,0x82).
         DisplacementOutputRateResponse(crate::displacement::OutputRateResponse):
             Response 0x82, of 1,
-            "displacement.output_rate_response", "Displacement Output Data Rate response",
+            "displacement.output_rate_response", "Displacement output data rate response",
             ["displacement.output_rate"], {
                 "rate" in ["Hz"];
             };
@@ -2521,9 +2529,18 @@ registry! {
                 "tracking_enabled";
                 "translation": ["x" "y" "z"] in ["m"] of "vehicle";
                 "rotation" {
-                    "euler": ["x" "y" "z"] in ["rad"];
+                    "euler": ["x" "y" "z"] in ["rad"] of "vehicle";
                     "quaternion": ["w" "x" "y" "z"] in ["1"];
                 };
+            };
+        /// Sensor frame map (0x13,0x02).
+        AidingSensorFrameMap(crate::aiding::SensorFrameMap):
+            Command 0x02, of 1,
+            "aiding.sensor_frame_map", "Sensor frame map",
+            ["aiding.sensor_frame_map_response"], {
+                "function";
+                "sensor_id";
+                "frame_id";
             };
         /// Echo control (0x13,0x1F).
         AidingEchoControl(crate::aiding::EchoControl):
@@ -2578,6 +2595,21 @@ registry! {
                 "frame_id";
                 "height" in ["m"] of "llh";
                 "uncertainty" in ["m"];
+                "valid_flags";
+            };
+        /// Pressure (old) (0x13,0x25).
+        AidingPressureOld(crate::aiding::PressureOld):
+            Command 0x25, of 1,
+            "aiding.pressure_old", "Pressure (old)",
+            [], {
+                "time" {
+                    "timebase";
+                    "reserved";
+                    "nanoseconds" in ["ns"];
+                };
+                "frame_id";
+                "pressure" in ["mbar"];
+                "uncertainty" in ["mbar"];
                 "valid_flags";
             };
         /// ECEF velocity (0x13,0x28).
@@ -2680,9 +2712,17 @@ registry! {
                 "tracking_enabled";
                 "translation": ["x" "y" "z"] in ["m"] of "vehicle";
                 "rotation" {
-                    "euler": ["x" "y" "z"] in ["rad"];
+                    "euler": ["x" "y" "z"] in ["rad"] of "vehicle";
                     "quaternion": ["w" "x" "y" "z"] in ["1"];
                 };
+            };
+        /// Sensor frame map response (0x13,0x82).
+        AidingSensorFrameMapResponse(crate::aiding::SensorFrameMapResponse):
+            Response 0x82, of 1,
+            "aiding.sensor_frame_map_response", "Sensor frame map response",
+            ["aiding.sensor_frame_map"], {
+                "sensor_id";
+                "frame_id";
             };
         /// Echo control response (0x13,0x9F).
         AidingEchoControlResponse(crate::aiding::EchoControlResponse):
@@ -2906,7 +2946,7 @@ registry! {
             Data 0x40, of 1,
             "sensor.odometer", "Odometer data",
             [], {
-                "speed" in ["m/s"];
+                "speed" in ["m/s"] of "vehicle";
                 "uncertainty" in ["m/s"];
                 "valid_flags";
             };
@@ -3102,8 +3142,8 @@ registry! {
                 "channel";
                 "satellite_id";
                 "carrier_noise_ratio" in ["dB-Hz"];
-                "azimuth" in ["deg"];
-                "elevation" in ["deg"];
+                "azimuth" in ["deg"] of "ned";
+                "elevation" in ["deg"] of "ned";
                 "sv_flags";
                 "valid_flags";
             };
@@ -3295,7 +3335,7 @@ registry! {
                 0x95 "gnss_external_2.heading",
             }
             [], {
-                "heading" in ["deg"];
+                "heading" in ["deg"] of "ned";
                 "uncertainty" in ["deg"];
                 "fix_type";
                 "valid_flags";
@@ -3319,8 +3359,8 @@ registry! {
                 "week_number" in ["week"];
                 "gnss_id";
                 "satellite_id";
-                "elevation" in ["deg"];
-                "azimuth" in ["deg"];
+                "elevation" in ["deg"] of "ned";
+                "azimuth" in ["deg"] of "ned";
                 "health";
                 "valid_flags";
             };
@@ -3817,7 +3857,7 @@ registry! {
             Data 0x14, of 1,
             "filter_data.heading_update_state", "Heading update source state",
             [], {
-                "heading" in ["rad"];
+                "heading" in ["rad"] of "ned";
                 "heading_uncertainty" in ["rad"];
                 "source";
                 "valid_flags";
@@ -3830,8 +3870,8 @@ registry! {
                 "intensity_north" in ["gauss"] of "ned";
                 "intensity_east" in ["gauss"] of "ned";
                 "intensity_down" in ["gauss"] of "ned";
-                "inclination" in ["rad"];
-                "declination" in ["rad"];
+                "inclination" in ["rad"] of "ned";
+                "declination" in ["rad"] of "ned";
                 "valid_flags";
             };
         /// Gyroscope scale factor (0x82,0x16).
@@ -4120,7 +4160,7 @@ registry! {
             "filter_data.gnss_dual_antenna_status", "GNSS dual antenna status",
             [], {
                 "tow" in ["s"];
-                "heading" in ["rad"];
+                "heading" in ["rad"] of "ned";
                 "heading_uncertainty" in ["rad"];
                 "fix_type";
                 "status_flags";
@@ -4161,10 +4201,10 @@ registry! {
             [], {
                 "displacement" in ["mm"];
             };
-        /// Displacement Device Timestamp (0x90,0x04).
+        /// Displacement device timestamp (0x90,0x04).
         DisplacementDataTimestamp(crate::displacement_data::Timestamp):
             Data 0x04, of 1,
-            "displacement_data.timestamp", "Displacement Device Timestamp",
+            "displacement_data.timestamp", "Displacement device timestamp",
             [], {
                 "flags";
                 "time" in ["ns"];

@@ -12,7 +12,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const AIDING_SET: u8 = 0x13;
+pub const SET: u8 = 0x13;
 
 open_enum! {
     /// Format of the rotation of an aiding frame.
@@ -130,12 +130,13 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`FrameConfigResponse`]. Changes
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`FrameConfigResponse`]. Affects
     /// [`filter_data::AidingFrameConfigError`](crate::filter_data::AidingFrameConfigError).
-    /// Probably changes
+    /// Probably affects
     /// [`filter_data::AidingFrameConfigErrorUncertainty`](crate::filter_data::AidingFrameConfigErrorUncertainty).
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely or
+    /// assumed on 7 more.
     ///
     /// - Aiding measurements refer to the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
@@ -186,10 +187,11 @@ union! {
     /// The alternatives of `rotation` in [`FrameConfig`].
     #[derive(Copy)]
     pub enum FrameConfigRotation: AidingFrameFormat {
-        /// Roll, pitch and yaw.
+        /// Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down,
+        /// nose up, and clockwise seen from above.
         ///
         /// If [`format`](FrameConfig::format) is [`AidingFrameFormat::EULER`]. Elements: x, y, z.
-        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: vehicle. Range: -pi to pi.
         #[cfg_attr(feature = "serde", serde(rename = "euler"))]
         EULER => Euler(types::Vector3f) "euler",
         /// Quaternion, scalar part first.
@@ -211,19 +213,19 @@ constructors! {
         tracking_enabled: bool,
         translation: impl Into<types::Vector3f>,
         rotation: FrameConfigRotation,
-    ) -> Write, format: rotation.tag();
+    ) -> WriteCall, format: rotation.tag();
 
     /// Return the current setting in a response.
-    fn read(frame_id: u8, format: AidingFrameFormat) -> Read;
+    fn read(frame_id: u8, format: AidingFrameFormat) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(frame_id: u8) -> Save;
+    fn save(frame_id: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(frame_id: u8) -> Load;
+    fn load(frame_id: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(frame_id: u8) -> LoadDefault;
+    fn load_default(frame_id: u8) -> LoadDefaultCall;
 }
 
 field! {
@@ -239,15 +241,80 @@ command! {
 }
 
 record! {
+    /// Sensor frame map (0x13,0x02).
+    ///
+    /// Sets the frame in which an aiding sensor measures.
+    ///
+    /// Also called `sensor_frame_mapping`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Response: [`SensorFrameMapResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK, versions 1 to 3. Uncertain: The layout is that of a branch of the SDK
+    /// of 2024; later versions do not have it. Uncertain: No source lists the devices that support
+    /// it.
+    ///
+    /// Source: mip-sdk-3: Sensor Frame Mapping (0x13,0x02), branch CmdCallback.
+    #[derive(Copy, Eq, Hash)]
+    pub struct SensorFrameMap {
+        /// Operation on the setting.
+        pub function: types::FunctionSelector,
+        /// Number of the sensor.
+        ///
+        /// Range: at least 1. Required for [write](types::FunctionSelector::WRITE).
+        pub sensor_id: Option<u8>,
+        /// Frame of the sensor, defined by [`FrameConfig`].
+        ///
+        /// Range: 1 to 4. Default: 1. Required for [write](types::FunctionSelector::WRITE).
+        pub frame_id: Option<u8>,
+    }
+    wire 3 {
+        [function selects]
+        [sensor_id for WRITE]
+        [frame_id for WRITE]
+    }
+}
+
+constructors! {
+    SensorFrameMap
+
+    /// Apply the new setting.
+    fn write(sensor_id: u8, frame_id: u8) -> WriteCall;
+
+    /// Return the current setting in a response.
+    fn read() -> ReadCall;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() -> SaveCall;
+
+    /// Load the saved setting.
+    fn load() -> LoadCall;
+
+    /// Load the factory default setting.
+    fn load_default() -> LoadDefaultCall;
+}
+
+field! {
+    SensorFrameMap: 0x02, "aiding.sensor_frame_map";
+    in [0x13];
+}
+
+command! {
+    SensorFrameMap -> Option<SensorFrameMapResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SensorFrameMapResponse;
+    responds SensorFrameMapResponse for READ;
+}
+
+record! {
     /// Echo control (0x13,0x1F).
     ///
     /// Sets how the device replies to aiding measurements.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`EchoControlResponse`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`EchoControlResponse`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - The manual does not contain the layout of the responses that carry the data back.
     ///
@@ -272,19 +339,19 @@ constructors! {
     EchoControl
 
     /// Apply the new setting.
-    fn write(mode: AidingEchoMode) -> Write;
+    fn write(mode: AidingEchoMode) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -305,8 +372,8 @@ record! {
     /// Sends a measured position in Earth-fixed coordinates.
     ///
     /// Also called `pos_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
-    /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// is [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -352,6 +419,12 @@ constructors! {
     );
 }
 
+valid! {
+    EcefPosition
+    position_is_valid "position": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+    uncertainty_is_valid "uncertainty": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+}
+
 field! {
     EcefPosition: 0x21, "aiding.ecef_position";
     in [0x13];
@@ -367,8 +440,8 @@ record! {
     /// Sends a measured position as latitude, longitude and height.
     ///
     /// Also called `pos_llh`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - To send a height only, clear the valid flags of latitude and longitude. The
@@ -430,6 +503,14 @@ constructors! {
     );
 }
 
+valid! {
+    LlhPosition
+    latitude_is_valid "latitude": valid_flags 0x1;
+    longitude_is_valid "longitude": valid_flags 0x2;
+    height_is_valid "height": valid_flags 0x4;
+    uncertainty_is_valid "uncertainty": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+}
+
 field! {
     LlhPosition: 0x22, "aiding.llh_position";
     in [0x13];
@@ -445,8 +526,8 @@ record! {
     /// Sends a measured height above the ellipsoid.
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -498,13 +579,70 @@ command! {
 }
 
 record! {
+    /// Pressure (old) (0x13,0x25).
+    ///
+    /// Sends a static air pressure measured by an external sensor (superseded by [`Pressure`]).
+    ///
+    /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK, versions 1 to 3. Uncertain: The layout is that of a branch of the SDK
+    /// of 2024; later versions do not have it. Uncertain: No source lists the devices that support
+    /// it.
+    ///
+    /// Source: mip-sdk-3: Pressure (0x13,0x25), branch feature/UsbSerial.
+    #[derive(Copy, Default)]
+    pub struct PressureOld {
+        /// Time of the measurement.
+        pub time: MeasurementTime,
+        /// Sensor frame, defined by [`FrameConfig`].
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Air pressure.
+        ///
+        /// Unit: mbar.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
+        pub pressure: f32,
+        /// Standard deviation of the pressure.
+        ///
+        /// Unit: mbar. Range: greater than 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
+        pub uncertainty: f32,
+        /// Nonzero if the measurement is valid.
+        pub valid_flags: u16,
+    }
+}
+
+constructors! {
+    PressureOld
+
+    /// Creates the command from its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        pressure: f32,
+        uncertainty: f32,
+        valid_flags: u16,
+    );
+}
+
+field! {
+    PressureOld: 0x25, "aiding.pressure_old";
+    in [0x13];
+}
+
+command! {
+    PressureOld -> ();
+}
+
+record! {
     /// ECEF velocity (0x13,0x28).
     ///
     /// Sends a measured velocity in Earth-fixed coordinates.
     ///
     /// Also called `vel_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
-    /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// is [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
@@ -552,6 +690,12 @@ constructors! {
     );
 }
 
+valid! {
+    EcefVelocity
+    velocity_is_valid "velocity": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+    uncertainty_is_valid "uncertainty": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+}
+
 field! {
     EcefVelocity: 0x28, "aiding.ecef_velocity";
     in [0x13];
@@ -567,8 +711,8 @@ record! {
     /// Sends a measured velocity in the local level frame.
     ///
     /// Also called `vel_ned`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
@@ -616,6 +760,12 @@ constructors! {
     );
 }
 
+valid! {
+    NedVelocity
+    velocity_is_valid "velocity": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+    uncertainty_is_valid "uncertainty": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+}
+
 field! {
     NedVelocity: 0x29, "aiding.ned_velocity";
     in [0x13];
@@ -631,8 +781,8 @@ record! {
     /// Sends a measured velocity of the vehicle in the frame of the sensor.
     ///
     /// Also called `vel_body_frame`. Not acknowledged if [`mode`](EchoControl::mode) of
-    /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - The device supports up to four sensors of this kind.
     /// - For a wheeled vehicle constraint, send a velocity of 0 with only y valid, at least once
@@ -683,6 +833,12 @@ constructors! {
     );
 }
 
+valid! {
+    BodyFrameVelocity
+    velocity_is_valid "velocity": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+    uncertainty_is_valid "uncertainty": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+}
+
 field! {
     BodyFrameVelocity: 0x2A, "aiding.body_frame_velocity";
     in [0x13];
@@ -698,9 +854,9 @@ record! {
     /// Sends a measured heading relative to true north.
     ///
     /// Also called `heading_true`. Not acknowledged if [`mode`](EchoControl::mode) of
-    /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -717,8 +873,7 @@ record! {
         pub frame_id: u8,
         /// Heading relative to true north.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-        /// clockwise seen from above.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Uncertainty of the heading.
@@ -759,8 +914,9 @@ record! {
     /// Sends a magnetic field measured by an external magnetometer.
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
+    /// assumed on 7 more.
     ///
     /// - The magnetometer must be calibrated.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -806,6 +962,12 @@ constructors! {
     );
 }
 
+valid! {
+    MagneticField
+    magnetic_field_is_valid "magnetic_field": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+    uncertainty_is_valid "uncertainty": valid_flags 0x1 && valid_flags 0x2 && valid_flags 0x4;
+}
+
 field! {
     MagneticField: 0x32, "aiding.magnetic_field";
     in [0x13];
@@ -821,8 +983,8 @@ record! {
     /// Sends a static air pressure measured by an external sensor.
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -877,9 +1039,9 @@ command! {
 record! {
     /// Frame configuration response (0x13,0x81).
     ///
-    /// Response to [`FrameConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Response to [`FrameConfig`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [-INS](crate::devices::CV7_INS); likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy, Default)]
@@ -929,10 +1091,50 @@ field! {
 }
 
 record! {
+    /// Sensor frame map response (0x13,0x82).
+    ///
+    /// Also called `sensor_frame_mapping_response`. Response to [`SensorFrameMap`]. Known only from
+    /// the MicroStrain MIP SDK, versions 1 to 3.
+    ///
+    /// Source: mip-sdk-3: Sensor Frame Mapping (0x13,0x02), branch CmdCallback.
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct SensorFrameMapResponse {
+        /// Number of the sensor.
+        ///
+        /// Range: at least 1.
+        pub sensor_id: u8,
+        /// Frame of the sensor, defined by [`FrameConfig`].
+        ///
+        /// Range: 1 to 4. Default: 1.
+        pub frame_id: u8,
+    }
+}
+
+view! {
+    SensorFrameMapResponse
+    sensor_id: u8, at 0;
+    frame_id: u8, at 1;
+}
+
+constructors! {
+    SensorFrameMapResponse
+
+    /// Creates it from its values.
+    fn new(sensor_id: u8, frame_id: u8);
+}
+
+field! {
+    SensorFrameMapResponse: 0x82, "aiding.sensor_frame_map_response";
+    in [0x13];
+    answers SensorFrameMap;
+}
+
+record! {
     /// Echo control response (0x13,0x9F).
     ///
-    /// Response to [`EchoControl`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`EchoControl`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
+    /// assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.

@@ -12,10 +12,10 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const DISPLACEMENT_SET: u8 = 0x11;
+pub const SET: u8 = 0x11;
 
 record! {
-    /// Get Analog to Displacement Calibration (0x11,0x01).
+    /// Get analog to displacement calibration (0x11,0x01).
     ///
     /// Reads the slope and offset with which the device converts ADC counts to displacement.
     ///
@@ -23,7 +23,7 @@ record! {
     /// `get_analog_displacement_calibration`. Response: [`GetCalibrationResponse`]. Known only from
     /// the MicroStrain Communication Library.
     ///
-    /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
+    /// Source: mscl: Get analog to displacement calibration (0x11,0x01).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetCalibration;
 }
@@ -46,16 +46,16 @@ command! {
 }
 
 record! {
-    /// Displacement Output Data Rate (0x11,0x02).
+    /// Displacement output data rate (0x11,0x02).
     ///
     /// Reads the rate at which displacement is measured.
     ///
     /// No device is known for certain to support it. Also called `displacement_output_rate`.
     /// Functions: [read](types::FunctionSelector::READ). Response: [`OutputRateResponse`]. Known
-    /// only from the MicroStrain Communication Library. Uncertain: Whether the rate can be written.
-    /// MSCL only reads it.
+    /// only from the MicroStrain Communication Library. Uncertain: MSCL only reads the rate; a
+    /// write may not be supported.
     ///
-    /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
+    /// Source: mscl: Displacement output data rate (0x11,0x02).
     #[derive(Copy, Eq, Hash)]
     pub struct OutputRate {
         /// Operation on the setting.
@@ -70,7 +70,7 @@ constructors! {
     OutputRate
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 }
 
 field! {
@@ -85,18 +85,18 @@ command! {
 }
 
 record! {
-    /// Displacement Device Time (0x11,0x04).
+    /// Displacement device time (0x11,0x04).
     ///
     /// Sets the clock of the device, from which
     /// [`displacement_data::Timestamp`](crate::displacement_data::Timestamp) is taken.
     ///
     /// No device is known for certain to support it. Also called `displacement_device_time`.
-    /// Functions: [write](types::FunctionSelector::WRITE). Changes
+    /// Functions: [write](types::FunctionSelector::WRITE). Affects
     /// [`displacement_data::Timestamp`](crate::displacement_data::Timestamp). Known only from the
-    /// MicroStrain Communication Library. Uncertain: Whether the time can be read. MSCL only writes
-    /// it.
+    /// MicroStrain Communication Library. Uncertain: MSCL only writes the time; a read may not be
+    /// supported.
     ///
-    /// Source: mscl: Displacement Device Time (0x11,0x04).
+    /// Source: mscl: Displacement device time (0x11,0x04).
     #[derive(Copy, Eq, Hash)]
     pub struct DeviceTime {
         /// Operation on the setting.
@@ -116,7 +116,7 @@ constructors! {
     DeviceTime
 
     /// Apply the new setting.
-    fn write(time: u64) -> Write;
+    fn write(time: u64) -> WriteCall;
 }
 
 field! {
@@ -130,23 +130,23 @@ command! {
 }
 
 record! {
-    /// Get Analog to Displacement Calibration response (0x11,0x81).
+    /// Get analog to displacement calibration response (0x11,0x81).
     ///
     /// No device is known for certain to support it. Also called
     /// `get_analog_displacement_calibration_response`. Response to [`GetCalibration`]. Known only
     /// from the MicroStrain Communication Library.
     ///
-    /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
+    /// Source: mscl: Get analog to displacement calibration (0x11,0x01).
     #[derive(Copy, Default)]
     pub struct GetCalibrationResponse {
         /// Displacement per ADC count.
         ///
-        /// Uncertain: The unit; mm per count is likely.
+        /// Uncertain: No source states the unit; mm per count is likely.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub slope: f32,
         /// Displacement at zero counts.
         ///
-        /// Uncertain: The unit; mm is likely.
+        /// Uncertain: No source states the unit; mm is likely.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub offset: f32,
     }
@@ -172,13 +172,13 @@ field! {
 }
 
 record! {
-    /// Displacement Output Data Rate response (0x11,0x82).
+    /// Displacement output data rate response (0x11,0x82).
     ///
     /// No device is known for certain to support it. Also called
     /// `displacement_output_rate_response`. Response to [`OutputRate`]. Known only from the
     /// MicroStrain Communication Library.
     ///
-    /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
+    /// Source: mscl: Displacement output data rate (0x11,0x02).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct OutputRateResponse {
         /// Rate of displacement data.

@@ -12,12 +12,13 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const DISPLACEMENT_DATA_SET: u8 = 0x90;
+pub const SET: u8 = 0x90;
 
 bitfield! {
     /// Validity of the displacement timestamp.
     ///
-    /// Uncertain: That it is a bitfield. MSCL considers the time valid if the number is 1.
+    /// Uncertain: The number is possibly no bitfield, because MSCL considers the time valid if it
+    /// is 1.
     TimestampFlags: u8 {
         /// The clock has been set; `time` is valid. Bit 0.
         TIME: bool = 0,
@@ -97,14 +98,14 @@ field! {
 }
 
 record! {
-    /// Displacement Device Timestamp (0x90,0x04).
+    /// Displacement device timestamp (0x90,0x04).
     ///
     /// Time of the measurement by the clock of the device.
     ///
     /// No device is known for certain to support it. Also called `displacement_timestamp`. Known
     /// only from the MicroStrain Communication Library.
     ///
-    /// Source: mscl: Displacement Device Timestamp (0x90,0x04).
+    /// Source: mscl: Displacement device timestamp (0x90,0x04).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct Timestamp {
         /// Validity of the displacement timestamp.
@@ -127,6 +128,11 @@ constructors! {
 
     /// Creates it from its values.
     fn new(flags: TimestampFlags, time: u64);
+}
+
+valid! {
+    Timestamp
+    time_is_valid "time": flags 0x1;
 }
 
 field! {

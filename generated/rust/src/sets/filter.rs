@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const FILTER_SET: u8 = 0x0D;
+pub const SET: u8 = 0x0D;
 
 open_enum! {
     /// Motion that the filter expects, depending on the kind of vehicle.
@@ -54,10 +54,10 @@ bitfield! {
         /// Estimate the offset of the GNSS antenna. Bit 4.
         ANTENNA_OFFSET: bool = 4,
             antenna_offset, set_antenna_offset, with_antenna_offset;
-        /// Estimate the hard iron offset of the magnetometer. Bit 5.
+        /// Estimate the hard iron offset of the magnetometer. Bit 5. Requires a magnetometer.
         AUTO_HARD_IRON: bool = 5,
             auto_hard_iron, set_auto_hard_iron, with_auto_hard_iron;
-        /// Estimate the soft iron matrix of the magnetometer. Bit 6.
+        /// Estimate the soft iron matrix of the magnetometer. Bit 6. Requires a magnetometer.
         AUTO_SOFT_IRON: bool = 6,
             auto_soft_iron, set_auto_soft_iron, with_auto_soft_iron;
     }
@@ -66,13 +66,13 @@ bitfield! {
 open_enum! {
     /// Source of the GNSS data that aids the filter.
     GnssAidingSource: u8 {
-        /// All internal receivers.
+        /// All internal receivers. Requires a receiver.
         ALL_INTERNAL = 1, "all_internal";
         /// GNSS measurements that your program sends.
         EXTERNAL = 2, "external";
-        /// Internal receiver 1 only.
+        /// Internal receiver 1 only. Requires a receiver.
         INTERNAL_1 = 3, "internal_1";
-        /// Internal receiver 2 only.
+        /// Internal receiver 2 only. Requires 2 receivers.
         INTERNAL_2 = 4, "internal_2";
     }
 }
@@ -95,19 +95,19 @@ open_enum! {
     HeadingUpdateSource: u8 {
         /// No heading updates.
         NONE = 0, "none";
-        /// The device's own magnetometer.
+        /// The device's own magnetometer. Requires a magnetometer.
         MAG = 1, "mag";
-        /// The velocity that the GNSS receiver measures.
+        /// The velocity that the GNSS receiver measures. Requires a receiver.
         GNSS_VELOCITY = 2, "gnss_velocity";
         /// The heading messages that your program sends.
         EXTERNAL = 3, "external";
-        /// The course over ground and the magnetometer.
+        /// The course over ground and the magnetometer. Requires a receiver and a magnetometer.
         GNSS_VELOCITY_AND_MAG = 4, "gnss_velocity_and_mag";
-        /// GNSS velocity and your program's heading messages.
+        /// GNSS velocity and your program's heading messages. Requires a receiver.
         GNSS_VELOCITY_AND_EXTERNAL = 5, "gnss_velocity_and_external";
-        /// Magnetometer and your program's heading messages.
+        /// Magnetometer and your program's heading messages. Requires a magnetometer.
         MAG_AND_EXTERNAL = 6, "mag_and_external";
-        /// All three.
+        /// All three. Requires a receiver and a magnetometer.
         ALL = 7, "all";
     }
 }
@@ -133,7 +133,7 @@ bitfield! {
         /// Accelerometer measurements. Bit 0.
         ACCEL: bool = 0,
             accel, set_accel, with_accel;
-        /// Magnetometer measurements, on models that have a magnetometer. Bit 1.
+        /// Magnetometer measurements. Bit 1. Requires a magnetometer.
         MAG: bool = 1,
             mag, set_mag, with_mag;
     }
@@ -142,7 +142,7 @@ bitfield! {
 open_enum! {
     /// Source of the declination, the inclination or the magnitude of the magnetic field.
     MagParameterSource: u8 {
-        /// No source. Uncertain: What the device does without a source.
+        /// No source. Uncertain: No source states what the device does without a declination.
         NONE = 1, "none";
         /// The World Magnetic Model, at the estimated position.
         WMM = 2, "wmm";
@@ -170,7 +170,7 @@ open_enum! {
     AltitudeAidingSource: u8 {
         /// No aiding.
         NONE = 0, "none";
-        /// The pressure sensor.
+        /// The pressure sensor. Requires a pressure sensor.
         PRESSURE = 1, "pressure";
     }
 }
@@ -190,13 +190,13 @@ open_enum! {
     AidingSource: u16 {
         /// Position and velocity of the GNSS receivers.
         GNSS_POSITION_VELOCITY = 0, "gnss_position_velocity";
-        /// GNSS heading from two antennas.
+        /// GNSS heading from two antennas. Requires 2 antennas.
         GNSS_HEADING = 1, "gnss_heading";
-        /// Built-in pressure altimeter.
+        /// Built-in pressure altimeter. Requires a pressure sensor.
         ALTIMETER = 2, "altimeter";
         /// Speed sensor or odometer.
         SPEED = 3, "speed";
-        /// Built-in magnetometer.
+        /// Built-in magnetometer. Requires a magnetometer.
         MAG = 4, "mag";
         /// Heading that your program sends.
         EXTERNAL_HEADING = 5, "external_heading";
@@ -266,13 +266,13 @@ open_enum! {
 bitfield! {
     /// Methods that the device may use to determine its initial heading.
     HeadingAlignment: u8 {
-        /// From the baseline between two GNSS antennas. Bit 0.
+        /// From the baseline between two GNSS antennas. Bit 0. Requires 2 antennas.
         DUAL_ANTENNA: bool = 0,
             dual_antenna, set_dual_antenna, with_dual_antenna;
         /// From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1.
         KINEMATIC: bool = 1,
             kinematic, set_kinematic, with_kinematic;
-        /// From the built-in magnetometer. Bit 2.
+        /// From the built-in magnetometer. Bit 2. Requires a magnetometer.
         MAG: bool = 2,
             mag, set_mag, with_mag;
         /// From the heading that your program sends. Bit 3.
@@ -328,10 +328,10 @@ record! {
     ///
     /// Returns the filter to its initialization state.
     ///
-    /// Changes filter_data (0x82). Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Affects filter_data (0x82). Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 20 more.
     ///
     /// - If automatic initialization is off, the attitude or heading must be set before the filter
     ///   runs again.
@@ -366,11 +366,11 @@ record! {
     /// Sets the initial attitude of the filter: the orientation of the sensor frame in the NED
     /// frame.
     ///
-    /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// Affects [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
-    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 12 more.
     ///
     /// - Accepted only in the initialization state.
     ///
@@ -379,8 +379,7 @@ record! {
     pub struct SetInitialAttitude {
         /// Roll angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right
-        /// side down.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
         /// Pitch angle.
@@ -391,8 +390,7 @@ record! {
         pub pitch: f32,
         /// Heading (yaw) angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-        /// clockwise seen from above.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
     }
@@ -423,13 +421,13 @@ record! {
     ///
     /// Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
     ///
-    /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// Affects [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
-    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 19 more.
     ///
     /// - 3DM-GX5: accepted only in the initialization state.
     /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the value of this
@@ -441,8 +439,7 @@ record! {
     pub struct SetInitialHeading {
         /// Initial heading.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-        /// clockwise seen from above.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
     }
@@ -470,20 +467,21 @@ record! {
     /// Initializes the filter's attitude from the complementary filter.
     ///
     /// No device is known for certain to support it. Also called `set_initial_heading_from_mag`.
-    /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// Affects [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Known only from the MIP SDK
-    /// of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name. The
-    /// SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
-    /// layout, in its example for the 3DM-GX3-45. Uncertain: Which devices support it.
+    /// of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The SDK calls
+    /// it set initial heading from mag, without a layout; the SDK of 2014 has this layout in its
+    /// example for the 3DM-GX3-45. Uncertain: No source lists the devices that support it.
     ///
     /// Source: mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04); mip-sdk-2014: Set Initial
     /// Attitude From AHRS (0x0D,0x04); mscl: Set Initial Attitude From AHRS (0x0D,0x04).
     #[derive(Copy, Default)]
     pub struct SetInitialAttitudeFromImu {
-        /// Local declination of the magnetic field.
+        /// Angle from true north to magnetic north.
         ///
-        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north.
+        /// Uncertain: The sign is the usual one; no source states it.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub declination: f32,
     }
@@ -510,9 +508,9 @@ record! {
     ///
     /// Starts a filter that is configured to wait for this command.
     ///
-    /// Changes [`filter_data::Status`](crate::filter_data::Status). Supported by
+    /// Affects [`filter_data::Status`](crate::filter_data::Status). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// - The filter waits in its initialization state if `wait_for_run_command` of
     ///   [`InitializationConfig`] is set.
@@ -546,8 +544,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`VehicleDynamicsModeResponse`].
-    /// Probably changes filter_data (0x82). Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Probably affects filter_data (0x82). Confirmed on [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 6 more. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle dynamics mode (0x0D,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -571,19 +569,19 @@ constructors! {
     VehicleDynamicsMode
 
     /// Apply the new setting.
-    fn write(mode: DynamicsMode) -> Write;
+    fn write(mode: DynamicsMode) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -606,7 +604,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`SensorToVehicleRotationEulerResponse`]. Changes
+    /// [`SensorToVehicleRotationEulerResponse`]. Affects
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
@@ -618,9 +616,9 @@ record! {
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate),
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
-    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
-    /// The formula. The text of the manual lacks it; it is the inverse of that of
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Confirmed on
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 12 more. Uncertain: The text of the manual lacks the formula; it is the inverse of that of
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// which the 3DM-CV7 manual states.
     ///
@@ -633,19 +631,22 @@ record! {
     pub struct SensorToVehicleRotationEuler {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Roll angle.
+        /// Roll angle of the vehicle relative to the sensor.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: rad. Frame: sensor. Positive: right side down. Required for
+        /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub roll: Option<f32>,
-        /// Pitch angle.
+        /// Pitch angle of the vehicle relative to the sensor.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: rad. Frame: sensor. Positive: nose up. Required for
+        /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub pitch: Option<f32>,
-        /// Yaw angle.
+        /// Yaw angle of the vehicle relative to the sensor.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: rad. Frame: sensor. Positive: clockwise seen from above. Required for
+        /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub yaw: Option<f32>,
     }
@@ -665,19 +666,19 @@ constructors! {
         roll: f32,
         pitch: f32,
         yaw: f32,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -700,10 +701,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`SensorToVehicleOffsetResponse`].
-    /// Changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
-    /// The direction, from the sensor to the origin of the vehicle frame, is inferred from the
-    /// name.
+    /// Affects [`filter_data::LlhPosition`](crate::filter_data::LlhPosition). Confirmed on
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 6 more. Known only from the
+    /// MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin of the vehicle
+    /// frame, is inferred from the name.
     ///
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
     ///
@@ -728,19 +729,19 @@ constructors! {
     SensorToVehicleOffset
 
     /// Apply the new setting.
-    fn write(offset: impl Into<types::Vector3f>) -> Write;
+    fn write(offset: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -763,15 +764,16 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`AntennaOffsetResponse`]. Probably
-    /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// affects [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
     /// [`filter_data::AntennaOffsetCorrection`](crate::filter_data::AntennaOffsetCorrection).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45); likely or assumed
+    /// on 8 more.
     ///
-    /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
+    /// - 5-series devices expect the sensor frame.
     /// - On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands
     ///   uses [`aiding::FrameConfig`](crate::aiding::FrameConfig).
     ///
@@ -783,8 +785,9 @@ record! {
         /// Vector from the sensor origin to the phase centre of the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
-        /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-45](crate::devices::GX5_45):
-        /// frame sensor.
+        /// [write](types::FunctionSelector::WRITE). On the [3DM-CX5-45](crate::devices::CX5_45):
+        /// frame sensor (inferred: the manual of the 3DM-GX5-45 states it). On the
+        /// [3DM-GX5-45](crate::devices::GX5_45): frame sensor.
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
@@ -797,19 +800,19 @@ constructors! {
     AntennaOffset
 
     /// Apply the new setting.
-    fn write(offset: impl Into<types::Vector3f>) -> Write;
+    fn write(offset: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -832,21 +835,22 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`EstimationControlResponse`].
-    /// Changes [`filter_data::GyroBias`](crate::filter_data::GyroBias),
+    /// Affects [`filter_data::GyroBias`](crate::filter_data::GyroBias),
     /// [`filter_data::AccelBias`](crate::filter_data::AccelBias),
     /// [`filter_data::GyroScaleFactor`](crate::filter_data::GyroScaleFactor),
     /// [`filter_data::AccelScaleFactor`](crate::filter_data::AccelScaleFactor),
     /// [`filter_data::AntennaOffsetCorrection`](crate::filter_data::AntennaOffsetCorrection),
     /// [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
-    /// [`filter_data::MagMatrix`](crate::filter_data::MagMatrix). Probably changes
+    /// [`filter_data::MagMatrix`](crate::filter_data::MagMatrix). Probably affects
     /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty),
     /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty),
     /// [`filter_data::GyroScaleFactorUncertainty`](crate::filter_data::GyroScaleFactorUncertainty),
     /// [`filter_data::AccelScaleFactorUncertainty`](crate::filter_data::AccelScaleFactorUncertainty),
     /// [`filter_data::AntennaOffsetCorrectionUncertainty`](crate::filter_data::AntennaOffsetCorrectionUncertainty),
     /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty) and
-    /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Supported
-    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Confirmed
+    /// on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed
+    /// on 13 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Copy, Eq, Hash)]
@@ -858,15 +862,14 @@ record! {
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-15](crate::devices::CX5_15),
         /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-15](crate::devices::GX5_15): only
+        /// [-25](crate::devices::GX4_25) and [3DM-GX5-15](crate::devices::GX5_15): only
         /// [`gyro_bias`](EstimatedStates::gyro_bias). On the [3DM-CV5-25](crate::devices::CV5_25),
         /// [3DM-CX5-25](crate::devices::CX5_25) and [3DM-GX5-25](crate::devices::GX5_25): only
         /// [`gyro_bias`](EstimatedStates::gyro_bias),
         /// [`auto_hard_iron`](EstimatedStates::auto_hard_iron) and
         /// [`auto_soft_iron`](EstimatedStates::auto_soft_iron). On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST): only
         /// [`gyro_bias`](EstimatedStates::gyro_bias), [`accel_bias`](EstimatedStates::accel_bias),
         /// [`gyro_scale_factor`](EstimatedStates::gyro_scale_factor),
         /// [`accel_scale_factor`](EstimatedStates::accel_scale_factor) and
@@ -883,19 +886,19 @@ constructors! {
     EstimationControl
 
     /// Apply the new setting.
-    fn write(flags: EstimatedStates) -> Write;
+    fn write(flags: EstimatedStates) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -918,13 +921,14 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssSourceResponse`]. Probably
-    /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// affects [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
     /// [`filter_data::GnssPositionAidingStatus`](crate::filter_data::GnssPositionAidingStatus).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 9 more.
     ///
     /// - A change while the filter is running may return it to initialization until the new source
     ///   provides data.
@@ -937,8 +941,14 @@ record! {
         /// Source of the GNSS data.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-GX5-45](crate::devices::GX5_45): only [`GnssAidingSource::ALL_INTERNAL`] and
-        /// [`GnssAidingSource::EXTERNAL`].
+        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): only [`GnssAidingSource::EXTERNAL`]. On the
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST): only
+        /// [`GnssAidingSource::ALL_INTERNAL`], [`GnssAidingSource::EXTERNAL`] and
+        /// [`GnssAidingSource::INTERNAL_1`]. On the [3DM-GX5-45](crate::devices::GX5_45): only
+        /// [`GnssAidingSource::ALL_INTERNAL`] and [`GnssAidingSource::EXTERNAL`].
         pub source: Option<GnssAidingSource>,
     }
     wire 2 {
@@ -951,19 +961,19 @@ constructors! {
     GnssSource
 
     /// Apply the new setting.
-    fn write(source: GnssAidingSource) -> Write;
+    fn write(source: GnssAidingSource) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -983,7 +993,8 @@ record! {
     ///
     /// Sends one position and velocity measurement from your own GNSS receiver to the filter.
     ///
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 5 more. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - Rejected unless [`GnssSource`] selects the external source.
     /// - The maximum rate depends on the device.
@@ -1060,8 +1071,9 @@ record! {
     ///
     /// Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 15 more.
     ///
     /// - Rejected unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
@@ -1075,8 +1087,7 @@ record! {
     pub struct ExternalHeadingUpdate {
         /// Heading relative to the north selected by `type`.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-        /// clockwise seen from above.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Standard deviation; the device rejects values out of range.
@@ -1122,12 +1133,13 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`HeadingSourceResponse`]. Changes
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`HeadingSourceResponse`]. Affects
     /// [`filter_data::HeadingUpdateState`](crate::filter_data::HeadingUpdateState). Probably
-    /// changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// affects [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
-    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 12 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Copy, Eq, Hash)]
@@ -1147,7 +1159,7 @@ record! {
         /// [3DM-GX4-45](crate::devices::GX4_45): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
         /// [`HeadingUpdateSource::EXTERNAL`]. On the [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only [`HeadingUpdateSource::NONE`],
+        /// [-45-ST](crate::devices::RQ1_45_ST): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::GNSS_VELOCITY`] and [`HeadingUpdateSource::EXTERNAL`].
         pub source: Option<HeadingUpdateSource>,
     }
@@ -1161,19 +1173,19 @@ constructors! {
     HeadingSource
 
     /// Apply the new setting.
-    fn write(source: HeadingUpdateSource) -> Write;
+    fn write(source: HeadingUpdateSource) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1196,8 +1208,9 @@ record! {
     /// Also called `auto_init_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`AutoInitializationControlResponse`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response: [`AutoInitializationControlResponse`]. Confirmed on
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 13 more.
     ///
     /// - Automatic initialization needs a valid heading source.
     ///
@@ -1221,19 +1234,19 @@ constructors! {
     AutoInitializationControl
 
     /// Apply the new setting.
-    fn write(enable: u8) -> Write;
+    fn write(enable: u8) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1257,13 +1270,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`AccelNoiseResponse`]. Probably
-    /// changes [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty),
+    /// affects [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty),
     /// [`filter_data::EcefPositionUncertainty`](crate::filter_data::EcefPositionUncertainty),
     /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty),
     /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty) and
-    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Confirmed
+    /// on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
+    /// and [-45](crate::devices::GX5_45); likely or assumed on 23 more.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1289,19 +1302,19 @@ constructors! {
     AccelNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) -> Write;
+    fn write(noise: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1324,11 +1337,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GyroNoiseResponse`]. Probably
-    /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty),
+    /// affects [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty),
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty)
-    /// and [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Confirmed
+    /// on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
+    /// and [-45](crate::devices::GX5_45); likely or assumed on 23 more.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1354,19 +1367,19 @@ constructors! {
     GyroNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) -> Write;
+    fn write(noise: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1389,10 +1402,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`AccelBiasModelResponse`]. Probably
-    /// changes [`filter_data::AccelBias`](crate::filter_data::AccelBias) and
-    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// affects [`filter_data::AccelBias`](crate::filter_data::AccelBias) and
+    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Confirmed
+    /// on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 9 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Copy)]
@@ -1420,19 +1433,19 @@ constructors! {
     AccelBiasModel
 
     /// Apply the new setting.
-    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) -> Write;
+    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1455,10 +1468,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GyroBiasModelResponse`]. Probably
-    /// changes [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
-    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
+    /// affects [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [-45](crate::devices::GX5_45); likely or assumed on 23 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -1487,19 +1500,19 @@ constructors! {
     GyroBiasModel
 
     /// Apply the new setting.
-    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) -> Write;
+    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1522,12 +1535,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`AutoZuptResponse`]. Probably
-    /// changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// affects [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
     /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty) and
     /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty).
-    /// Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Confirmed on [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 6 more. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
@@ -1558,19 +1572,19 @@ constructors! {
     AutoZupt
 
     /// Apply the new setting.
-    fn write(enable: u8, threshold: f32) -> Write;
+    fn write(enable: u8, threshold: f32) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1590,8 +1604,9 @@ record! {
     ///
     /// Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 15 more.
     ///
     /// - Better than [`ExternalHeadingUpdate`] if the heading changes quickly; the time must be
     ///   accurate.
@@ -1616,8 +1631,7 @@ record! {
         pub week_number: u16,
         /// Heading relative to the north selected by `type`.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-        /// clockwise seen from above.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Standard deviation; the device rejects values out of range.
@@ -1669,14 +1683,15 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`AutoAngularZuptResponse`]. Probably
-    /// changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// affects [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
-    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 19 more.
     ///
     /// - The update applies while the magnitude of the angular rate vector is at or below the
     ///   threshold.
@@ -1708,19 +1723,19 @@ constructors! {
     AutoAngularZupt
 
     /// Apply the new setting.
-    fn write(enable: u8, threshold: f32) -> Write;
+    fn write(enable: u8, threshold: f32) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1742,7 +1757,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`TareOrientationResponse`]. Changes
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`TareOrientationResponse`]. Affects
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
@@ -1754,8 +1769,9 @@ record! {
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate),
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
-    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Confirmed on
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [-45](crate::devices::GX5_45); likely or assumed on 11 more. On the
     /// [3DM-GX5-15](crate::devices::GX5_15): [write](types::FunctionSelector::WRITE),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
@@ -1786,19 +1802,19 @@ constructors! {
     TareOrientation
 
     /// Apply the new setting.
-    fn write(axes: TareAxes) -> Write;
+    fn write(axes: TareAxes) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1818,11 +1834,12 @@ record! {
     ///
     /// Informs the filter once that the device is at rest.
     ///
-    /// Probably changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// Probably affects [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
     /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty) and
     /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 5 more. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - The maximum rate depends on the device.
     ///
@@ -1852,13 +1869,14 @@ record! {
     ///
     /// Informs the filter once that the device is not rotating.
     ///
-    /// Probably changes
+    /// Probably affects
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
-    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Confirmed on
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 12 more.
     ///
     /// - At most 10 per second.
     ///
@@ -1892,9 +1910,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`ReferencePositionResponse`].
-    /// Changes [`filter_data::Wgs84GravityMagnitude`](crate::filter_data::Wgs84GravityMagnitude)
-    /// and [`filter_data::MagneticModel`](crate::filter_data::MagneticModel). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Affects [`filter_data::Wgs84GravityMagnitude`](crate::filter_data::Wgs84GravityMagnitude)
+    /// and [`filter_data::MagneticModel`](crate::filter_data::MagneticModel). Confirmed on
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 8 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Copy)]
@@ -1919,9 +1937,9 @@ record! {
         pub longitude: Option<f64>,
         /// Altitude of the reference position.
         ///
-        /// Unit: m. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// counts from the ellipsoid or from sea level. The manual does not state it; its glossary
-        /// counts altitudes from sea level.
+        /// Unit: m. Required for [write](types::FunctionSelector::WRITE). Uncertain: The reference,
+        /// ellipsoid or sea level, is inferred. The manual does not state it; its glossary counts
+        /// altitudes from sea level.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub altitude: Option<f64>,
     }
@@ -1943,19 +1961,19 @@ constructors! {
         latitude: f64,
         longitude: f64,
         altitude: f64,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1976,11 +1994,12 @@ record! {
     /// Moves the result of the automatic magnetometer calibration into the fixed calibration.
     ///
     /// Also called `mag_capture_auto_cal`. Functions: [write](types::FunctionSelector::WRITE) and
-    /// [save](types::FunctionSelector::SAVE). Changes
+    /// [save](types::FunctionSelector::SAVE). Affects
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
     /// [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
-    /// [`filter_data::MagMatrix`](crate::filter_data::MagMatrix). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// [`filter_data::MagMatrix`](crate::filter_data::MagMatrix). Confirmed on
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 4 more. Known only from the
+    /// MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// - A write combines the automatic calibration with
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
@@ -2003,10 +2022,10 @@ constructors! {
     MagCaptureAutoCalibration
 
     /// Apply the new setting.
-    fn write() -> Write;
+    fn write() -> WriteCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 }
 
 field! {
@@ -2027,11 +2046,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GravityNoiseResponse`]. Probably
-    /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
+    /// affects [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
     /// and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 16 more.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -2057,19 +2077,19 @@ constructors! {
     GravityNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) -> Write;
+    fn write(noise: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2092,9 +2112,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`PressureAltitudeNoiseResponse`].
-    /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
+    /// Probably affects [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
     /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 4 more. Known only
+    /// from the MicroStrain MIP SDK. Requires a pressure sensor.
     ///
     /// - With a small value, the altitude follows the pressure faster, but weather and draughts
     ///   appear as changes of height.
@@ -2120,19 +2141,19 @@ constructors! {
     PressureAltitudeNoise
 
     /// Apply the new setting.
-    fn write(noise: f32) -> Write;
+    fn write(noise: f32) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2155,9 +2176,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`HardIronOffsetNoiseResponse`].
-    /// Probably changes [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
-    /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty). Supported
-    /// by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Probably affects [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
+    /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty). Confirmed
+    /// on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 4 more. Known only from the
+    /// MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// Source: mip-sdk-4: Hard iron offset noise (0x0D,0x2B).
     #[derive(Copy)]
@@ -2180,19 +2202,19 @@ constructors! {
     HardIronOffsetNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) -> Write;
+    fn write(noise: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2215,9 +2237,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`SoftIronMatrixNoiseResponse`].
-    /// Probably changes [`filter_data::MagMatrix`](crate::filter_data::MagMatrix) and
-    /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Supported
-    /// by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Probably affects [`filter_data::MagMatrix`](crate::filter_data::MagMatrix) and
+    /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Confirmed
+    /// on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 4 more. Known only from the
+    /// MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// Source: mip-sdk-4: Soft iron matrix noise (0x0D,0x2C).
     #[derive(Copy)]
@@ -2240,19 +2263,19 @@ constructors! {
     SoftIronMatrixNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Matrix3f>) -> Write;
+    fn write(noise: impl Into<types::Matrix3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2275,13 +2298,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`EnableMeasurementsResponse`].
-    /// Probably changes
+    /// Probably affects
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 6 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
     #[derive(Copy, Eq, Hash)]
@@ -2291,6 +2314,7 @@ record! {
         /// Measurements to use.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-15](crate::devices::CX5_15) and
         /// [3DM-GX5-15](crate::devices::GX5_15): only [`accel`](MeasurementFlags::accel).
         pub control: Option<MeasurementFlags>,
     }
@@ -2304,19 +2328,19 @@ constructors! {
     EnableMeasurements
 
     /// Apply the new setting.
-    fn write(control: MeasurementFlags) -> Write;
+    fn write(control: MeasurementFlags) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2339,11 +2363,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`MagNoiseResponse`]. Probably
-    /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
+    /// affects [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
     /// and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
-    /// Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
+    /// Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 9 more. Known only
+    /// from the MicroStrain MIP SDK. Requires a magnetometer. Uncertain: The SDK calls it process
+    /// noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy)]
@@ -2366,19 +2391,19 @@ constructors! {
     MagNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) -> Write;
+    fn write(noise: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2401,13 +2426,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`MagneticDeclinationSourceResponse`]. Probably changes
+    /// [`MagneticDeclinationSourceResponse`]. Probably affects
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
-    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 14 more. Requires a magnetometer.
     ///
     /// - Without a good declination source, keep automatic magnetometer calibration off.
     ///
@@ -2420,18 +2445,17 @@ record! {
         /// Source of the declination.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR): only
-        /// [`MagParameterSource::NONE`] and [`MagParameterSource::MANUAL`]. On the
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS) and [3DM-GV7-AHRS](crate::devices::GV7_AHRS):
+        /// only [`MagParameterSource::NONE`] and [`MagParameterSource::MANUAL`]. On the
         /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only [`MagParameterSource::WMM`] and
         /// [`MagParameterSource::MANUAL`].
         pub source: Option<MagParameterSource>,
-        /// Declination; used only if `source` is manual.
+        /// Angle from true north to magnetic north; used only if `source` is manual.
         ///
-        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Required for
-        /// [write](types::FunctionSelector::WRITE). Uncertain: Whether it may be omitted if
-        /// `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
-        /// is, but state one length, with the value. Sending it always fits both.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north.
+        /// Required for [write](types::FunctionSelector::WRITE). Uncertain: The sign is the usual
+        /// one; no source states it. Uncertain: The manuals, that of the 3DM-GQ7 included, require
+        /// it only if `source` is manual, but state one length, with the value. Always send it.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub declination: Option<f32>,
     }
@@ -2446,19 +2470,19 @@ constructors! {
     MagneticDeclinationSource
 
     /// Apply the new setting.
-    fn write(source: MagParameterSource, declination: f32) -> Write;
+    fn write(source: MagParameterSource, declination: f32) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2481,13 +2505,14 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Probably changes
+    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Probably affects
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely
+    /// or assumed on 13 more.
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are omitted.
@@ -2505,10 +2530,10 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
-        /// [`AdaptiveMeasurementSelector::DISABLED`] and [`AdaptiveMeasurementSelector::FIXED`].
+        /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+        /// [-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [-45-ST](crate::devices::RQ1_45_ST): only [`AdaptiveMeasurementSelector::DISABLED`] and
+        /// [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cutoff frequency of the low-pass filter.
         ///
@@ -2557,19 +2582,19 @@ constructors! {
     AccelMagnitudeErrorAdaptiveMeasurement
 
     /// Apply the new setting.
-    fn write(adaptive_measurement: AdaptiveMeasurementSelector) -> Write;
+    fn write(adaptive_measurement: AdaptiveMeasurementSelector) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 setters! {
@@ -2602,15 +2627,16 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Probably changes
+    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Probably affects
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
-    /// Uncertain: Whether the parameters after the selector may be omitted on write, as those of
-    /// [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
+    /// Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 10 more. Known only
+    /// from the MicroStrain MIP SDK. Requires a magnetometer. Uncertain: The parameters after the
+    /// selector can possibly be omitted on write, like those of
+    /// [`AccelMagnitudeErrorAdaptiveMeasurement`].
     ///
     /// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     ///   determines the limits.
@@ -2626,9 +2652,8 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
+        /// [3DM-GX4-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST): only
         /// [`AdaptiveMeasurementSelector::DISABLED`] and [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cutoff frequency of the low-pass filter.
@@ -2638,37 +2663,37 @@ record! {
         pub frequency: Option<f32>,
         /// Lower limit of the magnetic field magnitude error.
         ///
-        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss
-        /// in the response.
+        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit
+        /// gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the
+        /// command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit: Option<f32>,
         /// Upper limit of the magnetic field magnitude error.
         ///
-        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss
-        /// in the response.
+        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit
+        /// gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the
+        /// command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
-        /// the command and gauss in the response.
+        /// Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the
+        /// 3DM-GX5-45 m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
-        /// the command and gauss in the response.
+        /// Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the
+        /// 3DM-GX5-45 m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
-        /// the command and gauss in the response.
+        /// Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the
+        /// 3DM-GX5-45 m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub minimum_uncertainty: Option<f32>,
     }
@@ -2696,19 +2721,19 @@ constructors! {
         low_limit_uncertainty: f32,
         high_limit_uncertainty: f32,
         minimum_uncertainty: f32,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2731,13 +2756,14 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Probably changes
+    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Probably affects
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 9 more. Known only
+    /// from the MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
     ///   [`MagMagnitudeErrorAdaptiveMeasurement`] is set to `auto`.
@@ -2760,20 +2786,20 @@ record! {
         pub frequency: Option<f32>,
         /// Upper limit of the dip angle error.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK states m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
+        /// Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
+        /// Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub minimum_uncertainty: Option<f32>,
     }
@@ -2797,19 +2823,19 @@ constructors! {
         high_limit: f32,
         high_limit_uncertainty: f32,
         minimum_uncertainty: f32,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2832,9 +2858,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`AltitudeAidingResponse`]. Probably
-    /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
+    /// affects [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
     /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 4 more. Known only
+    /// from the MicroStrain MIP SDK. Requires a pressure sensor.
     ///
     /// - GNSS remains the main source of altitude; the aid improves it and bridges outages.
     /// - Weather and location shift the pressure altitude, sometimes by more than 40 m.
@@ -2859,19 +2886,19 @@ constructors! {
     AltitudeAiding
 
     /// Apply the new setting.
-    fn write(selector: AltitudeAidingSource) -> Write;
+    fn write(selector: AltitudeAidingSource) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2894,12 +2921,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`PitchRollAidingResponse`]. Probably
-    /// changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// affects [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely
+    /// or assumed on 6 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Copy, Eq, Hash)]
@@ -2921,19 +2949,19 @@ constructors! {
     PitchRollAiding
 
     /// Apply the new setting.
-    fn write(aiding: PitchRollAidingSource) -> Write;
+    fn write(aiding: PitchRollAidingSource) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2956,11 +2984,11 @@ record! {
     /// Also called `inclination_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`MagneticInclinationSourceResponse`]. Probably changes
+    /// Response: [`MagneticInclinationSourceResponse`]. Probably affects
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
-    /// profile. Known only from the MicroStrain MIP SDK.
+    /// profile. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
@@ -2973,12 +3001,12 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub source: Option<MagParameterSource>,
-        /// Inclination; used only if `source` is manual.
+        /// Angle of the field below the horizontal plane; used only if `source` is manual.
         ///
-        /// Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Required for
-        /// [write](types::FunctionSelector::WRITE). Uncertain: Whether it may be left out if
-        /// `source` is not manual, as the manuals state for [`MagneticDeclinationSource`]. The SDK
-        /// always sends it.
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the
+        /// field points down. Required for [write](types::FunctionSelector::WRITE). Uncertain: The
+        /// sign is the usual one; no source states it. Uncertain: It can possibly be omitted if
+        /// `source` is not manual, as with [`MagneticDeclinationSource`]. The SDK always sends it.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub inclination: Option<f32>,
     }
@@ -2993,19 +3021,19 @@ constructors! {
     MagneticInclinationSource
 
     /// Apply the new setting.
-    fn write(source: MagParameterSource, inclination: f32) -> Write;
+    fn write(source: MagParameterSource, inclination: f32) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3029,11 +3057,11 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`MagneticMagnitudeSourceResponse`].
-    /// Probably changes
+    /// Probably affects
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
-    /// profile. Known only from the MicroStrain MIP SDK.
+    /// profile. Known only from the MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// - Without a good magnitude source, keep automatic magnetometer calibration off.
     /// - [`MagMagnitudeErrorAdaptiveMeasurement`] relies on it too.
@@ -3050,8 +3078,8 @@ record! {
         /// Magnitude; used only if `source` is manual.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: Whether it may be left out if `source` is not manual, as the manuals state
-        /// for [`MagneticDeclinationSource`]. The SDK always sends it.
+        /// Uncertain: It can possibly be omitted if `source` is not manual, as with
+        /// [`MagneticDeclinationSource`]. The SDK always sends it.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub magnitude: Option<f32>,
     }
@@ -3066,19 +3094,19 @@ constructors! {
     MagneticMagnitudeSource
 
     /// Apply the new setting.
-    fn write(source: MagParameterSource, magnitude: f32) -> Write;
+    fn write(source: MagParameterSource, magnitude: f32) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3101,7 +3129,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`SensorToVehicleRotationDcmResponse`]. Changes
+    /// [`SensorToVehicleRotationDcmResponse`]. Affects
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
@@ -3112,7 +3140,7 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
-    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably affects
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Not listed in any device profile.
     /// Known only from the MicroStrain MIP SDK.
     ///
@@ -3144,19 +3172,19 @@ constructors! {
     SensorToVehicleRotationDcm
 
     /// Apply the new setting.
-    fn write(dcm: impl Into<types::Matrix3f>) -> Write;
+    fn write(dcm: impl Into<types::Matrix3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3179,7 +3207,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`SensorToVehicleRotationQuaternionResponse`]. Changes
+    /// [`SensorToVehicleRotationQuaternionResponse`]. Affects
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
@@ -3190,7 +3218,7 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
-    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably affects
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Not listed in any device profile.
     /// Known only from the MicroStrain MIP SDK.
     ///
@@ -3221,19 +3249,19 @@ constructors! {
     SensorToVehicleRotationQuaternion
 
     /// Apply the new setting.
-    fn write(q: impl Into<types::Quatf>) -> Write;
+    fn write(q: impl Into<types::Quatf>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3256,10 +3284,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`AidingMeasurementEnableResponse`].
-    /// Changes
+    /// Affects
     /// [`filter_data::AidingMeasurementSummary`](crate::filter_data::AidingMeasurementSummary).
-    /// Probably changes filter_data (0x82). Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably affects filter_data (0x82). Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
+    /// assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Eq, Hash)]
@@ -3299,19 +3328,19 @@ constructors! {
     AidingMeasurementEnable
 
     /// Apply the new setting.
-    fn write(aiding_source: AidingSource, enable: bool) -> Write;
+    fn write(aiding_source: AidingSource, enable: bool) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(aiding_source: AidingSource) -> Read;
+    fn read(aiding_source: AidingSource) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(aiding_source: AidingSource) -> Save;
+    fn save(aiding_source: AidingSource) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(aiding_source: AidingSource) -> Load;
+    fn load(aiding_source: AidingSource) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(aiding_source: AidingSource) -> LoadDefault;
+    fn load_default(aiding_source: AidingSource) -> LoadDefaultCall;
 }
 
 field! {
@@ -3334,13 +3363,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`KinematicConstraintResponse`].
-    /// Probably changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// Probably affects [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
-    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether there are further
-    /// values. The SDK uses plain numbers and lists the values in comments.
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: There may be further values,
+    /// because the SDK uses plain numbers and lists values in comments only.
     ///
     /// Source: mip-sdk-4: Kinematic constraint (0x0D,0x51).
     #[derive(Copy, Eq, Hash)]
@@ -3379,19 +3408,19 @@ constructors! {
         accel_constraint: AccelConstraint,
         velocity_constraint: VelocityConstraint,
         angular_constraint: AngularConstraint,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3415,17 +3444,19 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`InitializationConfigResponse`].
-    /// Probably changes [`filter_data::Status`](crate::filter_data::Status),
+    /// Probably affects [`filter_data::Status`](crate::filter_data::Status),
     /// [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
-    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 2 more.
     ///
+    /// - The initial angles are in degrees, unlike those of [`SetInitialAttitude`], which are in
+    ///   radians.
     /// - Single precision resolves the latitude and longitude of the initial position to about a
     ///   metre only.
     /// - Kinematic alignment sets the heading once the speed reaches 2 m/s.
@@ -3454,19 +3485,22 @@ record! {
         /// [`dual_antenna`](HeadingAlignment::dual_antenna),
         /// [`kinematic`](HeadingAlignment::kinematic) and [`mag`](HeadingAlignment::mag).
         pub auto_heading_alignment_selector: Option<HeadingAlignment>,
-        /// Initial heading that your program provides.
+        /// Initial heading relative to true north.
         ///
-        /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: deg. Frame: ned. Positive: clockwise seen from above. Required for
+        /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub initial_heading: Option<f32>,
-        /// Initial pitch that your program provides.
+        /// Initial pitch angle.
         ///
-        /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: deg. Frame: ned. Positive: nose up. Required for
+        /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub initial_pitch: Option<f32>,
-        /// Initial roll that your program provides.
+        /// Initial roll angle.
         ///
-        /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: deg. Frame: ned. Positive: right side down. Required for
+        /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub initial_roll: Option<f32>,
         /// Initial position that your program provides.
@@ -3519,19 +3553,19 @@ constructors! {
         initial_position: impl Into<types::Vector3f>,
         initial_velocity: impl Into<types::Vector3f>,
         reference_frame_selector: ReferenceFrame,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3554,8 +3588,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`AdaptiveFilterOptionsResponse`].
-    /// Probably changes filter_data (0x82). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably affects filter_data (0x82). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 12 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
     #[derive(Copy, Eq, Hash)]
@@ -3584,19 +3618,19 @@ constructors! {
     AdaptiveFilterOptions
 
     /// Apply the new setting.
-    fn write(level: AdaptiveLevel, time_limit: u16) -> Write;
+    fn write(level: AdaptiveLevel, time_limit: u16) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3619,7 +3653,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`MultiAntennaOffsetResponse`].
-    /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// Probably affects [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
@@ -3628,7 +3662,8 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::MultiAntennaOffsetCorrection`](crate::filter_data::MultiAntennaOffsetCorrection)
     /// and [`filter_data::GnssDualAntennaStatus`](crate::filter_data::GnssDualAntennaStatus).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
+    /// Requires a receiver.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     #[derive(Copy)]
@@ -3639,7 +3674,7 @@ record! {
         ///
         /// Range: at least 1.
         pub receiver_id: Option<u8>,
-        /// Vector from the sensor to the antenna.
+        /// Lever arm from the sensor to the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -3656,19 +3691,19 @@ constructors! {
     MultiAntennaOffset
 
     /// Apply the new setting.
-    fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) -> Write;
+    fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(receiver_id: u8) -> Read;
+    fn read(receiver_id: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(receiver_id: u8) -> Save;
+    fn save(receiver_id: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(receiver_id: u8) -> Load;
+    fn load(receiver_id: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(receiver_id: u8) -> LoadDefault;
+    fn load_default(receiver_id: u8) -> LoadDefaultCall;
 }
 
 field! {
@@ -3691,9 +3726,9 @@ record! {
     /// Also called `rel_pos_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`RelativePositionConfigResponse`]. Changes
-    /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response: [`RelativePositionConfigResponse`]. Affects
+    /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 4 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
     #[derive(Copy)]
@@ -3734,19 +3769,19 @@ constructors! {
         source: RelativePositionSource,
         reference_frame_selector: ReferenceFrame,
         reference_coordinates: impl Into<types::Vector3d>,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3769,13 +3804,13 @@ record! {
     /// Also called `ref_point_lever_arm`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`ReferencePointLeverArmResponse`]. Changes
+    /// Response: [`ReferencePointLeverArmResponse`]. Affects
     /// [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
-    /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 4 more.
     ///
     /// - The shift in position depends on the attitude; the shift in velocity also depends on the
     ///   angular rate.
@@ -3789,7 +3824,7 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub reference_point: Option<ReferencePoint>,
-        /// Vector from the sensor to the point.
+        /// Lever arm from the sensor to the point.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -3806,19 +3841,19 @@ constructors! {
     ReferencePointLeverArm
 
     /// Apply the new setting.
-    fn write(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) -> Write;
+    fn write(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3853,12 +3888,12 @@ record! {
         pub source: u8,
         /// GPS time of week of the measurement.
         ///
-        /// Unit: s. Range: 0 to 604800. Uncertain: The unit; the SDK states none.
+        /// Unit: s. Range: 0 to 604800. Uncertain: The unit is inferred; the SDK states none.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
-        /// Speed, negative in reverse.
+        /// Speed along the x axis of the vehicle.
         ///
-        /// Unit: m/s. Frame: vehicle.
+        /// Unit: m/s. Frame: vehicle. Positive: forward.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub speed: f32,
         /// Standard deviation of the speed.
@@ -3910,10 +3945,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`SpeedLeverArmResponse`]. Probably
-    /// changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// affects [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
     /// [`filter_data::OdometerScaleFactorError`](crate::filter_data::OdometerScaleFactorError).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// - It corrects for the part of the speed at that point that is due to the rotation of the
     ///   vehicle.
@@ -3925,7 +3960,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Reserved: send 1.
         pub source: Option<u8>,
-        /// Vector from the sensor to the point of measurement.
+        /// Lever arm from the sensor to the point of measurement.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -3942,19 +3977,19 @@ constructors! {
     SpeedLeverArm
 
     /// Apply the new setting.
-    fn write(lever_arm_offset: impl Into<types::Vector3f>) -> Write, source: 1;
+    fn write(lever_arm_offset: impl Into<types::Vector3f>) -> WriteCall, source: 1;
 
     /// Return the current setting in a response.
-    fn read() -> Read, source: 1;
+    fn read() -> ReadCall, source: 1;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save, source: 1;
+    fn save() -> SaveCall, source: 1;
 
     /// Load the saved setting.
-    fn load() -> Load, source: 1;
+    fn load() -> LoadCall, source: 1;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault, source: 1;
+    fn load_default() -> LoadDefaultCall, source: 1;
 }
 
 field! {
@@ -3978,7 +4013,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`VerticalGyroConstraintControlResponse`]. Probably changes
+    /// [`VerticalGyroConstraintControlResponse`]. Probably affects
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
@@ -4006,19 +4041,19 @@ constructors! {
     VerticalGyroConstraintControl
 
     /// Apply the new setting.
-    fn write(enable: u8) -> Write;
+    fn write(enable: u8) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -4041,13 +4076,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`WheeledVehicleConstraintControlResponse`]. Probably changes
+    /// [`WheeledVehicleConstraintControlResponse`]. Probably affects
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
-    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// - It improves the heading of cars and similar vehicles, especially with intermittent GNSS.
     ///   Do not use it for vehicles that move sideways, such as aircraft.
@@ -4072,19 +4107,19 @@ constructors! {
     WheeledVehicleConstraintControl
 
     /// Apply the new setting.
-    fn write(enable: u8) -> Write;
+    fn write(enable: u8) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -4107,12 +4142,12 @@ record! {
     /// Also called `gnss_antenna_cal_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`GnssAntennaCalibrationControlResponse`]. Changes
+    /// Response: [`GnssAntennaCalibrationControlResponse`]. Affects
     /// [`filter_data::MultiAntennaOffsetCorrection`](crate::filter_data::MultiAntennaOffsetCorrection).
-    /// Probably changes
+    /// Probably affects
     /// [`filter_data::MultiAntennaOffsetCorrectionUncertainty`](crate::filter_data::MultiAntennaOffsetCorrectionUncertainty).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Requires a receiver.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
@@ -4143,19 +4178,19 @@ constructors! {
     GnssAntennaCalibrationControl
 
     /// Apply the new setting.
-    fn write(enable: u8, max_offset: f32) -> Write;
+    fn write(enable: u8, max_offset: f32) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -4173,8 +4208,8 @@ command! {
 record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
-    /// Response to [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Response to [`VehicleDynamicsMode`]. Confirmed on [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 6 more. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle dynamics mode (0x0D,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4205,25 +4240,26 @@ field! {
 record! {
     /// Sensor to vehicle frame transformation response (0x0D,0x81).
     ///
-    /// Response to [`SensorToVehicleRotationEuler`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`SensorToVehicleRotationEuler`]. Confirmed on
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 12 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Copy, Default)]
     pub struct SensorToVehicleRotationEulerResponse {
-        /// Roll angle.
+        /// Roll angle of the vehicle relative to the sensor.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Frame: sensor. Positive: right side down.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
-        /// Pitch angle.
+        /// Pitch angle of the vehicle relative to the sensor.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Frame: sensor. Positive: nose up.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch: f32,
-        /// Yaw angle.
+        /// Yaw angle of the vehicle relative to the sensor.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Frame: sensor. Positive: clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
     }
@@ -4256,8 +4292,8 @@ field! {
 record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
-    /// Response to [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Response to [`SensorToVehicleOffset`]. Confirmed on [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 6 more. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor to vehicle offset (0x0D,0x12).
     #[derive(Copy, Default)]
@@ -4290,9 +4326,9 @@ field! {
 record! {
     /// GNSS antenna offset response (0x0D,0x83).
     ///
-    /// Response to [`AntennaOffset`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`AntennaOffset`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Copy, Default)]
@@ -4300,7 +4336,8 @@ record! {
         /// Vector from the sensor origin to the phase centre of the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the
-        /// [3DM-GX5-45](crate::devices::GX5_45): frame sensor.
+        /// [3DM-CX5-45](crate::devices::CX5_45): frame sensor (inferred: the manual of the
+        /// 3DM-GX5-45 states it). On the [3DM-GX5-45](crate::devices::GX5_45): frame sensor.
         pub offset: types::Vector3f,
     }
 }
@@ -4326,8 +4363,8 @@ field! {
 record! {
     /// Estimation control flags response (0x0D,0x84).
     ///
-    /// Response to [`EstimationControl`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`EstimationControl`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [-45](crate::devices::GX5_45); likely or assumed on 13 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4358,8 +4395,9 @@ field! {
 record! {
     /// GNSS aiding source response (0x0D,0x86).
     ///
-    /// Response to [`GnssSource`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`GnssSource`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 9 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4390,8 +4428,8 @@ field! {
 record! {
     /// Heading update control response (0x0D,0x87).
     ///
-    /// Response to [`HeadingSource`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`HeadingSource`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [-45](crate::devices::GX5_45); likely or assumed on 12 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4423,7 +4461,8 @@ record! {
     /// Automatic initialization response (0x0D,0x88).
     ///
     /// Also called `auto_init_control_response`. Response to [`AutoInitializationControl`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely
+    /// or assumed on 13 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4456,8 +4495,9 @@ field! {
 record! {
     /// Accelerometer noise response (0x0D,0x89).
     ///
-    /// Response to [`AccelNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`AccelNoise`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 23 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
@@ -4491,8 +4531,9 @@ field! {
 record! {
     /// Gyroscope noise response (0x0D,0x8A).
     ///
-    /// Response to [`GyroNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`GyroNoise`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 23 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
@@ -4526,8 +4567,9 @@ field! {
 record! {
     /// Accelerometer bias model response (0x0D,0x8B).
     ///
-    /// Response to [`AccelBiasModel`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`AccelBiasModel`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 9 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Copy, Default)]
@@ -4565,9 +4607,9 @@ field! {
 record! {
     /// Gyroscope bias model response (0x0D,0x8C).
     ///
-    /// Response to [`GyroBiasModel`]. Supported by
+    /// Response to [`GyroBiasModel`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [-45](crate::devices::GX5_45); likely or assumed on 23 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -4606,8 +4648,9 @@ field! {
 record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
-    /// Response to [`AutoZupt`]. Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Response to [`AutoZupt`]. Confirmed on [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 6 more. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     #[derive(Copy, Default)]
@@ -4646,10 +4689,11 @@ field! {
 record! {
     /// Zero angular rate update response (0x0D,0x8E).
     ///
-    /// Response to [`AutoAngularZupt`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`AutoAngularZupt`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 19 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
@@ -4689,7 +4733,8 @@ field! {
 record! {
     /// Set reference position response (0x0D,0x90).
     ///
-    /// Response to [`ReferencePosition`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Response to [`ReferencePosition`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15); likely
+    /// or assumed on 8 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Copy, Default)]
@@ -4710,8 +4755,8 @@ record! {
         pub longitude: f64,
         /// Altitude of the reference position.
         ///
-        /// Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The manual
-        /// does not state it; its glossary counts altitudes from sea level.
+        /// Unit: m. Uncertain: The reference, ellipsoid or sea level, is inferred. The manual does
+        /// not state it; its glossary counts altitudes from sea level.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub altitude: f64,
     }
@@ -4746,8 +4791,9 @@ field! {
 record! {
     /// Gravity noise response (0x0D,0x93).
     ///
-    /// Response to [`GravityNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`GravityNoise`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 16 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
@@ -4781,8 +4827,8 @@ field! {
 record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
-    /// Response to [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Response to [`PressureAltitudeNoise`]. Confirmed on [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 4 more. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Pressure altitude noise (0x0D,0x29).
     #[derive(Copy, Default)]
@@ -4816,8 +4862,8 @@ field! {
 record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
-    /// Response to [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Response to [`HardIronOffsetNoise`]. Confirmed on [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 4 more. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard iron offset noise (0x0D,0x2B).
     #[derive(Copy, Default)]
@@ -4850,8 +4896,8 @@ field! {
 record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
-    /// Response to [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Response to [`SoftIronMatrixNoise`]. Confirmed on [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 4 more. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft iron matrix noise (0x0D,0x2C).
     #[derive(Copy, Default)]
@@ -4884,9 +4930,9 @@ field! {
 record! {
     /// Tare orientation response (0x0D,0xA1).
     ///
-    /// No device is known for certain to support it. Response to [`TareOrientation`]. Uncertain:
-    /// Which devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and
-    /// 3DM-GX5-45 have neither the read function nor the response.
+    /// Response to [`TareOrientation`]. Confirmed on [3DM-CX5-25](crate::devices::CX5_25); likely
+    /// or assumed on 11 more. Uncertain: The SDK reads the setting back; the manuals of the
+    /// 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare orientation
     /// (0x0D,0x21).
@@ -4918,7 +4964,8 @@ field! {
 record! {
     /// Enable or disable measurements response (0x0D,0xB0).
     ///
-    /// Response to [`EnableMeasurements`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Response to [`EnableMeasurements`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15);
+    /// likely or assumed on 6 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4949,8 +4996,8 @@ field! {
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Response to [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from
-    /// the MicroStrain MIP SDK.
+    /// Response to [`MagNoise`]. Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 9 more. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy, Default)]
@@ -4983,10 +5030,10 @@ field! {
 record! {
     /// Magnetic declination source response (0x0D,0xB2).
     ///
-    /// Response to [`MagneticDeclinationSource`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`MagneticDeclinationSource`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 14 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43); 3dm-gq7:
     /// Magnetic Field Declination Source Control (0x0D,0x43).
@@ -4994,11 +5041,12 @@ record! {
     pub struct MagneticDeclinationSourceResponse {
         /// Source of the declination.
         pub source: MagParameterSource,
-        /// Declination; used only if `source` is manual.
+        /// Angle from true north to magnetic north; used only if `source` is manual.
         ///
-        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Uncertain: Whether it may be
-        /// omitted if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it
-        /// only if it is, but state one length, with the value. Sending it always fits both.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north.
+        /// Uncertain: The sign is the usual one; no source states it. Uncertain: The manuals, that
+        /// of the 3DM-GQ7 included, require it only if `source` is manual, but state one length,
+        /// with the value. Always send it.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub declination: f32,
     }
@@ -5026,8 +5074,9 @@ field! {
 record! {
     /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
     ///
-    /// Response to [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`AccelMagnitudeErrorAdaptiveMeasurement`]. Confirmed on
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 13 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
     #[derive(Copy, Default)]
@@ -5102,8 +5151,9 @@ field! {
 record! {
     /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
     ///
-    /// Response to [`MagMagnitudeErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Response to [`MagMagnitudeErrorAdaptiveMeasurement`]. Confirmed on
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 10 more. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
     #[derive(Copy, Default)]
@@ -5117,32 +5167,32 @@ record! {
         pub frequency: f32,
         /// Lower limit of the magnetic field magnitude error.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-        /// states m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of
+        /// the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit: f32,
         /// Upper limit of the magnetic field magnitude error.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-        /// states m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of
+        /// the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual of
-        /// the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states
+        /// m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual of
-        /// the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states
+        /// m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual of
-        /// the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states
+        /// m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub minimum_uncertainty: f32,
     }
@@ -5183,8 +5233,9 @@ field! {
 record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
-    /// Response to [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Response to [`MagDipAngleErrorAdaptiveMeasurement`]. Confirmed on
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 9 more. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Copy, Default)]
@@ -5198,19 +5249,20 @@ record! {
         pub frequency: f32,
         /// Upper limit of the dip angle error.
         ///
-        /// Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the
+        /// SDK states m/s^2.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; rad is inferred
-        /// from the quantity.
+        /// Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the
+        /// SDK states m/s^2.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; rad is inferred
-        /// from the quantity.
+        /// Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the
+        /// SDK states m/s^2.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub minimum_uncertainty: f32,
     }
@@ -5247,8 +5299,8 @@ field! {
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Response to [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Response to [`AltitudeAiding`]. Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 4 more. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Altitude aiding (0x0D,0x47).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5279,8 +5331,8 @@ field! {
 record! {
     /// Pitch and roll aiding response (0x0D,0xBB).
     ///
-    /// Response to [`PitchRollAiding`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`PitchRollAiding`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [-45](crate::devices::GX5_45); likely or assumed on 6 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5319,10 +5371,11 @@ record! {
     pub struct MagneticInclinationSourceResponse {
         /// Source of the inclination.
         pub source: MagParameterSource,
-        /// Inclination; used only if `source` is manual.
+        /// Angle of the field below the horizontal plane; used only if `source` is manual.
         ///
-        /// Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Uncertain: Whether it may
-        /// be left out if `source` is not manual, as the manuals state for
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the
+        /// field points down. Uncertain: The sign is the usual one; no source states it. Uncertain:
+        /// It can possibly be omitted if `source` is not manual, as with
         /// [`MagneticDeclinationSource`]. The SDK always sends it.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination: f32,
@@ -5361,8 +5414,8 @@ record! {
         pub source: MagParameterSource,
         /// Magnitude; used only if `source` is manual.
         ///
-        /// Unit: gauss. Range: at least 0. Uncertain: Whether it may be left out if `source` is not
-        /// manual, as the manuals state for [`MagneticDeclinationSource`]. The SDK always sends it.
+        /// Unit: gauss. Range: at least 0. Uncertain: It can possibly be omitted if `source` is not
+        /// manual, as with [`MagneticDeclinationSource`]. The SDK always sends it.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub magnitude: f32,
     }
@@ -5456,9 +5509,9 @@ field! {
 record! {
     /// Aiding measurement control response (0x0D,0xD0).
     ///
-    /// Response to [`AidingMeasurementEnable`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`AidingMeasurementEnable`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5540,8 +5593,9 @@ record! {
     /// Navigation filter initialization response (0x0D,0xD2).
     ///
     /// Also called `initialization_configuration_response`. Response to [`InitializationConfig`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or
+    /// assumed on 2 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Copy, Default)]
@@ -5554,19 +5608,19 @@ record! {
         pub initial_condition_source: InitialConditionSource,
         /// Methods that may be used to determine the initial heading.
         pub auto_heading_alignment_selector: HeadingAlignment,
-        /// Initial heading that your program provides.
+        /// Initial heading relative to true north.
         ///
-        /// Unit: deg.
+        /// Unit: deg. Frame: ned. Positive: clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub initial_heading: f32,
-        /// Initial pitch that your program provides.
+        /// Initial pitch angle.
         ///
-        /// Unit: deg.
+        /// Unit: deg. Frame: ned. Positive: nose up.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub initial_pitch: f32,
-        /// Initial roll that your program provides.
+        /// Initial roll angle.
         ///
-        /// Unit: deg.
+        /// Unit: deg. Frame: ned. Positive: right side down.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub initial_roll: f32,
         /// Initial position that your program provides.
@@ -5630,8 +5684,8 @@ field! {
 record! {
     /// Adaptive filter control response (0x0D,0xD3).
     ///
-    /// Response to [`AdaptiveFilterOptions`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`AdaptiveFilterOptions`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 12 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5669,8 +5723,8 @@ field! {
 record! {
     /// GNSS multi-antenna offset response (0x0D,0xD4).
     ///
-    /// Response to [`MultiAntennaOffset`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`MultiAntennaOffset`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     #[derive(Copy, Default)]
@@ -5679,7 +5733,7 @@ record! {
         ///
         /// Range: at least 1.
         pub receiver_id: u8,
-        /// Vector from the sensor to the antenna.
+        /// Lever arm from the sensor to the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub antenna_offset: types::Vector3f,
@@ -5709,7 +5763,7 @@ record! {
     /// Relative position configuration response (0x0D,0xD5).
     ///
     /// Also called `rel_pos_configuration_response`. Response to [`RelativePositionConfig`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 4 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
     #[derive(Copy, Default)]
@@ -5758,14 +5812,14 @@ record! {
     /// Reference point lever arm response (0x0D,0xD6).
     ///
     /// Also called `ref_point_lever_arm_response`. Response to [`ReferencePointLeverArm`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 4 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy, Default)]
     pub struct ReferencePointLeverArmResponse {
-        /// Point whose lever arm follows.
+        /// Point to which the lever arm leads.
         pub reference_point: ReferencePoint,
-        /// Vector from the sensor to the point.
+        /// Lever arm from the sensor to the point.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub lever_arm_offset: types::Vector3f,
@@ -5794,15 +5848,15 @@ field! {
 record! {
     /// Speed measurement lever arm response (0x0D,0xE1).
     ///
-    /// Response to [`SpeedLeverArm`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`SpeedLeverArm`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
     #[derive(Copy)]
     pub struct SpeedLeverArmResponse {
         /// Reserved.
         pub source: u8,
-        /// Vector from the sensor to the point of measurement.
+        /// Lever arm from the sensor to the point of measurement.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle.
         pub lever_arm_offset: types::Vector3f,
@@ -5874,8 +5928,8 @@ field! {
 record! {
     /// Wheeled vehicle constraint response (0x0D,0xE3).
     ///
-    /// Response to [`WheeledVehicleConstraintControl`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`WheeledVehicleConstraintControl`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
     #[derive(Copy, Default, Eq, Hash)]

@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const FILTER_DATA_SET: u8 = 0x82;
+pub const SET: u8 = 0x82;
 
 bitfield! {
     /// Validity of the values of a field.
@@ -28,10 +28,10 @@ bitfield! {
     /// Source: 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14); 3dm-gx5-45: 5.3.27
     /// Heading Update Source State (0x82, 0x14).
     HeadingSourceFlags: u16 {
-        /// The magnetometer. Bit 0.
+        /// The magnetometer. Bit 0. Requires a magnetometer.
         MAG: bool = 0,
             mag, set_mag, with_mag;
-        /// The velocity that the GNSS receiver measures. Bit 1.
+        /// The velocity that the GNSS receiver measures. Bit 1. Requires a receiver.
         GNSS_VELOCITY: bool = 1,
             gnss_velocity, set_gnss_velocity, with_gnss_velocity;
         /// Heading messages that your program sends. Bit 2.
@@ -235,6 +235,9 @@ open_enum! {
         AUTOMOTIVE = 2, "automotive";
         /// Aircraft.
         AIRBORNE = 3, "airborne";
+        /// Aircraft with high acceleration. Uncertain: The manual of the 3DM-GX5-15 lists 1 to 3;
+        /// [`filter::VehicleDynamicsMode`](crate::filter::VehicleDynamicsMode) sets 4, too.
+        AIRBORNE_HIGH_G = 4, "airborne_high_g";
     }
 }
 
@@ -247,71 +250,95 @@ open_enum! {
 }
 
 bitfield! {
-    /// Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`,
-    /// the others while the filter runs.
+    /// Problems of the filter of a 5-series device; their meaning depends on the state of the
+    /// filter.
     ///
     /// Source: 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10); 3dm-cv7-gnss-ins: Status (0x82,0x10).
     Gx5StatusFlags: u16 {
-        /// No inertial data. Bit 0. Concerns [`sensor::ScaledAccel`](crate::sensor::ScaledAccel)
-        /// and [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+        /// No inertial data. Bit 0. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`sensor::ScaledAccel`](crate::sensor::ScaledAccel) and
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         RUN_IMU_UNAVAILABLE: bool = 0,
             run_imu_unavailable, set_run_imu_unavailable, with_run_imu_unavailable;
-        /// No GNSS data; only on models with GNSS. Bit 1. Concerns [`LlhPosition`] and
-        /// [`NedVelocity`].
+        /// No GNSS data; only on models with GNSS. Bit 1. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`LlhPosition`] and [`NedVelocity`].
         RUN_GPS_UNAVAILABLE: bool = 1,
             run_gps_unavailable, set_run_gps_unavailable, with_run_gps_unavailable;
-        /// A matrix in the computation is singular. Bit 3. Concerns
-        /// [`filter::Reset`](crate::filter::Reset).
+        /// A matrix in the computation is singular. Bit 3. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`filter::Reset`](crate::filter::Reset).
         RUN_MATRIX_SINGULARITY: bool = 3,
             run_matrix_singularity, set_run_matrix_singularity, with_run_matrix_singularity;
-        /// A position covariance is above its normal limit. Bit 4. Concerns [`LlhPosition`] and
-        /// [`LlhPositionUncertainty`].
+        /// A position covariance is above its normal limit. Bit 4. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`LlhPosition`] and [`LlhPositionUncertainty`].
         RUN_POSITION_COVARIANCE_WARNING: bool = 4,
             run_position_covariance_warning, set_run_position_covariance_warning, with_run_position_covariance_warning;
-        /// A velocity covariance is above its normal limit. Bit 5. Concerns [`NedVelocity`] and
-        /// [`NedVelocityUncertainty`].
+        /// A velocity covariance is above its normal limit. Bit 5. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`NedVelocity`] and [`NedVelocityUncertainty`].
         RUN_VELOCITY_COVARIANCE_WARNING: bool = 5,
             run_velocity_covariance_warning, set_run_velocity_covariance_warning, with_run_velocity_covariance_warning;
-        /// An attitude covariance is above its normal limit. Bit 6. Concerns [`EulerAngles`] and
-        /// [`EulerAnglesUncertainty`].
+        /// An attitude covariance is above its normal limit. Bit 6. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`EulerAngles`] and [`EulerAnglesUncertainty`].
         RUN_ATTITUDE_COVARIANCE_WARNING: bool = 6,
             run_attitude_covariance_warning, set_run_attitude_covariance_warning, with_run_attitude_covariance_warning;
-        /// The solution contains NaN values. Bit 7. Concerns
-        /// [`filter::Reset`](crate::filter::Reset).
+        /// The solution contains NaN values. Bit 7. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`filter::Reset`](crate::filter::Reset).
         RUN_NAN_IN_SOLUTION_WARNING: bool = 7,
             run_nan_in_solution_warning, set_run_nan_in_solution_warning, with_run_nan_in_solution_warning;
-        /// The estimated gyroscope bias is high. Bit 8. Concerns [`GyroBias`].
+        /// The estimated gyroscope bias is high. Bit 8. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`GyroBias`].
         RUN_GYRO_BIAS_EST_HIGH_WARNING: bool = 8,
             run_gyro_bias_est_high_warning, set_run_gyro_bias_est_high_warning, with_run_gyro_bias_est_high_warning;
-        /// The estimated accelerometer bias is high. Bit 9. Concerns [`AccelBias`].
+        /// The estimated accelerometer bias is high. Bit 9. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`AccelBias`].
         RUN_ACCEL_BIAS_EST_HIGH_WARNING: bool = 9,
             run_accel_bias_est_high_warning, set_run_accel_bias_est_high_warning, with_run_accel_bias_est_high_warning;
-        /// The estimated gyroscope scale factor is high. Bit 10. Concerns [`GyroScaleFactor`].
+        /// The estimated gyroscope scale factor is high. Bit 10. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`GyroScaleFactor`].
         RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING: bool = 10,
             run_gyro_scale_factor_est_high_warning, set_run_gyro_scale_factor_est_high_warning, with_run_gyro_scale_factor_est_high_warning;
-        /// The estimated accelerometer scale factor is high. Bit 11. Concerns [`AccelScaleFactor`].
+        /// The estimated accelerometer scale factor is high. Bit 11. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`AccelScaleFactor`].
         RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING: bool = 11,
             run_accel_scale_factor_est_high_warning, set_run_accel_scale_factor_est_high_warning, with_run_accel_scale_factor_est_high_warning;
-        /// The estimated magnetometer bias is high. Bit 12. Concerns [`MagBias`].
+        /// The estimated magnetometer bias is high. Bit 12. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`MagBias`].
         RUN_MAG_BIAS_EST_HIGH_WARNING: bool = 12,
             run_mag_bias_est_high_warning, set_run_mag_bias_est_high_warning, with_run_mag_bias_est_high_warning;
         /// The estimated correction of the antenna offset is high; on models with GNSS. Bit 13.
-        /// Concerns [`AntennaOffsetCorrection`] and
+        /// Only while `filter_state` is [`Gx5FilterState::RUN_SOLUTION_VALID`] or
+        /// [`Gx5FilterState::RUN_SOLUTION_ERROR`]. Affects [`AntennaOffsetCorrection`] and
         /// [`filter::AntennaOffset`](crate::filter::AntennaOffset).
         RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13,
             run_antenna_offset_correction_est_high_warning, set_run_antenna_offset_correction_est_high_warning, with_run_antenna_offset_correction_est_high_warning;
-        /// The estimated hard-iron offset is high. Bit 14. Concerns [`MagOffset`].
+        /// The estimated hard-iron offset is high. Bit 14. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`MagOffset`].
         RUN_MAG_HARD_IRON_EST_HIGH_WARNING: bool = 14,
             run_mag_hard_iron_est_high_warning, set_run_mag_hard_iron_est_high_warning, with_run_mag_hard_iron_est_high_warning;
-        /// The estimated soft-iron correction is high. Bit 15. Concerns [`MagMatrix`].
+        /// The estimated soft-iron correction is high. Bit 15. Only while `filter_state` is
+        /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
+        /// Affects [`MagMatrix`].
         RUN_MAG_SOFT_IRON_EST_HIGH_WARNING: bool = 15,
             run_mag_soft_iron_est_high_warning, set_run_mag_soft_iron_est_high_warning, with_run_mag_soft_iron_est_high_warning;
-        /// The attitude is not initialized. Bit 12. Overlaps other bits. Concerns
-        /// [`AttitudeQuaternion`], [`AttitudeDcm`] and [`EulerAngles`].
+        /// The attitude is not initialized. Bit 12. Overlaps other bits. Only while `filter_state`
+        /// is [`Gx5FilterState::INIT`]. Affects [`AttitudeQuaternion`], [`AttitudeDcm`] and
+        /// [`EulerAngles`].
         INIT_NO_ATTITUDE: bool = 12,
             init_no_attitude, set_init_no_attitude, with_init_no_attitude;
-        /// Position and velocity are not initialized. Bit 13. Overlaps other bits. Concerns
-        /// [`LlhPosition`] and [`NedVelocity`].
+        /// Position and velocity are not initialized. Bit 13. Overlaps other bits. Only while
+        /// `filter_state` is [`Gx5FilterState::INIT`]. Affects [`LlhPosition`] and [`NedVelocity`].
         INIT_NO_POSITION_VELOCITY: bool = 13,
             init_no_position_velocity, set_init_no_position_velocity, with_init_no_position_velocity;
     }
@@ -341,46 +368,46 @@ bitfield! {
         /// Convergence of the estimates. Bits 0 to 1. A value of [`FilterCondition`].
         FILTER_CONDITION: FilterCondition = 0..=1,
             filter_condition, set_filter_condition, with_filter_condition;
-        /// Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns
+        /// Roll and pitch are doubtful; check the mounting transformation. Bit 2. Affects
         /// [`AttitudeQuaternion`], [`AttitudeDcm`] and [`EulerAngles`].
         ROLL_PITCH_WARNING: bool = 2,
             roll_pitch_warning, set_roll_pitch_warning, with_roll_pitch_warning;
-        /// The heading is doubtful; check the heading source. Bit 3. Concerns
+        /// The heading is doubtful; check the heading source. Bit 3. Affects
         /// [`AttitudeQuaternion`], [`AttitudeDcm`] and [`EulerAngles`].
         HEADING_WARNING: bool = 3,
             heading_warning, set_heading_warning, with_heading_warning;
-        /// The position is doubtful; check the GNSS reception and antennas. Bit 4. Concerns
+        /// The position is doubtful; check the GNSS reception and antennas. Bit 4. Affects
         /// [`LlhPosition`], [`EcefPosition`] and [`NedRelativePosition`].
         POSITION_WARNING: bool = 4,
             position_warning, set_position_warning, with_position_warning;
-        /// The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Concerns
+        /// The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Affects
         /// [`NedVelocity`] and [`EcefVelocity`].
         VELOCITY_WARNING: bool = 5,
             velocity_warning, set_velocity_warning, with_velocity_warning;
-        /// The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Concerns
+        /// The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Affects
         /// [`AccelBias`], [`GyroBias`] and
         /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias).
         IMU_BIAS_WARNING: bool = 6,
             imu_bias_warning, set_imu_bias_warning, with_imu_bias_warning;
-        /// The GNSS clock is doubtful; navigation continues. Bit 7. Concerns [`Timestamp`] and
+        /// The GNSS clock is doubtful; navigation continues. Bit 7. Affects [`Timestamp`] and
         /// [`ClockCorrection`].
         GNSS_CLOCK_WARNING: bool = 7,
             gnss_clock_warning, set_gnss_clock_warning, with_gnss_clock_warning;
-        /// The antenna offsets are probably wrong. Bit 8. Concerns [`MultiAntennaOffsetCorrection`]
+        /// The antenna offsets are probably wrong. Bit 8. Affects [`MultiAntennaOffsetCorrection`]
         /// and [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset).
         ANTENNA_LEVER_ARM_WARNING: bool = 8,
             antenna_lever_arm_warning, set_antenna_lever_arm_warning, with_antenna_lever_arm_warning;
-        /// The mounting transformation is probably wrong. Bit 9. Concerns
+        /// The mounting transformation is probably wrong. Bit 9. Affects
         /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler)
         /// and
         /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm).
         MOUNTING_TRANSFORM_WARNING: bool = 9,
             mounting_transform_warning, set_mounting_transform_warning, with_mounting_transform_warning;
         /// No pulse per second is detected, or the time of an external heading is too old. Bit 10.
-        /// Concerns [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl).
+        /// Affects [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl).
         TIME_SYNC_WARNING: bool = 10,
             time_sync_warning, set_time_sync_warning, with_time_sync_warning;
-        /// Not 0 if the solution contains NaN values; reset the filter. Bits 12 to 15. Concerns
+        /// Not 0 if the solution contains NaN values; reset the filter. Bits 12 to 15. Affects
         /// [`filter::Reset`](crate::filter::Reset).
         SOLUTION_ERROR: u8 = 12..=15,
             solution_error, set_solution_error, with_solution_error;
@@ -392,8 +419,8 @@ record! {
     ///
     /// Estimated position as latitude, longitude and height.
     ///
-    /// Also called `position_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Also called `position_llh`. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
     #[derive(Copy, Default)]
@@ -440,6 +467,13 @@ constructors! {
     );
 }
 
+valid! {
+    LlhPosition
+    latitude_is_valid "latitude": valid_flags 0x1;
+    longitude_is_valid "longitude": valid_flags 0x1;
+    ellipsoid_height_is_valid "ellipsoid_height": valid_flags 0x1;
+}
+
 field! {
     LlhPosition: 0x01, "filter_data.llh_position";
     in [0x82];
@@ -450,8 +484,8 @@ record! {
     ///
     /// Estimated velocity in the NED frame.
     ///
-    /// Also called `velocity_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Also called `velocity_ned`. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02).
     #[derive(Copy, Default)]
@@ -499,6 +533,13 @@ constructors! {
     );
 }
 
+valid! {
+    NedVelocity
+    north_is_valid "north": valid_flags 0x1;
+    east_is_valid "east": valid_flags 0x1;
+    down_is_valid "down": valid_flags 0x1;
+}
+
 field! {
     NedVelocity: 0x02, "filter_data.ned_velocity";
     in [0x82];
@@ -509,17 +550,18 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more.
     ///
-    /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
+    /// - `v_ned = q * v_vehicle * q^-1`
+    /// - The 3DM-GX5-15 manual documents the inverse rotation, which is taken for a misprint.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03); 3dm-gx5-15: 5.2.3 Orientation,
     /// Quaternion (0x82, 0x03).
     #[derive(Copy, Default)]
     pub struct AttitudeQuaternion {
-        /// Quaternion, scalar part first.
+        /// Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first.
         ///
         /// Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -542,6 +584,11 @@ constructors! {
     fn new(q: impl Into<types::Quatf>, valid_flags: ValidFlags);
 }
 
+valid! {
+    AttitudeQuaternion
+    q_is_valid "q": valid_flags 0x1;
+}
+
 field! {
     AttitudeQuaternion: 0x03, "filter_data.attitude_quaternion";
     in [0x82];
@@ -552,9 +599,9 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [-45](crate::devices::GX5_45); likely or assumed on 17 more.
     ///
     /// - The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     ///   v_ned`.
@@ -587,6 +634,11 @@ constructors! {
     fn new(dcm: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    AttitudeDcm
+    dcm_is_valid "dcm": valid_flags 0x1;
+}
+
 field! {
     AttitudeDcm: 0x04, "filter_data.attitude_dcm";
     in [0x82];
@@ -597,10 +649,10 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
-    /// The ranges of the angles. Uncertain: which no source states.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 20 more. Uncertain: The ranges of the angles are inferred; no source states them.
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
     ///
@@ -610,9 +662,8 @@ record! {
     pub struct EulerAngles {
         /// Rotation about the x axis of the vehicle.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
-        /// level: 0. Positive: right side down. Valid if [`valid_flags.valid`](ValidFlags::valid)
-        /// is set.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side
+        /// down. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
         /// Rotation about the y axis.
@@ -623,8 +674,8 @@ record! {
         pub pitch: f32,
         /// Rotation about the z axis: the heading.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-        /// clockwise seen from above. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
         /// Validity of the values of a field.
@@ -652,6 +703,13 @@ constructors! {
     );
 }
 
+valid! {
+    EulerAngles
+    roll_is_valid "roll": valid_flags 0x1;
+    pitch_is_valid "pitch": valid_flags 0x1;
+    yaw_is_valid "yaw": valid_flags 0x1;
+}
+
 field! {
     EulerAngles: 0x05, "filter_data.euler_angles";
     in [0x82];
@@ -662,8 +720,9 @@ record! {
     ///
     /// Estimated bias of the gyroscope.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15); likely
+    /// or assumed on 18 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
     #[derive(Copy, Default)]
@@ -691,6 +750,11 @@ constructors! {
     fn new(bias: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    GyroBias
+    bias_is_valid "bias": valid_flags 0x1;
+}
+
 field! {
     GyroBias: 0x06, "filter_data.gyro_bias";
     in [0x82];
@@ -701,7 +765,7 @@ record! {
     ///
     /// Estimated bias of the accelerometer.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 6 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
     #[derive(Copy, Default)]
@@ -729,6 +793,11 @@ constructors! {
     fn new(bias: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    AccelBias
+    bias_is_valid "bias": valid_flags 0x1;
+}
+
 field! {
     AccelBias: 0x07, "filter_data.accel_bias";
     in [0x82];
@@ -739,9 +808,9 @@ record! {
     ///
     /// Standard deviation of the estimated position, in the NED frame.
     ///
-    /// Also called `position_llh_uncertainty`. Supported by
+    /// Also called `position_llh_uncertainty`. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 5 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08).
     #[derive(Copy, Default)]
@@ -789,6 +858,13 @@ constructors! {
     );
 }
 
+valid! {
+    LlhPositionUncertainty
+    north_is_valid "north": valid_flags 0x1;
+    east_is_valid "east": valid_flags 0x1;
+    down_is_valid "down": valid_flags 0x1;
+}
+
 field! {
     LlhPositionUncertainty: 0x08, "filter_data.llh_position_uncertainty";
     in [0x82];
@@ -799,9 +875,9 @@ record! {
     ///
     /// Standard deviation of the estimated velocity in the NED frame.
     ///
-    /// Also called `velocity_ned_uncertainty`. Supported by
+    /// Also called `velocity_ned_uncertainty`. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 5 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09).
     #[derive(Copy, Default)]
@@ -849,6 +925,13 @@ constructors! {
     );
 }
 
+valid! {
+    NedVelocityUncertainty
+    north_is_valid "north": valid_flags 0x1;
+    east_is_valid "east": valid_flags 0x1;
+    down_is_valid "down": valid_flags 0x1;
+}
+
 field! {
     NedVelocityUncertainty: 0x09, "filter_data.ned_velocity_uncertainty";
     in [0x82];
@@ -859,8 +942,9 @@ record! {
     ///
     /// Standard deviation of the estimated Euler angles.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15); likely or
+    /// assumed on 19 more.
     ///
     /// - 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond
     ///   70 degrees of pitch up or down.
@@ -909,6 +993,13 @@ constructors! {
     );
 }
 
+valid! {
+    EulerAnglesUncertainty
+    roll_is_valid "roll": valid_flags 0x1;
+    pitch_is_valid "pitch": valid_flags 0x1;
+    yaw_is_valid "yaw": valid_flags 0x1;
+}
+
 field! {
     EulerAnglesUncertainty: 0x0A, "filter_data.euler_angles_uncertainty";
     in [0x82];
@@ -919,8 +1010,8 @@ record! {
     ///
     /// Standard deviation of the estimated gyroscope bias.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 20 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B); 3dm-gx5-15: 5.2.10 Gyro Bias
     /// Uncertainty (0x82, 0x0B).
@@ -949,6 +1040,11 @@ constructors! {
     fn new(bias_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    GyroBiasUncertainty
+    bias_uncertainty_is_valid "bias_uncertainty": valid_flags 0x1;
+}
+
 field! {
     GyroBiasUncertainty: 0x0B, "filter_data.gyro_bias_uncertainty";
     in [0x82];
@@ -959,7 +1055,7 @@ record! {
     ///
     /// Standard deviation of the estimated accelerometer bias.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 6 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C).
     #[derive(Copy, Default)]
@@ -987,6 +1083,11 @@ constructors! {
     fn new(bias_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    AccelBiasUncertainty
+    bias_uncertainty_is_valid "bias_uncertainty": valid_flags 0x1;
+}
+
 field! {
     AccelBiasUncertainty: 0x0C, "filter_data.accel_bias_uncertainty";
     in [0x82];
@@ -997,9 +1098,9 @@ record! {
     ///
     /// Rate of change of the velocity, with the effect of gravity removed.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D); 3dm-gx5-15: 5.2.12 Linear Acceleration
     /// (0x82, 0x0D).
@@ -1028,6 +1129,11 @@ constructors! {
     fn new(accel: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    LinearAccel
+    accel_is_valid "accel": valid_flags 0x1;
+}
+
 field! {
     LinearAccel: 0x0D, "filter_data.linear_accel";
     in [0x82];
@@ -1038,9 +1144,10 @@ record! {
     ///
     /// Angular rate with the estimated bias removed.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
+    /// 16 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E); 3dm-gx5-15: 5.2.8 Compensated
     /// Angular Rate (0x82, 0x0E).
@@ -1070,6 +1177,11 @@ constructors! {
     fn new(gyro: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    CompAngularRate
+    gyro_is_valid "gyro": valid_flags 0x1;
+}
+
 field! {
     CompAngularRate: 0x0E, "filter_data.comp_angular_rate";
     in [0x82];
@@ -1080,7 +1192,8 @@ record! {
     ///
     /// Magnitude of gravity at the position of the device according to the WGS84 model.
     ///
-    /// Also called `wgs84_gravity_mag`. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Also called `wgs84_gravity_mag`. Confirmed on [3DM-GX5-15](crate::devices::GX5_15); likely
+    /// or assumed on 10 more.
     ///
     /// - The model is valid up to an altitude of 20 km.
     ///
@@ -1111,6 +1224,11 @@ constructors! {
     fn new(gravity_magnitude: f32, valid_flags: ValidFlags);
 }
 
+valid! {
+    Wgs84GravityMagnitude
+    gravity_magnitude_is_valid "gravity_magnitude": valid_flags 0x1;
+}
+
 field! {
     Wgs84GravityMagnitude: 0x0F, "filter_data.wgs84_gravity_magnitude";
     in [0x82];
@@ -1121,70 +1239,71 @@ record! {
     ///
     /// State, dynamics mode, condition and warnings of the filter.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more.
     ///
-    /// - The meaning of all three values depends on the device.
-    /// - 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
-    /// - 5-series: bits 12 and 13 of the flags have other meanings in state `init` than while the
-    ///   filter runs.
+    /// - 7-series: state 1 is initialization, 2 vertical gyro, 3 AHRS, 4 full navigation. On the
+    ///   3DM-CV7, normal operation is state 4, mode 1, flags 1 (stable).
+    /// - 5-series and older: state 0 is start-up, 1 initialization, 2 a valid solution, 3 a
+    ///   solution with an error. Bits 12 and 13 of the flags have other meanings in state 1 than in
+    ///   states 2 and 3.
     ///
     /// Source: 3dm-cv7-gnss-ins: Status (0x82,0x10); 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct Status {
         /// Progress of the filter from start-up to its full solution.
         ///
-        /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
-        /// [`Gx5FilterState`]. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states
-        /// for all generations up to the fifth. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-        /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-        /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7FilterState`]. Inferred: The
-        /// 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the
+        /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+        /// [`Gx5FilterState`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states
+        /// for all generations up to the fifth). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// [-AR](crate::devices::CV7_AR), [-INS](crate::devices::CV7_INS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [-AR](crate::devices::CX7_AR),
+        /// [-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [-AR](crate::devices::GV7_AR) and
+        /// [-INS](crate::devices::GV7_INS): values of [`Cv7FilterState`] (inferred: the
+        /// 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
         pub filter_state: u16,
         /// Motion for which the filter is configured.
         ///
-        /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
-        /// [`Gx5DynamicsMode`]. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same
-        /// states for all generations up to the fifth. On the
-        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+        /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+        /// [`Gx5DynamicsMode`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same
+        /// states for all generations up to the fifth). On the
+        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+        /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+        /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
         /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values
-        /// of [`Cv7DynamicsMode`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the
-        /// same states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
+        /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+        /// [`Cv7DynamicsMode`] (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same
+        /// states for its generation). On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
         /// values of [`Cv7DynamicsMode`]. On the [3DM-GX5-15](crate::devices::GX5_15): values of
         /// [`Gx5DynamicsMode`].
         pub dynamics_mode: u16,
         /// Condition and warnings.
         ///
-        /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
-        /// [`Gx5StatusFlags`]. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states
-        /// for all generations up to the fifth. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-        /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-        /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7StatusFlags`]. Inferred: The
-        /// 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the
+        /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+        /// [`Gx5StatusFlags`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states
+        /// for all generations up to the fifth). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// [-AR](crate::devices::CV7_AR), [-INS](crate::devices::CV7_INS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [-AR](crate::devices::CX7_AR),
+        /// [-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [-AR](crate::devices::GV7_AR) and
+        /// [-INS](crate::devices::GV7_INS): values of [`Cv7StatusFlags`] (inferred: the
+        /// 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
         pub status_flags: u16,
@@ -1213,13 +1332,13 @@ constructors! {
 impl Status {
     /// Reads `filter_state` as [`Gx5FilterState`].
     ///
-    /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
-    /// [`Gx5FilterState`]. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for
-    /// all generations up to the fifth. On the [3DM-GX5-15](crate::devices::GX5_15): values of
+    /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+    /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+    /// [`Gx5FilterState`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
+    /// all generations up to the fifth). On the [3DM-GX5-15](crate::devices::GX5_15): values of
     /// [`Gx5FilterState`].
     #[inline]
     #[must_use]
@@ -1229,13 +1348,13 @@ impl Status {
 
     /// Reads `filter_state` as [`Cv7FilterState`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
-    /// [`Cv7FilterState`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same
-    /// states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
+    /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+    /// [`Cv7FilterState`] (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same
+    /// states for its generation). On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
     /// of [`Cv7FilterState`].
     #[inline]
     #[must_use]
@@ -1245,13 +1364,13 @@ impl Status {
 
     /// Reads `dynamics_mode` as [`Gx5DynamicsMode`].
     ///
-    /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
-    /// [`Gx5DynamicsMode`]. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states
-    /// for all generations up to the fifth. On the [3DM-GX5-15](crate::devices::GX5_15): values of
+    /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+    /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+    /// [`Gx5DynamicsMode`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states
+    /// for all generations up to the fifth). On the [3DM-GX5-15](crate::devices::GX5_15): values of
     /// [`Gx5DynamicsMode`].
     #[inline]
     #[must_use]
@@ -1261,13 +1380,13 @@ impl Status {
 
     /// Reads `dynamics_mode` as [`Cv7DynamicsMode`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
-    /// [`Cv7DynamicsMode`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same
-    /// states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
+    /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+    /// [`Cv7DynamicsMode`] (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same
+    /// states for its generation). On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
     /// of [`Cv7DynamicsMode`].
     #[inline]
     #[must_use]
@@ -1277,13 +1396,13 @@ impl Status {
 
     /// Reads `status_flags` as [`Gx5StatusFlags`].
     ///
-    /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
-    /// [`Gx5StatusFlags`]. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for
-    /// all generations up to the fifth. On the [3DM-GX5-15](crate::devices::GX5_15): values of
+    /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+    /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+    /// [`Gx5StatusFlags`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
+    /// all generations up to the fifth). On the [3DM-GX5-15](crate::devices::GX5_15): values of
     /// [`Gx5StatusFlags`].
     #[inline]
     #[must_use]
@@ -1293,13 +1412,13 @@ impl Status {
 
     /// Reads `status_flags` as [`Cv7StatusFlags`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
-    /// [`Cv7StatusFlags`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same
-    /// states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
+    /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+    /// [`Cv7StatusFlags`] (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same
+    /// states for its generation). On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
     /// of [`Cv7StatusFlags`].
     #[inline]
     #[must_use]
@@ -1318,8 +1437,8 @@ record! {
     ///
     /// GPS time of the filter data.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 10 more.
     ///
     /// - Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
     /// - Without synchronization to a receiver or an external clock it is the internal system time.
@@ -1363,6 +1482,12 @@ constructors! {
     );
 }
 
+valid! {
+    Timestamp
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x1;
+}
+
 field! {
     Timestamp: 0x11, "filter_data.timestamp";
     in [0x82];
@@ -1373,8 +1498,8 @@ record! {
     ///
     /// Standard deviation of the elements of the estimated attitude quaternion.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 20 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12); 3dm-gx5-15: 5.2.4
     /// Attitude Uncertainty, Quaternion Elements (0x82, 0x12).
@@ -1403,6 +1528,11 @@ constructors! {
     fn new(q: impl Into<types::Quatf>, valid_flags: ValidFlags);
 }
 
+valid! {
+    QuaternionAttitudeUncertainty
+    q_is_valid "q": valid_flags 0x1;
+}
+
 field! {
     QuaternionAttitudeUncertainty: 0x12, "filter_data.quaternion_attitude_uncertainty";
     in [0x82];
@@ -1413,8 +1543,9 @@ record! {
     ///
     /// Estimated gravity.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15); likely
+    /// or assumed on 18 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13); 3dm-gx5-15: 5.2.14 Gravity Vector
     /// (0x82, 0x13).
@@ -1423,8 +1554,8 @@ record! {
         /// Gravity vector, which points down.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
-        /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The sign, which no
-        /// source states.
+        /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: No source states
+        /// the sign.
         pub gravity: types::Vector3f,
         /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
@@ -1444,6 +1575,11 @@ constructors! {
     fn new(gravity: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    GravityVector
+    gravity_is_valid "gravity": valid_flags 0x1;
+}
+
 field! {
     GravityVector: 0x13, "filter_data.gravity_vector";
     in [0x82];
@@ -1454,7 +1590,8 @@ record! {
     ///
     /// The last heading that updated the filter, and its source.
     ///
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely
+    /// or assumed on 8 more.
     ///
     /// - The valid bit means that the source provided data within the last 2 seconds.
     ///
@@ -1463,7 +1600,7 @@ record! {
     pub struct HeadingUpdateState {
         /// Heading of the sensor frame relative to true north.
         ///
-        /// Unit: rad. Positive: clockwise seen from above. Valid if
+        /// Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
@@ -1474,8 +1611,11 @@ record! {
         pub heading_uncertainty: f32,
         /// Sources of the heading.
         ///
-        /// On the [3DM-GX5-15](crate::devices::GX5_15): only
-        /// [`external`](HeadingSourceFlags::external).
+        /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-15](crate::devices::CX5_15) and
+        /// [3DM-GX5-15](crate::devices::GX5_15): only [`external`](HeadingSourceFlags::external).
+        /// On the [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-25](crate::devices::GX5_25): only
+        /// [`mag`](HeadingSourceFlags::mag) and [`external`](HeadingSourceFlags::external).
         pub source: HeadingSourceFlags,
         /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
@@ -1502,6 +1642,12 @@ constructors! {
     );
 }
 
+valid! {
+    HeadingUpdateState
+    heading_is_valid "heading": valid_flags 0x1;
+    heading_uncertainty_is_valid "heading_uncertainty": valid_flags 0x1;
+}
+
 field! {
     HeadingUpdateState: 0x14, "filter_data.heading_update_state";
     in [0x82];
@@ -1512,7 +1658,7 @@ record! {
     ///
     /// Magnetic field at the position of the device according to the World Magnetic Model.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 11 more.
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -1536,14 +1682,14 @@ record! {
         pub intensity_down: f32,
         /// Angle of the field below the horizontal plane.
         ///
-        /// Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the
+        /// field points down. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination: f32,
         /// Angle from true north to magnetic north.
         ///
-        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north.
+        /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub declination: f32,
         /// Validity of the values of a field.
@@ -1573,6 +1719,15 @@ constructors! {
         declination: f32,
         valid_flags: ValidFlags,
     );
+}
+
+valid! {
+    MagneticModel
+    intensity_north_is_valid "intensity_north": valid_flags 0x1;
+    intensity_east_is_valid "intensity_east": valid_flags 0x1;
+    intensity_down_is_valid "intensity_down": valid_flags 0x1;
+    inclination_is_valid "inclination": valid_flags 0x1;
+    declination_is_valid "declination": valid_flags 0x1;
 }
 
 field! {
@@ -1613,6 +1768,11 @@ constructors! {
     fn new(scale_factor: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    GyroScaleFactor
+    scale_factor_is_valid "scale_factor": valid_flags 0x1;
+}
+
 field! {
     GyroScaleFactor: 0x16, "filter_data.gyro_scale_factor";
     in [0x82];
@@ -1649,6 +1809,11 @@ constructors! {
 
     /// Creates it from its values.
     fn new(scale_factor: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
+valid! {
+    AccelScaleFactor
+    scale_factor_is_valid "scale_factor": valid_flags 0x1;
 }
 
 field! {
@@ -1689,6 +1854,11 @@ constructors! {
     fn new(scale_factor_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    GyroScaleFactorUncertainty
+    scale_factor_uncertainty_is_valid "scale_factor_uncertainty": valid_flags 0x1;
+}
+
 field! {
     GyroScaleFactorUncertainty: 0x18, "filter_data.gyro_scale_factor_uncertainty";
     in [0x82];
@@ -1727,6 +1897,11 @@ constructors! {
     fn new(scale_factor_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    AccelScaleFactorUncertainty
+    scale_factor_uncertainty_is_valid "scale_factor_uncertainty": valid_flags 0x1;
+}
+
 field! {
     AccelScaleFactorUncertainty: 0x19, "filter_data.accel_scale_factor_uncertainty";
     in [0x82];
@@ -1737,7 +1912,8 @@ record! {
     ///
     /// Estimated bias of the magnetometer.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a
+    /// magnetometer.
     ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
     #[derive(Copy, Default)]
@@ -1765,6 +1941,11 @@ constructors! {
     fn new(bias: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    MagBias
+    bias_is_valid "bias": valid_flags 0x1;
+}
+
 field! {
     MagBias: 0x1A, "filter_data.mag_bias";
     in [0x82];
@@ -1775,7 +1956,8 @@ record! {
     ///
     /// Standard deviation of the estimated bias of the magnetometer.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a
+    /// magnetometer.
     ///
     /// Source: mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B).
     #[derive(Copy, Default)]
@@ -1803,6 +1985,11 @@ constructors! {
     fn new(bias_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    MagBiasUncertainty
+    bias_uncertainty_is_valid "bias_uncertainty": valid_flags 0x1;
+}
+
 field! {
     MagBiasUncertainty: 0x1B, "filter_data.mag_bias_uncertainty";
     in [0x82];
@@ -1811,17 +1998,17 @@ field! {
 record! {
     /// Compensated acceleration (0x82,0x1C).
     ///
-    /// Acceleration with the estimated bias removed. It includes gravity.
+    /// Specific force with the estimated bias removed.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 14 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C); 3dm-gx5-15: 5.2.11
     /// Compensated Acceleration (0x82, 0x1C).
     #[derive(Copy, Default)]
     pub struct CompAccel {
-        /// Acceleration with the estimated bias removed; gravity is included.
+        /// Specific force: acceleration minus gravity.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8.
         /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -1842,6 +2029,11 @@ constructors! {
 
     /// Creates it from its values.
     fn new(accel: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
+valid! {
+    CompAccel
+    accel_is_valid "accel": valid_flags 0x1;
 }
 
 field! {
@@ -1916,6 +2108,15 @@ constructors! {
     );
 }
 
+valid! {
+    StandardAtmosphere
+    geometric_altitude_is_valid "geometric_altitude": valid_flags 0x1;
+    geopotential_altitude_is_valid "geopotential_altitude": valid_flags 0x1;
+    standard_temperature_is_valid "standard_temperature": valid_flags 0x1;
+    standard_pressure_is_valid "standard_pressure": valid_flags 0x1;
+    standard_density_is_valid "standard_density": valid_flags 0x1;
+}
+
 field! {
     StandardAtmosphere: 0x20, "filter_data.standard_atmosphere";
     in [0x82];
@@ -1926,8 +2127,9 @@ record! {
     ///
     /// Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more. Requires a pressure
+    /// sensor.
     ///
     /// - It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of
     ///   84852 m.
@@ -1957,6 +2159,11 @@ constructors! {
 
     /// Creates it from its values.
     fn new(pressure_altitude: f32, valid_flags: ValidFlags);
+}
+
+valid! {
+    PressureAltitude
+    pressure_altitude_is_valid "pressure_altitude": valid_flags 0x1;
 }
 
 field! {
@@ -1999,6 +2206,11 @@ constructors! {
     fn new(density_altitude: f32, valid_flags: ValidFlags);
 }
 
+valid! {
+    DensityAltitude
+    density_altitude_is_valid "density_altitude": valid_flags 0x1;
+}
+
 field! {
     DensityAltitude: 0x22, "filter_data.density_altitude";
     in [0x82];
@@ -2010,7 +2222,7 @@ record! {
     /// Estimated hard iron offset of the magnetometer.
     ///
     /// No device is known for certain to support it. Also called `magnetometer_offset`. Known only
-    /// from the MicroStrain MIP SDK.
+    /// from the MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
@@ -2041,6 +2253,11 @@ constructors! {
     fn new(hard_iron: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    MagOffset
+    hard_iron_is_valid "hard_iron": valid_flags 0x1;
+}
+
 field! {
     MagOffset: 0x25, "filter_data.mag_offset";
     in [0x82];
@@ -2052,7 +2269,7 @@ record! {
     /// Estimated soft iron matrix of the magnetometer.
     ///
     /// No device is known for certain to support it. Also called `magnetometer_matrix`. Known only
-    /// from the MicroStrain MIP SDK.
+    /// from the MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// - The filter multiplies the stored matrix of
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by this matrix on the
@@ -2084,6 +2301,11 @@ constructors! {
     fn new(soft_iron: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    MagMatrix
+    soft_iron_is_valid "soft_iron": valid_flags 0x1;
+}
+
 field! {
     MagMatrix: 0x26, "filter_data.mag_matrix";
     in [0x82];
@@ -2095,7 +2317,7 @@ record! {
     /// Standard deviation of the estimated hard iron offset.
     ///
     /// No device is known for certain to support it. Also called `magnetometer_offset_uncertainty`.
-    /// Known only from the MicroStrain MIP SDK.
+    /// Known only from the MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// Source: mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28).
     #[derive(Copy, Default)]
@@ -2123,6 +2345,11 @@ constructors! {
     fn new(hard_iron_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    MagOffsetUncertainty
+    hard_iron_uncertainty_is_valid "hard_iron_uncertainty": valid_flags 0x1;
+}
+
 field! {
     MagOffsetUncertainty: 0x28, "filter_data.mag_offset_uncertainty";
     in [0x82];
@@ -2134,7 +2361,7 @@ record! {
     /// Standard deviation of the estimated soft iron matrix.
     ///
     /// No device is known for certain to support it. Also called `magnetometer_matrix_uncertainty`.
-    /// Known only from the MicroStrain MIP SDK.
+    /// Known only from the MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// Source: mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29).
     #[derive(Copy, Default)]
@@ -2162,6 +2389,11 @@ constructors! {
     fn new(soft_iron_uncertainty: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    MagMatrixUncertainty
+    soft_iron_uncertainty_is_valid "soft_iron_uncertainty": valid_flags 0x1;
+}
+
 field! {
     MagMatrixUncertainty: 0x29, "filter_data.mag_matrix_uncertainty";
     in [0x82];
@@ -2173,7 +2405,7 @@ record! {
     /// Covariance of the magnetometer measurement.
     ///
     /// Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only
-    /// from the MicroStrain MIP SDK.
+    /// from the MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// Source: mip-sdk-4: Magnetometer covariance matrix (0x82,0x2A).
     #[derive(Copy, Default)]
@@ -2181,8 +2413,8 @@ record! {
         /// Covariance matrix in row-major order.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The unit, which is likely
-        /// gauss^2, and the frame.
+        /// [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: No source states the unit,
+        /// which is likely gauss^2, or the frame.
         pub covariance: types::Matrix3f,
         /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
@@ -2202,6 +2434,11 @@ constructors! {
     fn new(covariance: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    MagCovarianceMatrix
+    covariance_is_valid "covariance": valid_flags 0x1;
+}
+
 field! {
     MagCovarianceMatrix: 0x2A, "filter_data.mag_covariance_matrix";
     in [0x82];
@@ -2213,7 +2450,7 @@ record! {
     /// Residual of the magnetometer measurement.
     ///
     /// Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only
-    /// from the MicroStrain MIP SDK.
+    /// from the MicroStrain MIP SDK. Requires a magnetometer.
     ///
     /// Source: mip-sdk-4: Magnetometer residual vector (0x82,0x2C).
     #[derive(Copy, Default)]
@@ -2239,6 +2476,11 @@ constructors! {
 
     /// Creates it from its values.
     fn new(residual: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
+valid! {
+    MagResidualVector
+    residual_is_valid "residual": valid_flags 0x1;
 }
 
 field! {
@@ -2282,6 +2524,11 @@ constructors! {
     fn new(offset: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    AntennaOffsetCorrection
+    offset_is_valid "offset": valid_flags 0x1;
+}
+
 field! {
     AntennaOffsetCorrection: 0x30, "filter_data.antenna_offset_correction";
     in [0x82];
@@ -2318,6 +2565,11 @@ constructors! {
 
     /// Creates it from its values.
     fn new(offset_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
+valid! {
+    AntennaOffsetCorrectionUncertainty
+    offset_uncertainty_is_valid "offset_uncertainty": valid_flags 0x1;
 }
 
 field! {
@@ -2374,6 +2626,12 @@ constructors! {
     );
 }
 
+valid! {
+    ClockCorrection
+    bias_is_valid "bias": valid_flags 0x1;
+    bias_drift_is_valid "bias_drift": valid_flags 0x1;
+}
+
 field! {
     ClockCorrection: 0x32, "filter_data.clock_correction";
     in [0x82];
@@ -2428,6 +2686,12 @@ constructors! {
     );
 }
 
+valid! {
+    ClockCorrectionUncertainty
+    bias_uncertainty_is_valid "bias_uncertainty": valid_flags 0x1;
+    bias_drift_uncertainty_is_valid "bias_drift_uncertainty": valid_flags 0x1;
+}
+
 field! {
     ClockCorrectionUncertainty: 0x33, "filter_data.clock_correction_uncertainty";
     in [0x82];
@@ -2439,7 +2703,7 @@ record! {
     /// Estimated error of one GNSS antenna's offset.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Requires a receiver.
     ///
     /// - The filter adds it to the stored offset.
     ///
@@ -2476,6 +2740,11 @@ constructors! {
     );
 }
 
+valid! {
+    MultiAntennaOffsetCorrection
+    offset_is_valid "offset": valid_flags 0x1;
+}
+
 field! {
     MultiAntennaOffsetCorrection: 0x34, "filter_data.multi_antenna_offset_correction";
     in [0x82];
@@ -2486,7 +2755,8 @@ record! {
     ///
     /// Standard deviation of the estimated error of one GNSS antenna's offset.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
+    /// Requires a receiver.
     ///
     /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35).
     #[derive(Copy, Default)]
@@ -2521,6 +2791,11 @@ constructors! {
     );
 }
 
+valid! {
+    MultiAntennaOffsetCorrectionUncertainty
+    offset_uncertainty_is_valid "offset_uncertainty": valid_flags 0x1;
+}
+
 field! {
     MultiAntennaOffsetCorrectionUncertainty: 0x35, "filter_data.multi_antenna_offset_correction_uncertainty";
     in [0x82];
@@ -2531,9 +2806,9 @@ record! {
     ///
     /// Standard deviation of the estimated position in Earth-fixed coordinates.
     ///
-    /// Also called `ecef_pos_uncertainty`. Supported by
+    /// Also called `ecef_pos_uncertainty`. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36).
     #[derive(Copy, Default)]
@@ -2561,6 +2836,11 @@ constructors! {
     fn new(position_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    EcefPositionUncertainty
+    position_uncertainty_is_valid "position_uncertainty": valid_flags 0x1;
+}
+
 field! {
     EcefPositionUncertainty: 0x36, "filter_data.ecef_position_uncertainty";
     in [0x82];
@@ -2571,9 +2851,9 @@ record! {
     ///
     /// Standard deviation of the estimated velocity in Earth-fixed coordinates.
     ///
-    /// Also called `ecef_vel_uncertainty`. Supported by
+    /// Also called `ecef_vel_uncertainty`. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37).
     #[derive(Copy, Default)]
@@ -2601,6 +2881,11 @@ constructors! {
     fn new(velocity_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    EcefVelocityUncertainty
+    velocity_uncertainty_is_valid "velocity_uncertainty": valid_flags 0x1;
+}
+
 field! {
     EcefVelocityUncertainty: 0x37, "filter_data.ecef_velocity_uncertainty";
     in [0x82];
@@ -2611,8 +2896,8 @@ record! {
     ///
     /// Estimated position in Earth-fixed coordinates.
     ///
-    /// Also called `ecef_pos`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Also called `ecef_pos`. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
     #[derive(Copy, Default)]
@@ -2640,6 +2925,11 @@ constructors! {
     fn new(position: impl Into<types::Vector3d>, valid_flags: ValidFlags);
 }
 
+valid! {
+    EcefPosition
+    position_is_valid "position": valid_flags 0x1;
+}
+
 field! {
     EcefPosition: 0x40, "filter_data.ecef_position";
     in [0x82];
@@ -2650,8 +2940,8 @@ record! {
     ///
     /// Estimated velocity in Earth-fixed coordinates.
     ///
-    /// Also called `ecef_vel`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Also called `ecef_vel`. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
     #[derive(Copy, Default)]
@@ -2679,6 +2969,11 @@ constructors! {
     fn new(velocity: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
+valid! {
+    EcefVelocity
+    velocity_is_valid "velocity": valid_flags 0x1;
+}
+
 field! {
     EcefVelocity: 0x41, "filter_data.ecef_velocity";
     in [0x82];
@@ -2690,8 +2985,8 @@ record! {
     /// Estimated position relative to the point that
     /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) sets.
     ///
-    /// Also called `rel_pos_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Also called `rel_pos_ned`. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
     #[derive(Copy, Default)]
@@ -2719,6 +3014,11 @@ constructors! {
     fn new(relative_position: impl Into<types::Ned3d>, valid_flags: ValidFlags);
 }
 
+valid! {
+    NedRelativePosition
+    relative_position_is_valid "relative_position": valid_flags 0x1;
+}
+
 field! {
     NedRelativePosition: 0x42, "filter_data.ned_relative_position";
     in [0x82];
@@ -2729,9 +3029,9 @@ record! {
     ///
     /// Use of the position measurements of one GNSS receiver by the filter.
     ///
-    /// Also called `gnss_pos_aid_status`. Supported by
+    /// Also called `gnss_pos_aid_status`. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -2791,8 +3091,8 @@ record! {
     pub struct GnssAttitudeAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
-        /// Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of the measurement or
-        /// that of its processing.
+        /// Unit: s. Range: 0 to 604800. Uncertain: It is not known whether this is the time of the
+        /// measurement or that of its processing.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
         /// Use of the measurements.
@@ -2838,8 +3138,8 @@ record! {
     pub struct HeadingAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
-        /// Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of the measurement or
-        /// that of its processing.
+        /// Unit: s. Range: 0 to 604800. Uncertain: It is not known whether this is the time of the
+        /// measurement or that of its processing.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
         /// Source of the heading.
@@ -2882,8 +3182,8 @@ record! {
     ///
     /// Use of one kind of aiding measurement in the last measurement interval.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -2941,7 +3241,7 @@ record! {
     ///
     /// Estimated relative error of the odometer scale factor.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// - Estimated scale factor = configured scale factor \* (1 + error).
     ///
@@ -2971,6 +3271,11 @@ constructors! {
     fn new(scale_factor_error: f32, valid_flags: ValidFlags);
 }
 
+valid! {
+    OdometerScaleFactorError
+    scale_factor_error_is_valid "scale_factor_error": valid_flags 0x1;
+}
+
 field! {
     OdometerScaleFactorError: 0x47, "filter_data.odometer_scale_factor_error";
     in [0x82];
@@ -2981,7 +3286,7 @@ record! {
     ///
     /// Uncertainty of the estimated error of the odometer scale factor.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48).
     #[derive(Copy, Default)]
@@ -3009,6 +3314,11 @@ constructors! {
     fn new(scale_factor_error_uncertainty: f32, valid_flags: ValidFlags);
 }
 
+valid! {
+    OdometerScaleFactorErrorUncertainty
+    scale_factor_error_uncertainty_is_valid "scale_factor_error_uncertainty": valid_flags 0x1;
+}
+
 field! {
     OdometerScaleFactorErrorUncertainty: 0x48, "filter_data.odometer_scale_factor_error_uncertainty";
     in [0x82];
@@ -3020,7 +3330,7 @@ record! {
     /// Heading from two GNSS antennas.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Requires 2 antennas.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -3034,7 +3344,7 @@ record! {
         pub tow: f32,
         /// Heading derived from the baseline of the antennas.
         ///
-        /// Unit: rad. Positive: clockwise seen from above. Valid if
+        /// Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
@@ -3076,6 +3386,13 @@ constructors! {
     );
 }
 
+valid! {
+    GnssDualAntennaStatus
+    tow_is_valid "tow": valid_flags 0x1;
+    heading_is_valid "heading": valid_flags 0x1;
+    heading_uncertainty_is_valid "heading_uncertainty": valid_flags 0x1;
+}
+
 field! {
     GnssDualAntennaStatus: 0x49, "filter_data.gnss_dual_antenna_status";
     in [0x82];
@@ -3087,8 +3404,9 @@ record! {
     /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
     /// The filter corrects for it.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely or
+    /// assumed on 2 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
     #[derive(Copy, Default)]
@@ -3134,7 +3452,7 @@ record! {
     ///
     /// Uncertainty of the error in [`AidingFrameConfigError`].
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51).
     #[derive(Copy, Default)]

@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const GNSS_SET: u8 = 0x0E;
+pub const SET: u8 = 0x0E;
 
 record! {
     /// Description of a GNSS receiver.
@@ -137,12 +137,12 @@ open_enum! {
         HARDWARE = 1, "hardware";
         /// Restarts all software of the receiver.
         COLD = 2, "cold";
-        /// Restarts the positioning engine only. Uncertain: The name. An earlier branch of the SDK
-        /// calls 3 hot and 4 warm, with the same descriptions of the two numbers; GNSS receivers
-        /// usually keep their satellite data in a hot start and lose it in a warm one.
+        /// Restarts the positioning engine only. Uncertain: An earlier branch of the SDK calls 3
+        /// hot and 4 warm, with the same descriptions of the two numbers. GNSS receivers usually
+        /// keep their satellite data in a hot start and lose it in a warm one.
         WARM = 3, "warm";
-        /// Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The
-        /// name, which an earlier branch of the SDK swaps with that of 3.
+        /// Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: An
+        /// earlier branch of the SDK swaps this name with that of 3.
         HOT = 4, "hot";
     }
 }
@@ -150,8 +150,7 @@ open_enum! {
 open_enum! {
     /// Strategy for fixing the RTK carrier phase ambiguities to whole numbers.
     ///
-    /// Uncertain: The descriptions of `conservative` and `moderate`, which are inferred from the
-    /// names.
+    /// Uncertain: The descriptions of `conservative` and `moderate` are inferred from their names.
     ///
     /// Source: mip-sdk-4: Rtk Configuration (0x0E,0x04).
     AmbiguityFixMode: u8 {
@@ -183,8 +182,8 @@ record! {
     ///
     /// Gets the GNSS receivers of the device.
     ///
-    /// Response: [`ReceiverInfoResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response: [`ReceiverInfoResponse`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -216,11 +215,11 @@ record! {
     /// Also called `signal_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`SignalConfigResponse`]. Probably changes
+    /// Response: [`SignalConfigResponse`]. Probably affects
     /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
     /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus) and
-    /// [`gnss_data::Raw`](crate::gnss_data::Raw). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). On the
+    /// [`gnss_data::Raw`](crate::gnss_data::Raw). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more. On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - A device accepts only certain combinations.
@@ -271,19 +270,19 @@ constructors! {
         glonass_enable: GlonassSignals,
         galileo_enable: GalileoSignals,
         beidou_enable: BeidouSignals,
-    ) -> Write, reserved: [0; 4];
+    ) -> WriteCall, reserved: [0; 4];
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -303,8 +302,8 @@ record! {
     ///
     /// Resets a GNSS receiver of the device.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
-    /// devices support it. The SDK does not name any.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
+    /// SDK names no device that supports it.
     ///
     /// - Only internal receivers can be reset.
     /// - Some devices do not support all reset types.
@@ -343,12 +342,12 @@ record! {
     /// Also called `rtk_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`RtkConfigResponse`]. Probably changes
+    /// Response: [`RtkConfigResponse`]. Probably affects
     /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo) and
     /// [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition). Not listed in any device profile.
-    /// Known only from the MicroStrain MIP SDK. Uncertain: Which devices support it. Users of the
-    /// vendor's ROS driver report it as experimental on the 3DM-GQ7, which accepts `conservative`
-    /// only.
+    /// Known only from the MicroStrain MIP SDK. Uncertain: No source lists the devices that support
+    /// it. Users of the vendor's ROS driver report it as experimental on the 3DM-GQ7, which accepts
+    /// `conservative` only.
     ///
     /// - The available modes differ by device.
     ///
@@ -375,19 +374,19 @@ constructors! {
     RtkConfig
 
     /// Apply the new setting.
-    fn write(ambiguity_fix_mode: AmbiguityFixMode) -> Write, reserved: [0; 4];
+    fn write(ambiguity_fix_mode: AmbiguityFixMode) -> WriteCall, reserved: [0; 4];
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -411,7 +410,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`RtkDongleConfigResponse`]. Probably
-    /// changes [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Known
+    /// affects [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Known
     /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: RTK dongle configuration (0x0E,0x10).
@@ -423,8 +422,8 @@ record! {
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
-        /// Reserved: send 0. Required for [write](types::FunctionSelector::WRITE). Uncertain: What
-        /// to send; 0 is assumed.
+        /// Reserved: send 0. Required for [write](types::FunctionSelector::WRITE). Uncertain: No
+        /// source states what to send; 0 is assumed.
         pub reserved: Option<[u8; 3]>,
     }
     wire 5 {
@@ -438,19 +437,19 @@ constructors! {
     RtkDongleConfig
 
     /// Apply the new setting.
-    fn write(enable: u8) -> Write, reserved: [0; 3];
+    fn write(enable: u8) -> WriteCall, reserved: [0; 3];
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -473,11 +472,11 @@ record! {
     /// Also called `spartn_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`SpartnConfigResponse`]. Probably changes
+    /// Response: [`SpartnConfigResponse`]. Probably affects
     /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Uncertain: Whether the device accepts
-    /// upper and lower case. The section on UART uses the digits 0-9 and A-F, the description of
-    /// the command uses "bc" for 0xBC.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Uncertain: The device may not accept lower
+    /// case: the section on UART uses the digits 0-9 and A-F, the description of the command uses
+    /// "bc" for 0xBC.
     ///
     /// - A change of `enable` or `type` takes effect only after a power cycle; keys can be changed
     ///   at any time.
@@ -551,19 +550,19 @@ constructors! {
         next_key_tow: u32,
         next_key_week: u16,
         next_key: [u8; 32],
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -579,9 +578,51 @@ command! {
 }
 
 record! {
+    /// Receiver safe mode (0x0E,0x60).
+    ///
+    /// Switches the safe mode of one receiver on or off. In safe mode, it sends no valid data.
+    ///
+    /// Affects gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK, versions 1 to 3. Uncertain: The layout is that of version
+    /// 1.0.0 of the SDK; later versions do not have it. Uncertain: No source lists the devices that
+    /// support it.
+    ///
+    /// Source: mip-sdk-3: Receiver Safe Mode (0x0E,0x60), tag v1.0.0.
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct ReceiverSafeMode {
+        /// Number of the receiver, from 1.
+        ///
+        /// Range: at least 1.
+        pub receiver_id: u8,
+        /// 1 switches safe mode on, 0 off.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+    }
+}
+
+constructors! {
+    ReceiverSafeMode
+
+    /// Creates the command from its parameters.
+    fn new(receiver_id: u8, enable: u8);
+}
+
+field! {
+    ReceiverSafeMode: 0x60, "gnss.receiver_safe_mode";
+    in [0x0E];
+}
+
+command! {
+    ReceiverSafeMode -> ();
+}
+
+record! {
     /// Receiver info response (0x0E,0x81).
     ///
-    /// Response to [`ReceiverInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`ReceiverInfo`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 1 more.
     ///
     /// The wire format also contains `num_receivers`: Number of physical receivers. Counts the
     /// elements of [`receiver_info`](ReceiverInfoResponse::receiver_info).
@@ -614,8 +655,8 @@ field! {
 record! {
     /// Signal configuration response (0x0E,0x82).
     ///
-    /// Also called `signal_configuration_response`. Response to [`SignalConfig`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `signal_configuration_response`. Response to [`SignalConfig`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
     #[derive(Copy, Default, Eq, Hash)]
@@ -709,7 +750,7 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// Reserved. Uncertain: What to send; 0 is assumed.
+        /// Reserved. Uncertain: No source states what to send; 0 is assumed.
         pub reserved: [u8; 3],
     }
 }

@@ -1,8 +1,8 @@
 //! GNSS data (0x81, 0x91, 0x92, 0x93, 0x94, 0x95): Measurements and status of GNSS receivers. Each
 //! receiver has a descriptor set; all have the same fields.
 //!
-//! Uncertain: Which devices send the fields that no manual lists for a set. The SDK lists the same
-//! fields for all GNSS data sets.
+//! Uncertain: Some devices may not send a field in every set: the SDK lists the same fields for all
+//! GNSS data sets, the manuals fewer.
 
 // The macros are in `src/macros`; `cargo doc` shows what they generate. `open_enum!` and
 // `bitfield!`: types of values; `record!`: a structure with its codec; `union!`: its alternatives;
@@ -42,8 +42,8 @@ pub const GNSS_EXTERNAL_SET: u8 = 0x94;
 
 /// External GNSS data 2 (0x95): Data that a second external GNSS receiver sends to the device.
 ///
-/// Uncertain: The name. It is from a page on the 3DM-CV7-INS that the vendor published for trial;
-/// the SDK calls the set GNSS 5.
+/// Uncertain: The name is from a page on the 3DM-CV7-INS that the vendor published for trial; the
+/// SDK calls the set GNSS 5.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub const GNSS_EXTERNAL_2_SET: u8 = 0x95;
@@ -168,7 +168,8 @@ bitfield! {
         /// The leap seconds between GPS time and UTC are known. Bit 1.
         LEAP_SECONDS_KNOWN: bool = 1,
             leap_seconds_known, set_leap_seconds_known, with_leap_seconds_known;
-        /// All values are valid. Bits 0 to 1. Overlaps other bits.
+        /// Date and time come from GNSS, and the leap seconds are known. Bits 0 to 1. Overlaps
+        /// other bits.
         FLAGS: u8 = 0..=1,
             flags, set_flags, with_flags;
     }
@@ -822,7 +823,8 @@ bitfield! {
         /// `isc_l2c` is the correction for L5, not for L2. Bit 2.
         ISC_L5: bool = 2,
             isc_l5, set_isc_l5, with_isc_l5;
-        /// All values are valid. Bits 0 to 2. Overlaps other bits.
+        /// The ephemeris is valid, with modernized data and the correction for L5. Bits 0 to 2.
+        /// Overlaps other bits.
         FLAGS: u8 = 0..=2,
             flags, set_flags, with_flags;
     }
@@ -922,9 +924,9 @@ record! {
     /// GNSS position as latitude, longitude and height.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 11 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position
     /// (0x92,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03).
@@ -996,6 +998,16 @@ constructors! {
     );
 }
 
+valid! {
+    LlhPosition
+    latitude_is_valid "latitude": valid_flags 0x1;
+    longitude_is_valid "longitude": valid_flags 0x1;
+    ellipsoid_height_is_valid "ellipsoid_height": valid_flags 0x2;
+    msl_height_is_valid "msl_height": valid_flags 0x4;
+    horizontal_accuracy_is_valid "horizontal_accuracy": valid_flags 0x8;
+    vertical_accuracy_is_valid "vertical_accuracy": valid_flags 0x10;
+}
+
 field! {
     LlhPosition: 0x03, "gnss_data.llh_position";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1007,9 +1019,9 @@ record! {
     /// GNSS position in Earth-fixed coordinates.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04); 3dm-cv7-gnss-ins: GNSS ECEF
     /// Position (0x92,0x04).
@@ -1049,6 +1061,12 @@ constructors! {
     );
 }
 
+valid! {
+    EcefPosition
+    position_is_valid "position": valid_flags 0x1;
+    position_accuracy_is_valid "position_accuracy": valid_flags 0x2;
+}
+
 field! {
     EcefPosition: 0x04, "gnss_data.ecef_position";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1060,9 +1078,9 @@ record! {
     /// GNSS velocity in the local level frame.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 11 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05); 3dm-cv7-gnss-ins: NED Velocity
     /// (0x92,0x05); 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05).
@@ -1134,6 +1152,16 @@ constructors! {
     );
 }
 
+valid! {
+    NedVelocity
+    velocity_is_valid "velocity": valid_flags 0x1;
+    speed_is_valid "speed": valid_flags 0x2;
+    ground_speed_is_valid "ground_speed": valid_flags 0x4;
+    heading_is_valid "heading": valid_flags 0x8;
+    speed_accuracy_is_valid "speed_accuracy": valid_flags 0x10;
+    heading_accuracy_is_valid "heading_accuracy": valid_flags 0x20;
+}
+
 field! {
     NedVelocity: 0x05, "gnss_data.ned_velocity";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1145,9 +1173,10 @@ record! {
     /// GNSS velocity in Earth-fixed coordinates.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-35](crate::devices::GX5_35); likely or
+    /// assumed on 2 more.
     ///
     /// Source: 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity
     /// (0x91,0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06).
@@ -1187,6 +1216,12 @@ constructors! {
     );
 }
 
+valid! {
+    EcefVelocity
+    velocity_is_valid "velocity": valid_flags 0x1;
+    velocity_accuracy_is_valid "velocity_accuracy": valid_flags 0x2;
+}
+
 field! {
     EcefVelocity: 0x06, "gnss_data.ecef_velocity";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1198,8 +1233,9 @@ record! {
     /// Dilution of precision of the satellite geometry.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
+    /// or assumed on 4 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: DOP (0x91,0x07); 3dm-cv7-gnss-ins: DOP (0x92,0x07).
     #[derive(Copy, Default)]
@@ -1272,6 +1308,17 @@ constructors! {
     );
 }
 
+valid! {
+    Dop
+    gdop_is_valid "gdop": valid_flags 0x1;
+    pdop_is_valid "pdop": valid_flags 0x2;
+    hdop_is_valid "hdop": valid_flags 0x4;
+    vdop_is_valid "vdop": valid_flags 0x8;
+    tdop_is_valid "tdop": valid_flags 0x10;
+    ndop_is_valid "ndop": valid_flags 0x20;
+    edop_is_valid "edop": valid_flags 0x40;
+}
+
 field! {
     Dop: 0x07, "gnss_data.dop";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1283,8 +1330,9 @@ record! {
     /// Coordinated universal time (UTC) according to the receiver.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
+    /// or assumed on 6 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: UTC Time (0x91,0x08); 3dm-cv7-gnss-ins: UTC Time (0x92,0x08);
     /// 3dm-cv7-gnss-ins: UTC Time (0x94,0x08).
@@ -1357,6 +1405,17 @@ constructors! {
     );
 }
 
+valid! {
+    UtcTime
+    year_is_valid "year": valid_flags 0x1;
+    month_is_valid "month": valid_flags 0x1;
+    day_is_valid "day": valid_flags 0x1;
+    hour_is_valid "hour": valid_flags 0x1;
+    min_is_valid "min": valid_flags 0x1;
+    sec_is_valid "sec": valid_flags 0x1;
+    msec_is_valid "msec": valid_flags 0x1;
+}
+
 field! {
     UtcTime: 0x08, "gnss_data.utc_time";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1368,8 +1427,8 @@ record! {
     /// GPS time according to the receiver.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Time (0x91,0x09); 3dm-cv7-gnss-ins: GPS Time (0x92,0x09).
     #[derive(Copy, Default)]
@@ -1405,6 +1464,12 @@ constructors! {
         week_number: u16,
         valid_flags: GpsTimeFlags,
     );
+}
+
+valid! {
+    GpsTime
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
 }
 
 field! {
@@ -1467,6 +1532,13 @@ constructors! {
     );
 }
 
+valid! {
+    ClockInfo
+    bias_is_valid "bias": valid_flags 0x1;
+    drift_is_valid "drift": valid_flags 0x2;
+    accuracy_estimate_is_valid "accuracy_estimate": valid_flags 0x4;
+}
+
 field! {
     ClockInfo: 0x0A, "gnss_data.clock_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1478,9 +1550,9 @@ record! {
     /// Type of the position fix, with the satellites and corrections used.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 5 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B); 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B);
     /// 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B).
@@ -1523,6 +1595,13 @@ constructors! {
     );
 }
 
+valid! {
+    FixInfo
+    fix_type_is_valid "fix_type": valid_flags 0x1;
+    num_sv_is_valid "num_sv": valid_flags 0x2;
+    fix_flags_is_valid "fix_flags": valid_flags 0x4;
+}
+
 field! {
     FixInfo: 0x0B, "gnss_data.fix_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1534,9 +1613,10 @@ record! {
     /// State of one tracked satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
-    /// Whether a packet holds one of these fields or several.
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 2 more. Known only from the
+    /// MicroStrain MIP SDK. Uncertain: It is not known whether a packet contains one of these
+    /// fields or several.
     ///
     /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
@@ -1556,14 +1636,15 @@ record! {
         /// Unit: dB-Hz. Valid if
         /// [`valid_flags.carrier_noise_ratio`](SvInfoFlags::carrier_noise_ratio) is set.
         pub carrier_noise_ratio: u16,
-        /// Direction of the satellite, from north.
+        /// Direction of the satellite, from true north.
         ///
-        /// Unit: deg. Valid if [`valid_flags.azimuth`](SvInfoFlags::azimuth) is set.
+        /// Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.azimuth`](SvInfoFlags::azimuth) is set.
         pub azimuth: i16,
-        /// Angle of the satellite above the horizon.
+        /// Angle between the horizon and the satellite.
         ///
-        /// Unit: deg. Range: -90 to 90. Valid if [`valid_flags.elevation`](SvInfoFlags::elevation)
-        /// is set.
+        /// Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if
+        /// [`valid_flags.elevation`](SvInfoFlags::elevation) is set.
         pub elevation: i16,
         /// State of the satellite.
         ///
@@ -1600,6 +1681,16 @@ constructors! {
     );
 }
 
+valid! {
+    SvInfo
+    channel_is_valid "channel": valid_flags 0x1;
+    satellite_id_is_valid "satellite_id": valid_flags 0x2;
+    carrier_noise_ratio_is_valid "carrier_noise_ratio": valid_flags 0x4;
+    azimuth_is_valid "azimuth": valid_flags 0x8;
+    elevation_is_valid "elevation": valid_flags 0x10;
+    sv_flags_is_valid "sv_flags": valid_flags 0x20;
+}
+
 field! {
     SvInfo: 0x0C, "gnss_data.sv_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1611,9 +1702,9 @@ record! {
     /// State of the receiver and of its antenna.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 2 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D); 3dm-cv7-gnss-ins: GNSS Hardware
     /// Status (0x92,0x0D).
@@ -1656,6 +1747,13 @@ constructors! {
     );
 }
 
+valid! {
+    HardwareStatus
+    receiver_state_is_valid "receiver_state": valid_flags 0x1;
+    antenna_state_is_valid "antenna_state": valid_flags 0x2;
+    antenna_power_is_valid "antenna_power": valid_flags 0x4;
+}
+
 field! {
     HardwareStatus: 0x0D, "gnss_data.hardware_status";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1668,9 +1766,9 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfoSatellite`] by
-    /// the size of its data. Supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Uncertain: Whether any device sends
-    /// [`DgpsInfoSatellite`], the layout of the SDK, instead. Only this one agrees with the valid
+    /// the size of its data. Confirmed on [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [-45](crate::devices::GX5_45); likely or assumed on 1 more. Uncertain: Devices could also
+    /// send [`DgpsInfoSatellite`], the layout of the SDK, but only this one agrees with the valid
     /// flags, which are the same in all sources.
     ///
     /// - The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL
@@ -1683,7 +1781,7 @@ record! {
         /// Age of the corrections.
         ///
         /// Unit: s. Range: at least 0. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set.
-        /// Uncertain: The unit, which follows from [`DgpsChannel`].
+        /// Uncertain: The unit is that of [`DgpsChannel`]; no source states it here.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub age: f32,
         /// Number of the base station.
@@ -1726,6 +1824,14 @@ constructors! {
     );
 }
 
+valid! {
+    DgpsInfo
+    age_is_valid "age": valid_flags 0x1;
+    base_station_id_is_valid "base_station_id": valid_flags 0x2;
+    base_station_status_is_valid "base_station_status": valid_flags 0x4;
+    num_channels_is_valid "num_channels": valid_flags 0x8;
+}
+
 field! {
     DgpsInfo: 0x0E, "gnss_data.dgps_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1740,8 +1846,8 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfo`] by the size
     /// of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
-    /// Uncertain: Whether any device sends it. The values are those of [`DgpsChannel`], but the
-    /// flags are those of [`DgpsInfo`], so a mistake in the SDK is likely.
+    /// Uncertain: Possibly no device sends it: the values are those of [`DgpsChannel`], but the
+    /// flags those of [`DgpsInfo`], so a mistake in the SDK is likely.
     ///
     /// - The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document
     ///   [`DgpsInfo`] instead.
@@ -1756,17 +1862,17 @@ record! {
         /// Age of the correction.
         ///
         /// Unit: s. Range: at least 0. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set.
-        /// Uncertain: The unit, which follows from [`DgpsChannel`].
+        /// Uncertain: The unit is that of [`DgpsChannel`]; no source states it here.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub age: f32,
         /// Differential correction of the pseudorange.
         ///
-        /// Unit: m. Uncertain: The unit, which follows from [`DgpsChannel`].
+        /// Unit: m. Uncertain: The unit is that of [`DgpsChannel`]; no source states it here.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_correction: f32,
         /// Rate of change of the correction.
         ///
-        /// Unit: m/s. Uncertain: The unit, which follows from [`DgpsChannel`].
+        /// Unit: m/s. Uncertain: The unit is that of [`DgpsChannel`]; no source states it here.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_rate_correction: f32,
         /// Validity flags for the state of the corrections.
@@ -1796,6 +1902,11 @@ constructors! {
     );
 }
 
+valid! {
+    DgpsInfoSatellite
+    age_is_valid "age": valid_flags 0x1;
+}
+
 field! {
     DgpsInfoSatellite: 0x0E, "gnss_data.dgps_info_satellite";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1808,9 +1919,9 @@ record! {
     /// Differential correction for one satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MIP SDK of 2014, MicroStrain
-    /// Communication Library and MicroStrain MIP SDK.
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 2 more. Known only from the MIP
+    /// SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
@@ -1866,6 +1977,14 @@ constructors! {
     );
 }
 
+valid! {
+    DgpsChannel
+    satellite_id_is_valid "satellite_id": valid_flags 0x1;
+    age_is_valid "age": valid_flags 0x2;
+    range_correction_is_valid "range_correction": valid_flags 0x4;
+    range_rate_correction_is_valid "range_rate_correction": valid_flags 0x8;
+}
+
 field! {
     DgpsChannel: 0x0F, "gnss_data.dgps_channel";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1877,8 +1996,10 @@ record! {
     /// Bias and drift of the receiver clock.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
+    /// or assumed on 1 more. Uncertain: The units are inferred from those of the ephemerides; no
+    /// source states them.
     ///
     /// - It supersedes clock info.
     ///
@@ -1935,6 +2056,14 @@ constructors! {
     );
 }
 
+valid! {
+    ClockInfo2
+    bias_is_valid "bias": valid_flags 0x1;
+    drift_is_valid "drift": valid_flags 0x2;
+    bias_accuracy_estimate_is_valid "bias_accuracy_estimate": valid_flags 0x4;
+    drift_accuracy_estimate_is_valid "drift_accuracy_estimate": valid_flags 0x8;
+}
+
 field! {
     ClockInfo2: 0x10, "gnss_data.clock_info_2";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1946,8 +2075,9 @@ record! {
     /// Difference between GPS time and UTC.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
+    /// or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11); 3dm-cv7-gnss-ins: GPS Leap Seconds
     /// (0x92,0x11).
@@ -1974,6 +2104,11 @@ constructors! {
 
     /// Creates it from its values.
     fn new(leap_seconds: u8, valid_flags: GpsLeapSecondsFlags);
+}
+
+valid! {
+    GpsLeapSeconds
+    leap_seconds_is_valid "leap_seconds": valid_flags 0x2;
 }
 
 field! {
@@ -2049,6 +2184,16 @@ constructors! {
         sbas_status: SbasStatus,
         valid_flags: SbasInfoFlags,
     );
+}
+
+valid! {
+    SbasInfo
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
+    sbas_system_is_valid "sbas_system": valid_flags 0x4;
+    sbas_id_is_valid "sbas_id": valid_flags 0x8;
+    count_is_valid "count": valid_flags 0x10;
+    sbas_status_is_valid "sbas_status": valid_flags 0x20;
 }
 
 field! {
@@ -2144,6 +2289,13 @@ constructors! {
     );
 }
 
+valid! {
+    SbasCorrection
+    udrei_is_valid "udrei": valid_flags 0x1;
+    pseudorange_correction_is_valid "pseudorange_correction": valid_flags 0x2;
+    iono_correction_is_valid "iono_correction": valid_flags 0x4;
+}
+
 field! {
     SbasCorrection: 0x13, "gnss_data.sbas_correction";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2211,6 +2363,14 @@ constructors! {
     ), reserved: [0; 2];
 }
 
+valid! {
+    RfErrorDetection
+    rf_band_is_valid "rf_band": valid_flags 0x1;
+    jamming_state_is_valid "jamming_state": valid_flags 0x2;
+    spoofing_state_is_valid "spoofing_state": valid_flags 0x4;
+    frequency_is_valid "frequency": valid_flags 0x8;
+}
+
 field! {
     RfErrorDetection: 0x14, "gnss_data.rf_error_detection";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2223,24 +2383,25 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known
-    /// only from the MicroStrain MIP SDK. Uncertain: Which devices send it. The SDK does not name
-    /// any.
+    /// only from the MicroStrain MIP SDK. Uncertain: The SDK names no device that sends it.
     ///
     /// Source: mip-sdk-4: Heading (0x81,0x15).
     #[derive(Copy, Default)]
     pub struct Heading {
-        /// Heading of the baseline between the antennas.
+        /// Heading of the baseline between the antennas, from true north.
         ///
-        /// Unit: deg. Valid if [`valid_flags.heading`](HeadingFlags::heading) is set. Uncertain:
-        /// The reference and the range. Clockwise from true north is usual; the SDK only states
+        /// Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.heading`](HeadingFlags::heading) is set. Uncertain: Clockwise from true
+        /// north is usual; the SDK only states degrees, and no range. Uncertain: No source states
+        /// from which antenna to which the baseline points. The opposite one differs by 180
         /// degrees.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Uncertainty of the heading.
         ///
         /// Unit: deg. Range: at least 0. Valid if
-        /// [`valid_flags.uncertainty`](HeadingFlags::uncertainty) is set. Uncertain: Whether it is
-        /// one standard deviation.
+        /// [`valid_flags.uncertainty`](HeadingFlags::uncertainty) is set. Uncertain: It is not
+        /// known whether this is one standard deviation.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
         /// Kind of the fix.
@@ -2272,6 +2433,13 @@ constructors! {
     );
 }
 
+valid! {
+    Heading
+    heading_is_valid "heading": valid_flags 0x1;
+    uncertainty_is_valid "uncertainty": valid_flags 0x2;
+    fix_type_is_valid "fix_type": valid_flags 0x4;
+}
+
 field! {
     Heading: 0x15, "gnss_data.heading";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2283,8 +2451,9 @@ record! {
     /// Direction to one satellite, and its health.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
+    /// or assumed on 3 more.
     ///
     /// - An epoch is sent as one field for each satellite; `index` and `count` number the fields.
     ///
@@ -2315,15 +2484,16 @@ record! {
         ///
         /// Valid if [`valid_flags.satellite_id`](SatelliteStatusFlags::satellite_id) is set.
         pub satellite_id: u8,
-        /// Elevation, as seen from the rover.
+        /// Angle between the horizon and the satellite, seen from the rover.
         ///
-        /// Unit: deg. Range: -90 to 90. Valid if
+        /// Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if
         /// [`valid_flags.elevation`](SatelliteStatusFlags::elevation) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub elevation: f32,
-        /// Azimuth, as seen from the rover.
+        /// Direction of the satellite from the rover, from true north.
         ///
-        /// Unit: deg. Valid if [`valid_flags.azimuth`](SatelliteStatusFlags::azimuth) is set.
+        /// Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.azimuth`](SatelliteStatusFlags::azimuth) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub azimuth: f32,
         /// True if the satellite is healthy.
@@ -2367,6 +2537,17 @@ constructors! {
     );
 }
 
+valid! {
+    SatelliteStatus
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
+    gnss_id_is_valid "gnss_id": valid_flags 0x4;
+    satellite_id_is_valid "satellite_id": valid_flags 0x8;
+    elevation_is_valid "elevation": valid_flags 0x10;
+    azimuth_is_valid "azimuth": valid_flags 0x20;
+    health_is_valid "health": valid_flags 0x40;
+}
+
 field! {
     SatelliteStatus: 0x20, "gnss_data.satellite_status";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2378,8 +2559,8 @@ record! {
     /// Raw observation of one signal of one satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// - An epoch is sent as one field for each signal; `index` and `count` number the fields.
     /// - The greatest lock time depends on the receiver.
@@ -2525,6 +2706,26 @@ constructors! {
     );
 }
 
+valid! {
+    Raw
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
+    receiver_id_is_valid "receiver_id": valid_flags 0x4;
+    tracking_channel_is_valid "tracking_channel": valid_flags 0x8;
+    gnss_id_is_valid "gnss_id": valid_flags 0x10;
+    satellite_id_is_valid "satellite_id": valid_flags 0x20;
+    signal_id_is_valid "signal_id": valid_flags 0x40;
+    signal_strength_is_valid "signal_strength": valid_flags 0x80;
+    quality_is_valid "quality": valid_flags 0x100;
+    pseudorange_is_valid "pseudorange": valid_flags 0x200;
+    carrier_phase_is_valid "carrier_phase": valid_flags 0x400;
+    doppler_is_valid "doppler": valid_flags 0x800;
+    range_uncertainty_is_valid "range_uncertainty": valid_flags 0x1000;
+    phase_uncertainty_is_valid "phase_uncertainty": valid_flags 0x2000;
+    doppler_uncertainty_is_valid "doppler_uncertainty": valid_flags 0x4000;
+    lock_time_is_valid "lock_time": valid_flags 0x8000;
+}
+
 field! {
     Raw: 0x22, "gnss_data.raw";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2603,6 +2804,16 @@ constructors! {
         indicators: BaseStationIndicators,
         valid_flags: BaseStationInfoFlags,
     );
+}
+
+valid! {
+    BaseStationInfo
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
+    ecef_position_is_valid "ecef_position": valid_flags 0x4;
+    height_is_valid "height": valid_flags 0x8;
+    station_id_is_valid "station_id": valid_flags 0x10;
+    indicators_is_valid "indicators": valid_flags 0x20;
 }
 
 field! {
@@ -2708,6 +2919,18 @@ constructors! {
     ), reserved: [0; 4];
 }
 
+valid! {
+    RtkCorrectionsStatus
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
+    epoch_status_is_valid "epoch_status": valid_flags 0x4;
+    dongle_status_is_valid "dongle_status": valid_flags 0x8;
+    gps_correction_latency_is_valid "gps_correction_latency": valid_flags 0x10;
+    glonass_correction_latency_is_valid "glonass_correction_latency": valid_flags 0x20;
+    galileo_correction_latency_is_valid "galileo_correction_latency": valid_flags 0x40;
+    beidou_correction_latency_is_valid "beidou_correction_latency": valid_flags 0x80;
+}
+
 field! {
     RtkCorrectionsStatus: 0x31, "gnss_data.rtk_corrections_status";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2719,8 +2942,8 @@ record! {
     /// Broadcast orbit and clock of one GPS satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -2969,6 +3192,38 @@ constructors! {
     );
 }
 
+valid! {
+    GpsEphemeris
+    health_is_valid "health": valid_flags 0x1;
+    iodc_is_valid "iodc": valid_flags 0x1;
+    iode_is_valid "iode": valid_flags 0x1;
+    t_oc_is_valid "t_oc": valid_flags 0x1;
+    af0_is_valid "af0": valid_flags 0x1;
+    af1_is_valid "af1": valid_flags 0x1;
+    af2_is_valid "af2": valid_flags 0x1;
+    t_gd_is_valid "t_gd": valid_flags 0x1;
+    isc_l1ca_is_valid "isc_l1ca": valid_flags 0x1;
+    isc_l2c_is_valid "isc_l2c": valid_flags 0x1;
+    t_oe_is_valid "t_oe": valid_flags 0x1;
+    a_is_valid "a": valid_flags 0x1;
+    a_dot_is_valid "a_dot": valid_flags 0x1;
+    mean_anomaly_is_valid "mean_anomaly": valid_flags 0x1;
+    delta_mean_motion_is_valid "delta_mean_motion": valid_flags 0x1;
+    delta_mean_motion_dot_is_valid "delta_mean_motion_dot": valid_flags 0x1;
+    eccentricity_is_valid "eccentricity": valid_flags 0x1;
+    argument_of_perigee_is_valid "argument_of_perigee": valid_flags 0x1;
+    omega_is_valid "omega": valid_flags 0x1;
+    omega_dot_is_valid "omega_dot": valid_flags 0x1;
+    inclination_is_valid "inclination": valid_flags 0x1;
+    inclination_dot_is_valid "inclination_dot": valid_flags 0x1;
+    c_ic_is_valid "c_ic": valid_flags 0x1;
+    c_is_is_valid "c_is": valid_flags 0x1;
+    c_uc_is_valid "c_uc": valid_flags 0x1;
+    c_us_is_valid "c_us": valid_flags 0x1;
+    c_rc_is_valid "c_rc": valid_flags 0x1;
+    c_rs_is_valid "c_rs": valid_flags 0x1;
+}
+
 field! {
     GpsEphemeris: 0x61, "gnss_data.gps_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2980,8 +3235,8 @@ record! {
     /// Broadcast orbit and clock of one GLONASS satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// - The GLONASS interface control document explains p and ft.
     /// - A period of four years has 1461 days; no source states how nt, a u8, counts them.
@@ -3156,6 +3411,29 @@ constructors! {
     );
 }
 
+valid! {
+    GlonassEphemeris
+    frequency_number_is_valid "frequency_number": valid_flags 0x1;
+    tk_is_valid "tk": valid_flags 0x1;
+    tb_is_valid "tb": valid_flags 0x1;
+    satellite_type_is_valid "satellite_type": valid_flags 0x1;
+    gamma_is_valid "gamma": valid_flags 0x1;
+    tau_n_is_valid "tau_n": valid_flags 0x1;
+    position_is_valid "position": valid_flags 0x1;
+    velocity_is_valid "velocity": valid_flags 0x1;
+    accel_is_valid "accel": valid_flags 0x1;
+    health_is_valid "health": valid_flags 0x1;
+    p_is_valid "p": valid_flags 0x1;
+    nt_is_valid "nt": valid_flags 0x1;
+    delta_tau_n_is_valid "delta_tau_n": valid_flags 0x1;
+    ft_is_valid "ft": valid_flags 0x1;
+    en_is_valid "en": valid_flags 0x1;
+    p1_is_valid "p1": valid_flags 0x1;
+    p2_is_valid "p2": valid_flags 0x1;
+    p3_is_valid "p3": valid_flags 0x1;
+    p4_is_valid "p4": valid_flags 0x1;
+}
+
 field! {
     GlonassEphemeris: 0x62, "gnss_data.glonass_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -3167,8 +3445,8 @@ record! {
     /// Broadcast orbit and clock of one Galileo satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// - It has the layout of the GPS ephemeris. No source states what the two inter-signal
     ///   corrections mean here.
@@ -3419,6 +3697,38 @@ constructors! {
     );
 }
 
+valid! {
+    GalileoEphemeris
+    health_is_valid "health": valid_flags 0x1;
+    iodc_is_valid "iodc": valid_flags 0x1;
+    iode_is_valid "iode": valid_flags 0x1;
+    t_oc_is_valid "t_oc": valid_flags 0x1;
+    af0_is_valid "af0": valid_flags 0x1;
+    af1_is_valid "af1": valid_flags 0x1;
+    af2_is_valid "af2": valid_flags 0x1;
+    t_gd_is_valid "t_gd": valid_flags 0x1;
+    isc_l1ca_is_valid "isc_l1ca": valid_flags 0x1;
+    isc_l2c_is_valid "isc_l2c": valid_flags 0x1;
+    t_oe_is_valid "t_oe": valid_flags 0x1;
+    a_is_valid "a": valid_flags 0x1;
+    a_dot_is_valid "a_dot": valid_flags 0x1;
+    mean_anomaly_is_valid "mean_anomaly": valid_flags 0x1;
+    delta_mean_motion_is_valid "delta_mean_motion": valid_flags 0x1;
+    delta_mean_motion_dot_is_valid "delta_mean_motion_dot": valid_flags 0x1;
+    eccentricity_is_valid "eccentricity": valid_flags 0x1;
+    argument_of_perigee_is_valid "argument_of_perigee": valid_flags 0x1;
+    omega_is_valid "omega": valid_flags 0x1;
+    omega_dot_is_valid "omega_dot": valid_flags 0x1;
+    inclination_is_valid "inclination": valid_flags 0x1;
+    inclination_dot_is_valid "inclination_dot": valid_flags 0x1;
+    c_ic_is_valid "c_ic": valid_flags 0x1;
+    c_is_is_valid "c_is": valid_flags 0x1;
+    c_uc_is_valid "c_uc": valid_flags 0x1;
+    c_us_is_valid "c_us": valid_flags 0x1;
+    c_rc_is_valid "c_rc": valid_flags 0x1;
+    c_rs_is_valid "c_rs": valid_flags 0x1;
+}
+
 field! {
     GalileoEphemeris: 0x63, "gnss_data.galileo_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -3430,8 +3740,8 @@ record! {
     /// Broadcast orbit and clock of one BeiDou satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// - It has the layout of the GPS ephemeris. No source states what the two inter-signal
     ///   corrections mean here.
@@ -3682,6 +3992,38 @@ constructors! {
     );
 }
 
+valid! {
+    BeidouEphemeris
+    health_is_valid "health": valid_flags 0x1;
+    iodc_is_valid "iodc": valid_flags 0x1;
+    iode_is_valid "iode": valid_flags 0x1;
+    t_oc_is_valid "t_oc": valid_flags 0x1;
+    af0_is_valid "af0": valid_flags 0x1;
+    af1_is_valid "af1": valid_flags 0x1;
+    af2_is_valid "af2": valid_flags 0x1;
+    t_gd_is_valid "t_gd": valid_flags 0x1;
+    isc_l1ca_is_valid "isc_l1ca": valid_flags 0x1;
+    isc_l2c_is_valid "isc_l2c": valid_flags 0x1;
+    t_oe_is_valid "t_oe": valid_flags 0x1;
+    a_is_valid "a": valid_flags 0x1;
+    a_dot_is_valid "a_dot": valid_flags 0x1;
+    mean_anomaly_is_valid "mean_anomaly": valid_flags 0x1;
+    delta_mean_motion_is_valid "delta_mean_motion": valid_flags 0x1;
+    delta_mean_motion_dot_is_valid "delta_mean_motion_dot": valid_flags 0x1;
+    eccentricity_is_valid "eccentricity": valid_flags 0x1;
+    argument_of_perigee_is_valid "argument_of_perigee": valid_flags 0x1;
+    omega_is_valid "omega": valid_flags 0x1;
+    omega_dot_is_valid "omega_dot": valid_flags 0x1;
+    inclination_is_valid "inclination": valid_flags 0x1;
+    inclination_dot_is_valid "inclination_dot": valid_flags 0x1;
+    c_ic_is_valid "c_ic": valid_flags 0x1;
+    c_is_is_valid "c_is": valid_flags 0x1;
+    c_uc_is_valid "c_uc": valid_flags 0x1;
+    c_us_is_valid "c_us": valid_flags 0x1;
+    c_rc_is_valid "c_rc": valid_flags 0x1;
+    c_rs_is_valid "c_rs": valid_flags 0x1;
+}
+
 field! {
     BeidouEphemeris: 0x64, "gnss_data.beidou_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -3712,14 +4054,14 @@ record! {
         pub week_number: u16,
         /// Coefficients alpha 0 to 3.
         ///
-        /// Valid if [`valid_flags.alpha`](GpsIonoCorrectionFlags::alpha) is set. Uncertain: The
-        /// units.
+        /// Valid if [`valid_flags.alpha`](GpsIonoCorrectionFlags::alpha) is set. Uncertain: No
+        /// source states the units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha: [f64; 4],
         /// Coefficients beta 0 to 3.
         ///
-        /// Valid if [`valid_flags.beta`](GpsIonoCorrectionFlags::beta) is set. Uncertain: The
-        /// units.
+        /// Valid if [`valid_flags.beta`](GpsIonoCorrectionFlags::beta) is set. Uncertain: No source
+        /// states the units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub beta: [f64; 4],
         /// Validity flags for the model.
@@ -3747,6 +4089,14 @@ constructors! {
         beta: [f64; 4],
         valid_flags: GpsIonoCorrectionFlags,
     );
+}
+
+valid! {
+    GpsIonoCorrection
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
+    alpha_is_valid "alpha": valid_flags 0x4;
+    beta_is_valid "beta": valid_flags 0x8;
 }
 
 field! {
@@ -3779,15 +4129,16 @@ record! {
         pub week_number: u16,
         /// The three coefficients of the model.
         ///
-        /// Valid if [`valid_flags.alpha`](GalileoIonoCorrectionFlags::alpha) is set. Uncertain: The
-        /// units.
+        /// Valid if [`valid_flags.alpha`](GalileoIonoCorrectionFlags::alpha) is set. Uncertain: No
+        /// source states the units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha: [f64; 3],
         /// Ionospheric storms, one bit (1 to 5) for each of five regions.
         ///
         /// Valid if
         /// [`valid_flags.disturbance_flags`](GalileoIonoCorrectionFlags::disturbance_flags) is set.
-        /// Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
+        /// Uncertain: No source states whether the bits count from 0 or from 1, or the region of
+        /// each.
         pub disturbance_flags: u8,
         /// Validity flags for the model.
         pub valid_flags: GalileoIonoCorrectionFlags,
@@ -3814,6 +4165,14 @@ constructors! {
         disturbance_flags: u8,
         valid_flags: GalileoIonoCorrectionFlags,
     );
+}
+
+valid! {
+    GalileoIonoCorrection
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
+    alpha_is_valid "alpha": valid_flags 0x4;
+    disturbance_flags_is_valid "disturbance_flags": valid_flags 0x8;
 }
 
 field! {
@@ -3846,20 +4205,20 @@ record! {
         pub week_number: u16,
         /// Coefficients alpha 0 to 3.
         ///
-        /// Valid if [`valid_flags.alpha`](BeidouIonoCorrectionFlags::alpha) is set. Uncertain: The
-        /// units.
+        /// Valid if [`valid_flags.alpha`](BeidouIonoCorrectionFlags::alpha) is set. Uncertain: No
+        /// source states the units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha: [f64; 4],
         /// Coefficients beta 0 to 3.
         ///
-        /// Valid if [`valid_flags.beta`](BeidouIonoCorrectionFlags::beta) is set. Uncertain: The
-        /// units.
+        /// Valid if [`valid_flags.beta`](BeidouIonoCorrectionFlags::beta) is set. Uncertain: No
+        /// source states the units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub beta: [f64; 4],
         /// Nine further coefficients of the delay.
         ///
         /// Valid if [`valid_flags.alpha_correction`](BeidouIonoCorrectionFlags::alpha_correction)
-        /// is set. Uncertain: The units.
+        /// is set. Uncertain: No source states the units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha_correction: [f64; 9],
         /// Validity flags for the model.
@@ -3889,6 +4248,15 @@ constructors! {
         alpha_correction: [f64; 9],
         valid_flags: BeidouIonoCorrectionFlags,
     );
+}
+
+valid! {
+    BeidouIonoCorrection
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
+    alpha_is_valid "alpha": valid_flags 0x4;
+    beta_is_valid "beta": valid_flags 0x8;
+    alpha_correction_is_valid "alpha_correction": valid_flags 0x10;
 }
 
 field! {

@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const MIP_3DM_SET: u8 = 0x0C;
+pub const SET: u8 = 0x0C;
 
 record! {
     /// A field requested by a poll.
@@ -173,10 +173,10 @@ open_enum! {
         /// No pulse.
         DISABLED = 0, "disabled";
         /// From GNSS receiver 1. The external time is GPS time, and valid only while the receiver
-        /// has a fix.
+        /// has a fix. Requires a receiver.
         RECEIVER_1 = 1, "receiver_1";
         /// From GNSS receiver 2. The external time is GPS time, and valid only while the receiver
-        /// has a fix.
+        /// has a fix. Requires 2 receivers.
         RECEIVER_2 = 2, "receiver_2";
         /// From a GPIO pin that is configured as a PPS input.
         GPIO = 3, "gpio";
@@ -299,9 +299,9 @@ tuple! { EventActionStatusEntry action_type: types::EventActionType, trigger_id:
 open_enum! {
     /// Motion that a GNSS receiver assumes.
     ///
-    /// Uncertain: The value `fixed`. The SDK of 2014 numbers the modes 0 to 8, but the list in its
-    /// comments lacks this one, as u-blox receivers do. Uncertain: The descriptions. The sources
-    /// list only names, from which the descriptions of the modes are inferred.
+    /// Uncertain: The SDK of 2014 numbers the modes 0 to 8, but the list in its comments lacks
+    /// `fixed`, which u-blox receivers do not have either. Uncertain: The sources list only names;
+    /// the descriptions of the modes are inferred from them.
     ///
     /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34).
     ReceiverDynamics: u8 {
@@ -330,8 +330,8 @@ bitfield! {
     /// Processing steps of 3-series devices.
     ///
     /// Uncertain: Bits 4, 5, 9 and 12 are from the single-byte protocol of the 3DM-GX3. MSCL has
-    /// the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The descriptions. The sources
-    /// list only names, from which the descriptions of the bits are inferred.
+    /// the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The sources list only names;
+    /// the descriptions of the bits are inferred from them.
     ///
     /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
     /// (0x0C,0x35).
@@ -390,8 +390,8 @@ open_enum! {
         BEACON_SECONDS = 1, "beacon_seconds";
         /// Nanoseconds of the time beacon.
         BEACON_NANOSECONDS = 2, "beacon_nanoseconds";
-        /// Ticks of the internal clock. Uncertain: The value. The source states 2 for this one and
-        /// for the nanoseconds.
+        /// Ticks of the internal clock. Uncertain: The source states 2 both for this value and for
+        /// the nanoseconds.
         INTERNAL_TICKS = 3, "internal_ticks";
     }
 }
@@ -419,9 +419,9 @@ open_enum! {
         ACCEL = 1, "accel";
         /// Gyro.
         GYRO = 2, "gyro";
-        /// Mag.
+        /// On models with a magnetometer. Requires a magnetometer.
         MAG = 3, "mag";
-        /// Pressure.
+        /// The pressure sensor. Requires a pressure sensor.
         PRESSURE = 4, "pressure";
     }
 }
@@ -463,7 +463,7 @@ open_enum! {
     InternalSensor: u8 {
         /// The inertial sensor.
         IMU = 1, "imu";
-        /// The GNSS receiver.
+        /// The GNSS receiver. Requires a receiver.
         GNSS = 2, "gnss";
     }
 }
@@ -517,7 +517,7 @@ open_enum! {
         ALL_STREAMS = 0, "all_streams";
         /// Sensor data (0x80).
         IMU = 1, "imu";
-        /// GNSS data.
+        /// GNSS data. Requires a receiver.
         GNSS = 2, "gnss";
         /// Estimation filter data (0x82).
         FILTER = 3, "filter";
@@ -539,15 +539,17 @@ open_enum! {
 }
 
 record! {
-    /// Poll IMU Data (0x0C,0x01).
+    /// Poll IMU data (0x0C,0x01).
     ///
     /// Requests one sensor data packet (0x80) with the listed fields, in the listed order.
     ///
     /// Also called `poll_imu_message`. Not acknowledged if
-    /// [`suppress_ack`](PollImuData::suppress_ack) is true. Supported by
+    /// [`suppress_ack`](PollImuData::suppress_ack) is true. Confirmed on
+    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 15 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollImuData::descriptors).
@@ -592,15 +594,15 @@ command! {
 }
 
 record! {
-    /// Poll GNSS Data (0x0C,0x02).
+    /// Poll GNSS data (0x0C,0x02).
     ///
     /// Requests one GNSS data packet with the listed fields, in the listed order.
     ///
     /// Also called `poll_gnss_message`. Not acknowledged if
-    /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Supported by
+    /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Known only from the MicroStrain MIP SDK.
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 5 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
@@ -646,15 +648,16 @@ command! {
 }
 
 record! {
-    /// Poll Estimation Filter Data (0x0C,0x03).
+    /// Poll estimation filter data (0x0C,0x03).
     ///
     /// Requests one filter data packet (0x82) with the listed fields, in the listed order.
     ///
     /// Also called `poll_filter_message`. Not acknowledged if
-    /// [`suppress_ack`](PollFilterData::suppress_ack) is true. Supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [`suppress_ack`](PollFilterData::suppress_ack) is true. Confirmed on
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 8 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollFilterData::descriptors).
@@ -699,14 +702,14 @@ command! {
 }
 
 record! {
-    /// Poll NMEA Data (0x0C,0x04).
+    /// Poll NMEA data (0x0C,0x04).
     ///
     /// Requests the listed NMEA sentences once.
     ///
     /// Also called `nmea_poll_data`. Not acknowledged if
-    /// [`suppress_ack`](PollNmeaData::suppress_ack) is true. Supported by
+    /// [`suppress_ack`](PollNmeaData::suppress_ack) is true. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// The wire format also contains `count`: Number of sentences. Counts the elements of
     /// [`format_entries`](PollNmeaData::format_entries).
@@ -750,14 +753,16 @@ command! {
 }
 
 record! {
-    /// Get IMU Data Base Rate (0x0C,0x06).
+    /// Get IMU data base rate (0x0C,0x06).
     ///
     /// Gets the base rate, which is divided by the decimations of [`ImuMessageFormat`].
     ///
-    /// Also called `imu_get_base_rate`. Response: [`GetImuBaseRateResponse`]. Supported by
+    /// Also called `imu_get_base_rate`. Response: [`GetImuBaseRateResponse`]. Confirmed on
+    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 15 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -782,14 +787,15 @@ command! {
 }
 
 record! {
-    /// Get GNSS Data Base Rate (0x0C,0x07).
+    /// Get GNSS data base rate (0x0C,0x07).
     ///
     /// Gets the base rate, which is divided by the decimations of [`GnssMessageFormat`].
     ///
-    /// Also called `gnss_get_base_rate`. Response: [`GetGnssBaseRateResponse`]. Supported by
+    /// Also called `gnss_get_base_rate`. Response: [`GetGnssBaseRateResponse`]. Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Known only from the
+    /// MicroStrain MIP SDK. Requires a receiver.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -814,17 +820,18 @@ command! {
 }
 
 record! {
-    /// IMU Message Format (0x0C,0x08).
+    /// IMU message format (0x0C,0x08).
     ///
     /// Sets the fields of the sensor data packets (0x80), their order and their decimations.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuMessageFormatResponse`].
-    /// Supported by [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Confirmed on [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
+    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
@@ -858,19 +865,19 @@ constructors! {
     ImuMessageFormat
 
     /// Apply the new setting.
-    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Write;
+    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -886,16 +893,16 @@ command! {
 }
 
 record! {
-    /// GNSS Message Format (0x0C,0x09).
+    /// GNSS message format (0x0C,0x09).
     ///
     /// Sets the fields of the GNSS data packets, their order and their decimations.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssMessageFormatResponse`].
-    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Requires a receiver.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
@@ -904,7 +911,7 @@ record! {
     /// - The decimation is the base rate, as [`GetGnssBaseRate`] reports it, divided by the desired
     ///   rate.
     ///
-    /// Source: mip-sdk-4: GNSS Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
+    /// Source: mip-sdk-4: GNSS message format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
     #[derive(Eq, Hash)]
     pub struct GnssMessageFormat {
@@ -928,19 +935,19 @@ constructors! {
     GnssMessageFormat
 
     /// Apply the new setting.
-    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Write;
+    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -956,16 +963,17 @@ command! {
 }
 
 record! {
-    /// Estimation Filter Message Format (0x0C,0x0A).
+    /// Estimation filter message format (0x0C,0x0A).
     ///
     /// Sets the fields of the filter data packets (0x82), their order and their decimations.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`FilterMessageFormatResponse`].
-    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Confirmed on [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 9 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](FilterMessageFormat::descriptors). Required for
@@ -999,19 +1007,19 @@ constructors! {
     FilterMessageFormat
 
     /// Apply the new setting.
-    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Write;
+    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1027,14 +1035,15 @@ command! {
 }
 
 record! {
-    /// Get Estimation Filter Data Base Rate (0x0C,0x0B).
+    /// Get estimation filter data base rate (0x0C,0x0B).
     ///
     /// Gets the base rate, which is divided by the decimations of [`FilterMessageFormat`].
     ///
-    /// Also called `filter_get_base_rate`. Response: [`GetFilterBaseRateResponse`]. Supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Also called `filter_get_base_rate`. Response: [`GetFilterBaseRateResponse`]. Confirmed on
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 9 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1059,14 +1068,14 @@ command! {
 }
 
 record! {
-    /// NMEA Message Format (0x0C,0x0C).
+    /// NMEA message format (0x0C,0x0C).
     ///
     /// Sets the NMEA sentences that the device streams.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`NmeaMessageFormatResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 4 more.
     ///
     /// The wire format also contains `count`: Number of sentences. Counts the elements of
     /// [`format_entries`](NmeaMessageFormat::format_entries). Required for
@@ -1100,19 +1109,19 @@ constructors! {
     NmeaMessageFormat
 
     /// Apply the new setting.
-    fn write(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>) -> Write;
+    fn write(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1128,12 +1137,12 @@ command! {
 }
 
 record! {
-    /// Poll Data (0x0C,0x0D).
+    /// Poll data (0x0C,0x0D).
     ///
     /// Requests one data packet of the descriptor set with the listed fields, in the listed order.
     ///
-    /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollData::descriptors).
@@ -1188,13 +1197,13 @@ command! {
 }
 
 record! {
-    /// Get Data Base Rate (0x0C,0x0E).
+    /// Get data base rate (0x0C,0x0E).
     ///
     /// Gets the base rate, which is divided by the decimations of a descriptor set.
     ///
-    /// Response: [`GetBaseRateResponse`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Response: [`GetBaseRateResponse`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1224,14 +1233,14 @@ command! {
 }
 
 record! {
-    /// Message Format (0x0C,0x0F).
+    /// Message format (0x0C,0x0F).
     ///
     /// Sets the fields of the data packets of a descriptor set, their order and their decimations.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`MessageFormatResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`MessageFormatResponse`]. Confirmed
+    /// on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](MessageFormat::descriptors). Required for
@@ -1269,19 +1278,19 @@ constructors! {
     MessageFormat
 
     /// Apply the new setting.
-    fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Write;
+    fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(descriptor_set: u8) -> Read;
+    fn read(descriptor_set: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(descriptor_set: u8) -> Save;
+    fn save(descriptor_set: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(descriptor_set: u8) -> Load;
+    fn load(descriptor_set: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(descriptor_set: u8) -> LoadDefault;
+    fn load_default(descriptor_set: u8) -> LoadDefaultCall;
 }
 
 field! {
@@ -1297,11 +1306,11 @@ command! {
 }
 
 record! {
-    /// Factory Streaming (0x0C,0x10).
+    /// Factory streaming (0x0C,0x10).
     ///
     /// Sets all message formats to those that technical support needs in a recording.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1330,19 +1339,19 @@ command! {
 }
 
 record! {
-    /// Data Stream Control (0x0C,0x11).
+    /// Data stream control (0x0C,0x11).
     ///
     /// Switches a data stream on or off.
     ///
     /// Also called `datastream_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`DataStreamControlResponse`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// Response: [`DataStreamControlResponse`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 25 more.
     ///
     /// - Devices of the generations 3 to 5 identify the stream by a number ([`LegacyDataStream`]),
     ///   other devices by its descriptor set.
@@ -1356,18 +1365,19 @@ record! {
         pub function: types::FunctionSelector,
         /// Data descriptor set; 0 means all streams (save, load, default).
         ///
-        /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
-        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
-        /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
-        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
-        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+        /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+        /// [3DM-GX3-15](crate::devices::GX3_15), [-25](crate::devices::GX3_25),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-MV5-AR](crate::devices::MV5_AR): values of
+        /// [`LegacyDataStream`]; only [`LegacyDataStream::ALL_STREAMS`], [`LegacyDataStream::IMU`]
+        /// and [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
+        /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
+        /// [3DM-GX3-35](crate::devices::GX3_35), [-45](crate::devices::GX3_45),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
+        /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
         /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: Option<u8>,
@@ -1390,38 +1400,40 @@ constructors! {
     DataStreamControl
 
     /// Apply the new setting.
-    fn write(descriptor_set: u8, enable: bool) -> Write;
+    fn write(descriptor_set: u8, enable: bool) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(descriptor_set: u8) -> Read;
+    fn read(descriptor_set: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(descriptor_set: u8) -> Save;
+    fn save(descriptor_set: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(descriptor_set: u8) -> Load;
+    fn load(descriptor_set: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(descriptor_set: u8) -> LoadDefault;
+    fn load_default(descriptor_set: u8) -> LoadDefaultCall;
 }
 
 #[rustfmt::skip]
 impl DataStreamControl {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST):
-    /// values of [`LegacyDataStream`]. On the [3DM-GX5-15](crate::devices::GX5_15): values of
-    /// [`LegacyDataStream`]; only [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
+    /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [-25](crate::devices::GX3_25),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-MV5-AR](crate::devices::MV5_AR): values of
+    /// [`LegacyDataStream`]; only [`LegacyDataStream::ALL_STREAMS`], [`LegacyDataStream::IMU`] and
+    /// [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+    /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
+    /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
     #[inline]
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
@@ -1447,7 +1459,8 @@ record! {
     /// Sends RTCM 2.3 corrections to the GNSS receiver.
     ///
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST). Requires
+    /// a receiver.
     ///
     /// - The receiver uses the RTCM messages 1, 2, 3 and 9.
     /// - A message may be split at any byte and sent with several of these commands.
@@ -1478,7 +1491,7 @@ command! {
 }
 
 record! {
-    /// Constellation Settings (0x0C,0x21).
+    /// Constellation settings (0x0C,0x21).
     ///
     /// Selects the constellations that the GNSS receiver tracks, and their shares of its tracking
     /// channels.
@@ -1486,12 +1499,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`ConstellationSettingsResponse`].
-    /// Probably changes [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
+    /// Probably affects [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
     /// [`gnss_data::SvInfo`](crate::gnss_data::SvInfo) and
-    /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus). Supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). Uncertain:
-    /// The factory default. The SDK names only GPS and GLONASS as enabled, but has channels for
-    /// SBAS and QZSS too.
+    /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus). Confirmed on
+    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35); likely or
+    /// assumed on 2 more. Requires a receiver. Uncertain: The factory default is doubtful: the SDK
+    /// names only GPS and GLONASS as enabled, but has channels for SBAS and QZSS too.
     ///
     /// The wire format also contains `config_count`: Number of entries. Counts the elements of
     /// [`settings`](ConstellationSettings::settings). Range: 0 to 41. Required for
@@ -1506,7 +1519,7 @@ record! {
     /// - Factory default: GPS and GLONASS are enabled. Reserved and maximum channels: GPS 8 and 16,
     ///   GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
     ///
-    /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
+    /// Source: mip-sdk-4: Constellation settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
     /// Settings (0x0C, 0x21).
     #[derive(Eq, Hash)]
     pub struct ConstellationSettings {
@@ -1536,19 +1549,19 @@ constructors! {
     ConstellationSettings
 
     /// Apply the new setting.
-    fn write(max_channels: u16, settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>) -> Write;
+    fn write(max_channels: u16, settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1564,17 +1577,17 @@ command! {
 }
 
 record! {
-    /// GNSS SBAS Settings (0x0C,0x22).
+    /// GNSS SBAS settings (0x0C,0x22).
     ///
     /// Sets how the GNSS receivers use satellite-based augmentation (SBAS).
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssSbasSettingsResponse`].
-    /// Probably changes [`gnss_data::SbasInfo`](crate::gnss_data::SbasInfo) and
-    /// [`gnss_data::SbasCorrection`](crate::gnss_data::SbasCorrection). Supported by
+    /// Probably affects [`gnss_data::SbasInfo`](crate::gnss_data::SbasInfo) and
+    /// [`gnss_data::SbasCorrection`](crate::gnss_data::SbasCorrection). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45) and
-    /// [3DM-GX5-35](crate::devices::GX5_35).
+    /// [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 3 more. Requires a receiver.
     ///
     /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
     /// for all. Counts the elements of [`included_prns`](GnssSbasSettings::included_prns). Required
@@ -1621,19 +1634,19 @@ constructors! {
         enable_sbas: u8,
         sbas_options: SbasOptions,
         included_prns: impl Into<crate::List<u16, 124>>,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1649,7 +1662,7 @@ command! {
 }
 
 record! {
-    /// GNSS Assisted Fix (0x0C,0x23).
+    /// GNSS assisted fix (0x0C,0x23).
     ///
     /// Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next
     /// power-up.
@@ -1657,7 +1670,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssAssistedFixResponse`].
-    /// Supported by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
+    /// Confirmed on [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 2 more. Known only
+    /// from the MicroStrain MIP SDK. Requires a receiver.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
     /// - If you send the time with [`GnssTimeAssistance`] right after power-up, the first fix takes
@@ -1666,7 +1680,7 @@ record! {
     ///   100 000 erasures.
     /// - It slightly increases the power consumption.
     ///
-    /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
+    /// Source: mip-sdk-4: GNSS assisted fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFix {
         /// Operation on the setting.
@@ -1692,19 +1706,19 @@ constructors! {
     GnssAssistedFix
 
     /// Apply the new setting.
-    fn write(option: AssistedFixOption) -> Write, flags: 255;
+    fn write(option: AssistedFixOption) -> WriteCall, flags: 255;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1720,17 +1734,18 @@ command! {
 }
 
 record! {
-    /// GNSS Time Assistance (0x0C,0x24).
+    /// GNSS time assistance (0x0C,0x24).
     ///
     /// Sends the current GPS time to the GNSS receiver.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Response: [`GnssTimeAssistanceResponse`]. Supported
-    /// by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
+    /// [read](types::FunctionSelector::READ). Response: [`GnssTimeAssistanceResponse`]. Confirmed
+    /// on [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 2 more. Known only from the
+    /// MicroStrain MIP SDK. Requires a receiver.
     ///
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
-    /// Source: mip-sdk-4: GNSS Time Assistance (0x0C,0x24).
+    /// Source: mip-sdk-4: GNSS time assistance (0x0C,0x24).
     #[derive(Copy)]
     pub struct GnssTimeAssistance {
         /// Operation on the setting.
@@ -1767,10 +1782,10 @@ constructors! {
         tow: f64,
         week_number: u16,
         accuracy: f32,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 }
 
 field! {
@@ -1786,19 +1801,19 @@ command! {
 }
 
 record! {
-    /// PPS Source Control (0x0C,0x28).
+    /// PPS source control (0x0C,0x28).
     ///
     /// Selects the source of the pulse per second (PPS).
     ///
     /// Also called `pps_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`PpsSourceControlResponse`]. Changes
-    /// [`system_data::TimeSyncStatus`](crate::system_data::TimeSyncStatus). Probably changes
+    /// Response: [`PpsSourceControlResponse`]. Affects
+    /// [`system_data::TimeSyncStatus`](crate::system_data::TimeSyncStatus). Probably affects
     /// [`shared::GpsTimestamp`](crate::shared::GpsTimestamp),
     /// [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) and
-    /// [`sensor::GpsTimestamp`](crate::sensor::GpsTimestamp). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`sensor::GpsTimestamp`](crate::sensor::GpsTimestamp). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// - The pins are configured separately, by [`GpioConfig`].
     /// - The filter needs a valid pulse; `disabled` and `generated` are rarely useful.
@@ -1811,16 +1826,15 @@ record! {
         /// Source of the pulse.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-        /// [3DM-GV7-INS](crate::devices::GV7_INS): only [`PpsSource::DISABLED`],
-        /// [`PpsSource::GPIO`] and [`PpsSource::GENERATED`]. On the
-        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): default [`PpsSource::RECEIVER_1`]. On
-        /// the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only [`PpsSource::DISABLED`],
-        /// [`PpsSource::RECEIVER_1`], [`PpsSource::RECEIVER_2`], [`PpsSource::GPIO`] and
-        /// [`PpsSource::GENERATED`].
+        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+        /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+        /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [-AR](crate::devices::GV7_AR) and
+        /// [-INS](crate::devices::GV7_INS): only [`PpsSource::DISABLED`], [`PpsSource::GPIO`] and
+        /// [`PpsSource::GENERATED`]. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
+        /// default [`PpsSource::RECEIVER_1`]. On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only
+        /// [`PpsSource::DISABLED`], [`PpsSource::RECEIVER_1`], [`PpsSource::RECEIVER_2`],
+        /// [`PpsSource::GPIO`] and [`PpsSource::GENERATED`].
         pub source: Option<PpsSource>,
     }
     wire 2 {
@@ -1833,19 +1847,19 @@ constructors! {
     PpsSourceControl
 
     /// Apply the new setting.
-    fn write(source: PpsSource) -> Write;
+    fn write(source: PpsSource) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -1861,13 +1875,14 @@ command! {
 }
 
 record! {
-    /// Get Supported Events (0x0C,0x2A).
+    /// Get supported events (0x0C,0x2A).
     ///
     /// Gets the types of event triggers or actions that the device supports, and the number of
     /// each.
     ///
-    /// Response: [`GetEventSupportResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response: [`GetEventSupportResponse`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1895,14 +1910,14 @@ command! {
 }
 
 record! {
-    /// Event Control (0x0C,0x2B).
+    /// Event control (0x0C,0x2B).
     ///
     /// Enables, disables or tests an event trigger.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`EventControlResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`EventControlResponse`]. Confirmed
+    /// on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// - Triggers are disabled by default and after configuration.
     /// - A trigger of type none cannot be enabled.
@@ -1931,19 +1946,19 @@ constructors! {
     EventControl
 
     /// Apply the new setting.
-    fn write(instance: u8, mode: types::EventTriggerMode) -> Write;
+    fn write(instance: u8, mode: types::EventTriggerMode) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(instance: u8) -> Read;
+    fn read(instance: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(instance: u8) -> Save;
+    fn save(instance: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(instance: u8) -> Load;
+    fn load(instance: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(instance: u8) -> LoadDefault;
+    fn load_default(instance: u8) -> LoadDefaultCall;
 }
 
 field! {
@@ -1959,15 +1974,15 @@ command! {
 }
 
 record! {
-    /// Get Event Trigger Status (0x0C,0x2C).
+    /// Get event trigger status (0x0C,0x2C).
     ///
     /// Gets the type and the state of event triggers.
     ///
-    /// Response: [`GetEventTriggerStatusResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response: [`GetEventTriggerStatusResponse`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `requested_count`: Number of requested triggers; 0 requests
-    /// all slots. Counts the elements of
+    /// all instances. Counts the elements of
     /// [`requested_instances`](GetEventTriggerStatus::requested_instances).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
@@ -2000,15 +2015,15 @@ command! {
 }
 
 record! {
-    /// Get Event Action Status (0x0C,0x2D).
+    /// Get event action status (0x0C,0x2D).
     ///
     /// Gets the type and the trigger of event actions.
     ///
-    /// Response: [`GetEventActionStatusResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response: [`GetEventActionStatusResponse`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `requested_count`: Number of requested actions; 0 requests all
-    /// slots. Counts the elements of
+    /// instances. Counts the elements of
     /// [`requested_instances`](GetEventActionStatus::requested_instances).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
@@ -2041,16 +2056,16 @@ command! {
 }
 
 record! {
-    /// Event Trigger Configuration (0x0C,0x2E).
+    /// Event trigger configuration (0x0C,0x2E).
     ///
     /// Configures the kind and the condition of an event trigger.
     ///
     /// Also called `event_trigger`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`EventTriggerConfigResponse`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response: [`EventTriggerConfigResponse`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - The trigger is disabled afterwards; [`EventControl`] enables it.
     /// - A GPIO trigger needs its pin configured by [`GpioConfig`].
@@ -2086,7 +2101,7 @@ union! {
     /// The alternatives of `parameters` in [`EventTriggerConfig`].
     #[derive(Copy)]
     pub enum EventTriggerConfigParameters: types::EventTriggerType {
-        /// The slot is free. It is never active and cannot be enabled.
+        /// The instance is not in use: it is never active and cannot be enabled.
         ///
         /// Empty if [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "none"))]
@@ -2114,19 +2129,19 @@ constructors! {
     EventTriggerConfig
 
     /// Apply the new setting.
-    fn write(instance: u8, parameters: EventTriggerConfigParameters) -> Write, type_: parameters.tag();
+    fn write(instance: u8, parameters: EventTriggerConfigParameters) -> WriteCall, type_: parameters.tag();
 
     /// Return the current setting in a response.
-    fn read(instance: u8) -> Read;
+    fn read(instance: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(instance: u8) -> Save;
+    fn save(instance: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(instance: u8) -> Load;
+    fn load(instance: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(instance: u8) -> LoadDefault;
+    fn load_default(instance: u8) -> LoadDefaultCall;
 }
 
 field! {
@@ -2142,16 +2157,16 @@ command! {
 }
 
 record! {
-    /// Event Action Configuration (0x0C,0x2F).
+    /// Event action configuration (0x0C,0x2F).
     ///
     /// Configures the trigger and the effect of an event action.
     ///
     /// Also called `event_action`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`EventActionConfigResponse`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response: [`EventActionConfigResponse`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - A packet holds one descriptor set; for several sets use several actions with the same
     ///   trigger.
@@ -2196,7 +2211,7 @@ union! {
     /// The alternatives of `parameters` in [`EventActionConfig`].
     #[derive(Eq, Hash)]
     pub enum EventActionConfigParameters: types::EventActionType {
-        /// The slot is free.
+        /// The instance is not in use.
         ///
         /// Empty if [`type_`](EventActionConfig::type_) is [`types::EventActionType::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "none"))]
@@ -2223,19 +2238,19 @@ constructors! {
         instance: u8,
         trigger: u8,
         parameters: EventActionConfigParameters,
-    ) -> Write, type_: parameters.tag();
+    ) -> WriteCall, type_: parameters.tag();
 
     /// Return the current setting in a response.
-    fn read(instance: u8) -> Read;
+    fn read(instance: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(instance: u8) -> Save;
+    fn save(instance: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(instance: u8) -> Load;
+    fn load(instance: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(instance: u8) -> LoadDefault;
+    fn load_default(instance: u8) -> LoadDefaultCall;
 }
 
 field! {
@@ -2251,16 +2266,16 @@ command! {
 }
 
 record! {
-    /// Device Start Up Settings (0x0C,0x30).
+    /// Device start up settings (0x0C,0x30).
     ///
     /// Saves, loads or resets all settings of the device at once.
     ///
     /// Functions: [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). The device may take 2 s to reply. Supported by
+    /// [default](types::FunctionSelector::DEFAULT). The device may take 2 s to reply. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
+    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 22 more.
     ///
     /// - A save may disturb the data output for a short time.
     /// - A save may take up to 1 s. Use a reply time-out of at least 2 s.
@@ -2281,13 +2296,13 @@ constructors! {
     DeviceSettings
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2302,7 +2317,7 @@ command! {
 }
 
 record! {
-    /// Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+    /// Sensor-to-vehicle frame transformation Euler (0x0C,0x31).
     ///
     /// Sets the mounting of the sensor in the vehicle as Euler angles.
     ///
@@ -2310,7 +2325,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`SensorToVehicleTransformEulerResponse`]. Changes
+    /// [`SensorToVehicleTransformEulerResponse`]. Affects
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
@@ -2324,11 +2339,11 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
-    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably affects
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
     /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 9 more.
     ///
     /// - [`SensorToVehicleTransformQuaternion`] and [`SensorToVehicleTransformDcm`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2344,19 +2359,22 @@ record! {
     pub struct SensorToVehicleTransformEuler {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Rotation about the x axis.
+        /// Roll angle of the sensor relative to the vehicle.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: rad. Frame: vehicle. Positive: right side down. Required for
+        /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub roll: Option<f32>,
-        /// Rotation about the y axis.
+        /// Pitch angle of the sensor relative to the vehicle.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: rad. Frame: vehicle. Positive: nose up. Required for
+        /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub pitch: Option<f32>,
-        /// Rotation about the z axis.
+        /// Yaw angle of the sensor relative to the vehicle.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: rad. Frame: vehicle. Positive: clockwise seen from above. Required for
+        /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub yaw: Option<f32>,
     }
@@ -2376,19 +2394,19 @@ constructors! {
         roll: f32,
         pitch: f32,
         yaw: f32,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2404,7 +2422,7 @@ command! {
 }
 
 record! {
-    /// Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+    /// Sensor-to-vehicle frame transformation quaternion (0x0C,0x32).
     ///
     /// Sets the mounting of the sensor in the vehicle as a quaternion.
     ///
@@ -2412,7 +2430,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`SensorToVehicleTransformQuaternionResponse`]. Changes
+    /// [`SensorToVehicleTransformQuaternionResponse`]. Affects
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
@@ -2426,10 +2444,10 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
-    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably affects
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
     /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformDcm`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2460,19 +2478,19 @@ constructors! {
     SensorToVehicleTransformQuaternion
 
     /// Apply the new setting.
-    fn write(q: impl Into<types::Quatf>) -> Write;
+    fn write(q: impl Into<types::Quatf>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2488,7 +2506,7 @@ command! {
 }
 
 record! {
-    /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+    /// Sensor-to-vehicle frame transformation direction cosine matrix (0x0C,0x33).
     ///
     /// Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
     ///
@@ -2496,7 +2514,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response:
-    /// [`SensorToVehicleTransformDcmResponse`]. Changes
+    /// [`SensorToVehicleTransformDcmResponse`]. Affects
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
@@ -2510,10 +2528,10 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
-    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably affects
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
     /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformQuaternion`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2544,19 +2562,19 @@ constructors! {
     SensorToVehicleTransformDcm
 
     /// Apply the new setting.
-    fn write(dcm: impl Into<types::Matrix3f>) -> Write;
+    fn write(dcm: impl Into<types::Matrix3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2580,10 +2598,10 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GpsDynamicsModeResponse`]. Probably
-    /// changes [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
+    /// affects [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
     /// [`gnss_data::NedVelocity`](crate::gnss_data::NedVelocity). Known only from the MIP SDK of
-    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices support it. The SDK of
-    /// 2014 uses it in its example for the 3DM-GX3-35 only.
+    /// 2014 and MicroStrain Communication Library. Requires a receiver. Uncertain: No source lists
+    /// the devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only.
     ///
     /// Source: mip-sdk-2014: GPS dynamics mode (0x0C,0x34); mscl: GPS dynamics mode (0x0C,0x34).
     #[derive(Copy, Eq, Hash)]
@@ -2605,19 +2623,19 @@ constructors! {
     GpsDynamicsMode
 
     /// Apply the new setting.
-    fn write(mode: ReceiverDynamics) -> Write;
+    fn write(mode: ReceiverDynamics) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2641,19 +2659,19 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuSignalConditioningResponse`].
-    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// Affects [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
     /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
     /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion) and
-    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably changes
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably affects
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Known only from the MIP SDK of 2014 and
-    /// MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of the
-    /// flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same record.
-    /// Uncertain: Which devices support it. The SDK of 2014 uses it in its example for the
-    /// 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL
-    /// reads it without.
+    /// MicroStrain Communication Library. Uncertain: The ranges, the defaults and some of the flags
+    /// are those of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain:
+    /// No source lists the devices that support it; the SDK of 2014 uses it in its example for the
+    /// 3DM-GX3-35 only. Uncertain: MSCL reads the response without `reserved`, so some devices may
+    /// not send it.
     ///
     /// - The filters are moving averages; the first zero of their response is at 1000 Hz divided by
     ///   the width.
@@ -2724,19 +2742,19 @@ constructors! {
         up_compensation: u16,
         north_compensation: u16,
         mag_bandwidth: MagBandwidth,
-    ) -> Write, reserved: 0;
+    ) -> WriteCall, reserved: 0;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -2758,9 +2776,9 @@ record! {
     ///
     /// No device is known for certain to support it. Functions:
     /// [write](types::FunctionSelector::WRITE) and [read](types::FunctionSelector::READ). Response:
-    /// [`ImuTimestampResponse`]. Known only from the MIP SDK of 2014. Uncertain: Which devices
-    /// support it. The SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain:
-    /// Whether a read includes `time`, which is ignored, or omits it, as is assumed.
+    /// [`ImuTimestampResponse`]. Known only from the MIP SDK of 2014. Uncertain: No source lists
+    /// the devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only.
+    /// Uncertain: A read is assumed to omit `time`, which the device would ignore.
     ///
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Eq, Hash)]
@@ -2785,10 +2803,10 @@ constructors! {
     ImuTimestamp
 
     /// Apply the new setting.
-    fn write(selector: ImuTimestampSelector, time: u32) -> Write;
+    fn write(selector: ImuTimestampSelector, time: u32) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(selector: ImuTimestampSelector) -> Read;
+    fn read(selector: ImuTimestampSelector) -> ReadCall;
 }
 
 field! {
@@ -2804,21 +2822,21 @@ command! {
 }
 
 record! {
-    /// Accelerometer Bias Configuration (0x0C,0x37).
+    /// Accelerometer bias configuration (0x0C,0x37).
     ///
     /// Sets the bias that is subtracted from the scaled acceleration.
     ///
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
-    /// [apply](types::FunctionSelector::APPLY). Response: [`AccelBiasResponse`]. Changes
-    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel). Probably changes
+    /// [apply](types::FunctionSelector::APPLY). Response: [`AccelBiasResponse`]. Affects
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel). Probably affects
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity) and
-    /// [`filter_data::AccelBias`](crate::filter_data::AccelBias). Supported by
+    /// [`filter_data::AccelBias`](crate::filter_data::AccelBias). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 24 more. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only.
@@ -2845,22 +2863,22 @@ constructors! {
     AccelBias
 
     /// Apply the new setting.
-    fn write(bias: impl Into<types::Vector3f>) -> Write;
+    fn write(bias: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 
     /// Apply the new setting without sending an ACK (5-series devices).
-    fn apply(bias: impl Into<types::Vector3f>) -> Apply;
+    fn apply(bias: impl Into<types::Vector3f>) -> ApplyCall;
 }
 
 field! {
@@ -2877,26 +2895,26 @@ command! {
 }
 
 record! {
-    /// Gyroscope Bias Configuration (0x0C,0x38).
+    /// Gyroscope bias configuration (0x0C,0x38).
     ///
     /// Sets the bias that is subtracted from the scaled angular rate.
     ///
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
-    /// [apply](types::FunctionSelector::APPLY). Response: [`GyroBiasResponse`]. Changes
-    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro). Probably changes
+    /// [apply](types::FunctionSelector::APPLY). Response: [`GyroBiasResponse`]. Affects
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro). Probably affects
     /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
-    /// [`filter_data::Status`](crate::filter_data::Status). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [`filter_data::Status`](crate::filter_data::Status). Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
-    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT) only. On the
-    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 23 more. On the
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
+    /// On the [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
     /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
@@ -2926,22 +2944,22 @@ constructors! {
     GyroBias
 
     /// Apply the new setting.
-    fn write(bias: impl Into<types::Vector3f>) -> Write;
+    fn write(bias: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 
     /// Apply the new setting without sending an ACK (5-series devices).
-    fn apply(bias: impl Into<types::Vector3f>) -> Apply;
+    fn apply(bias: impl Into<types::Vector3f>) -> ApplyCall;
 }
 
 field! {
@@ -2958,19 +2976,19 @@ command! {
 }
 
 record! {
-    /// Capture Gyroscope Bias (0x0C,0x39).
+    /// Capture gyroscope bias (0x0C,0x39).
     ///
     /// Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     ///
-    /// Response: [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
-    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// Response: [`GyroBiasResponse`]. Affects [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+    /// Probably affects [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::Status`](crate::filter_data::Status). The device may take 31 s to reply.
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 21 more.
     ///
     /// - The device must be at rest, with as little vibration as possible, for the whole time.
     /// - The reply arrives after the averaging time.
@@ -3007,29 +3025,26 @@ command! {
 }
 
 record! {
-    /// Magnetometer Hard Iron Offset (0x0C,0x3A).
+    /// Magnetometer hard iron offset (0x0C,0x3A).
     ///
     /// Sets the offset that corrects the scaled magnetic field for hard iron.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
-    /// Response: [`MagHardIronOffsetResponse`]. Changes
-    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// Response: [`MagHardIronOffsetResponse`]. Affects
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 14 more. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
-    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
-    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
-    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT) only.
+    /// Requires a magnetometer.
     ///
     /// - The values come from a calibration of the device as it is installed.
     /// - On some devices,
@@ -3061,22 +3076,22 @@ constructors! {
     MagHardIronOffset
 
     /// Apply the new setting.
-    fn write(offset: impl Into<types::Vector3f>) -> Write;
+    fn write(offset: impl Into<types::Vector3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 
     /// Apply the new setting without sending an ACK (5-series devices).
-    fn apply(offset: impl Into<types::Vector3f>) -> Apply;
+    fn apply(offset: impl Into<types::Vector3f>) -> ApplyCall;
 }
 
 field! {
@@ -3093,29 +3108,26 @@ command! {
 }
 
 record! {
-    /// Magnetometer Soft Iron Matrix (0x0C,0x3B).
+    /// Magnetometer soft iron matrix (0x0C,0x3B).
     ///
     /// Sets the matrix that corrects the scaled magnetic field for soft iron.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
-    /// Response: [`MagSoftIronMatrixResponse`]. Changes
-    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// Response: [`MagSoftIronMatrixResponse`]. Affects
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 14 more. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
-    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
-    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
-    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT) only.
+    /// Requires a magnetometer.
     ///
     /// - The values come from a calibration of the device as it is installed.
     /// - On some devices,
@@ -3146,22 +3158,22 @@ constructors! {
     MagSoftIronMatrix
 
     /// Apply the new setting.
-    fn write(matrix: impl Into<types::Matrix3f>) -> Write;
+    fn write(matrix: impl Into<types::Matrix3f>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 
     /// Apply the new setting without sending an ACK (5-series devices).
-    fn apply(matrix: impl Into<types::Matrix3f>) -> Apply;
+    fn apply(matrix: impl Into<types::Matrix3f>) -> ApplyCall;
 }
 
 field! {
@@ -3178,17 +3190,18 @@ command! {
 }
 
 record! {
-    /// Coning and Sculling Enable (0x0C,0x3E).
+    /// Coning and sculling enable (0x0C,0x3E).
     ///
     /// Enables or disables coning and sculling compensation.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`ConingScullingEnableResponse`].
-    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
-    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity). Supported by
+    /// Probably affects [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity). Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 15 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Eq, Hash)]
@@ -3210,19 +3223,19 @@ constructors! {
     ConingScullingEnable
 
     /// Apply the new setting.
-    fn write(enable: bool) -> Write;
+    fn write(enable: bool) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3238,17 +3251,18 @@ command! {
 }
 
 record! {
-    /// UART Baud Rate (0x0C,0x40).
+    /// UART baud rate (0x0C,0x40).
     ///
     /// Sets the baud rate of the main port.
     ///
     /// Also called `uart_baudrate`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`UartBaudRateResponse`]. Supported by
+    /// Response: [`UartBaudRateResponse`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 12 more.
     ///
     /// - The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later.
     /// - The 3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then,
@@ -3265,8 +3279,7 @@ record! {
         /// New baud rate; the port must support it.
         ///
         /// Unit: Bd. Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45): default
-        /// 115200.
+        /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45): default 115200.
         pub baud: Option<u32>,
     }
     wire 5 {
@@ -3279,19 +3292,19 @@ constructors! {
     UartBaudRate
 
     /// Apply the new setting.
-    fn write(baud: u32) -> Write;
+    fn write(baud: u32) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3307,17 +3320,17 @@ command! {
 }
 
 record! {
-    /// GPIO Configuration (0x0C,0x41).
+    /// GPIO configuration (0x0C,0x41).
     ///
     /// Sets the use of a GPIO pin.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GpioConfigResponse`]. Probably
-    /// changes [`system_data::GpioState`](crate::system_data::GpioState) and
-    /// [`system_data::GpioAnalogValue`](crate::system_data::GpioAnalogValue). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// affects [`system_data::GpioState`](crate::system_data::GpioState) and
+    /// [`system_data::GpioAnalogValue`](crate::system_data::GpioAnalogValue). Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - Not every pin has every feature.
     /// - For an output with a feature other than gpio, configure the function that drives it before
@@ -3376,19 +3389,19 @@ constructors! {
         feature: types::GpioFeature,
         behavior: u8,
         pin_mode: types::GpioPinMode,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(pin: u8) -> Read;
+    fn read(pin: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(pin: u8) -> Save;
+    fn save(pin: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(pin: u8) -> Load;
+    fn load(pin: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(pin: u8) -> LoadDefault;
+    fn load_default(pin: u8) -> LoadDefaultCall;
 }
 
 #[rustfmt::skip]
@@ -3473,15 +3486,15 @@ command! {
 }
 
 record! {
-    /// GPIO State (0x0C,0x42).
+    /// GPIO state (0x0C,0x42).
     ///
     /// Sets or reads the state of a GPIO pin.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Response: [`GpioStateResponse`]. Changes
-    /// [`system_data::GpioState`](crate::system_data::GpioState). Supported by
+    /// [read](types::FunctionSelector::READ). Response: [`GpioStateResponse`]. Affects
+    /// [`system_data::GpioState`](crate::system_data::GpioState). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 9 more.
     ///
     /// - A read returns the level of the pin itself.
     /// - A write has an effect only on a pin that is configured as an output.
@@ -3515,10 +3528,10 @@ constructors! {
     GpioState
 
     /// Apply the new setting.
-    fn write(pin: u8, state: bool) -> Write;
+    fn write(pin: u8, state: bool) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(pin: u8) -> Read;
+    fn read(pin: u8) -> ReadCall;
 }
 
 field! {
@@ -3534,15 +3547,15 @@ command! {
 }
 
 record! {
-    /// Odometer Configuration (0x0C,0x43).
+    /// Odometer configuration (0x0C,0x43).
     ///
     /// Configures the input from a wheel encoder.
     ///
     /// Also called `odometer`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`OdometerConfigResponse`]. Changes [`sensor::Odometer`](crate::sensor::Odometer).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response: [`OdometerConfigResponse`]. Affects [`sensor::Odometer`](crate::sensor::Odometer).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Copy)]
@@ -3582,19 +3595,19 @@ constructors! {
         mode: OdometerMode,
         scaling: f32,
         uncertainty: f32,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3610,27 +3623,28 @@ command! {
 }
 
 record! {
-    /// Advanced Low-Pass Filter Settings (0x0C,0x50).
+    /// Advanced low-pass filter settings (0x0C,0x50).
     ///
     /// Configures the low-pass filter of one sensor data quantity.
     ///
     /// For advanced use. Also called `imu_lowpass_filter`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuLowPassFilterResponse`]. Changes
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuLowPassFilterResponse`]. Affects
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag) and
-    /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure). Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Deprecated on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use [`LowPassFilter`] instead.
-    /// Deprecated on the [3DM-CV7-AR](crate::devices::CV7_AR): use [`LowPassFilter`] instead.
-    /// Deprecated on the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): use [`LowPassFilter`]
-    /// instead. Deprecated on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`]
-    /// instead. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): firmware \<= 1.0.07. On the
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 20 more. Deprecated on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use
+    /// [`LowPassFilter`] instead. Deprecated on the [3DM-CV7-AR](crate::devices::CV7_AR): use
+    /// [`LowPassFilter`] instead. Deprecated on the
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): use [`LowPassFilter`] instead. Deprecated
+    /// on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`] instead. On the
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): firmware \<= 1.0.07. On the
     /// [3DM-CV7-AR](crate::devices::CV7_AR): firmware \<= 1.0.07. On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \<= 1.0.10.
     ///
@@ -3686,19 +3700,19 @@ constructors! {
         enable: bool,
         manual: bool,
         frequency: u16,
-    ) -> Write, reserved: 0;
+    ) -> WriteCall, reserved: 0;
 
     /// Return the current setting in a response.
-    fn read(target_descriptor: u8) -> Read;
+    fn read(target_descriptor: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(target_descriptor: u8) -> Save;
+    fn save(target_descriptor: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(target_descriptor: u8) -> Load;
+    fn load(target_descriptor: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(target_descriptor: u8) -> LoadDefault;
+    fn load_default(target_descriptor: u8) -> LoadDefaultCall;
 }
 
 field! {
@@ -3714,7 +3728,7 @@ command! {
 }
 
 record! {
-    /// Complementary Filter Configuration (0x0C,0x51).
+    /// Complementary filter configuration (0x0C,0x51).
     ///
     /// Configures the complementary filter, which computes the attitude independently of the
     /// estimation filter.
@@ -3722,13 +3736,14 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`ComplementaryFilterResponse`].
-    /// Changes [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// Affects [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
     /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion) and
-    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably changes
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably affects
     /// [`sensor::NorthVector`](crate::sensor::NorthVector) and
-    /// [`sensor::UpVector`](crate::sensor::UpVector). Supported by
+    /// [`sensor::UpVector`](crate::sensor::UpVector). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35); likely or assumed on
+    /// 22 more.
     ///
     /// - Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is
     ///   zero.
@@ -3751,9 +3766,9 @@ record! {
         /// True enables the heading correction, which 5-series manuals call north compensation.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-        /// [3DM-CX5-10](crate::devices::CX5_10) and [3DM-CX5-15](crate::devices::CX5_15): MSCL has
-        /// no support for it. On the [3DM-GX5-15](crate::devices::GX5_15): default true.
+        /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+        /// [3DM-CX5-10](crate::devices::CX5_10) and [-15](crate::devices::CX5_15): MSCL has no
+        /// support for it. On the [3DM-GX5-15](crate::devices::GX5_15): default true.
         pub heading_enable: Option<crate::Bool>,
         /// Time constant of the pitch and roll correction.
         ///
@@ -3786,19 +3801,19 @@ constructors! {
         heading_enable: bool,
         pitch_roll_time_constant: f32,
         heading_time_constant: f32,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -3814,17 +3829,17 @@ command! {
 }
 
 record! {
-    /// Sensor Range (0x0C,0x52).
+    /// Sensor range (0x0C,0x52).
     ///
     /// Sets the measuring range of a sensor.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`SensorRangeResponse`]. Probably
-    /// changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// affects [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro) and
-    /// [`sensor::OverrangeStatus`](crate::sensor::OverrangeStatus). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`sensor::OverrangeStatus`](crate::sensor::OverrangeStatus). Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// - [`GetCalibratedSensorRanges`] lists the settings. The device may reject other settings, or
     ///   measure incorrectly with them.
@@ -3835,6 +3850,10 @@ record! {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Sensor whose range is set or read.
+        ///
+        /// On the [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CX7-AR](crate::devices::CX7_AR) and
+        /// [3DM-GV7-AR](crate::devices::GV7_AR): only [`SensorRangeType::ALL`],
+        /// [`SensorRangeType::ACCEL`], [`SensorRangeType::GYRO`] and [`SensorRangeType::PRESSURE`].
         pub sensor: Option<SensorRangeType>,
         /// Number of the range.
         ///
@@ -3852,19 +3871,19 @@ constructors! {
     SensorRange
 
     /// Apply the new setting.
-    fn write(sensor: SensorRangeType, setting: u8) -> Write;
+    fn write(sensor: SensorRangeType, setting: u8) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(sensor: SensorRangeType) -> Read;
+    fn read(sensor: SensorRangeType) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(sensor: SensorRangeType) -> Save;
+    fn save(sensor: SensorRangeType) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(sensor: SensorRangeType) -> Load;
+    fn load(sensor: SensorRangeType) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(sensor: SensorRangeType) -> LoadDefault;
+    fn load_default(sensor: SensorRangeType) -> LoadDefaultCall;
 }
 
 field! {
@@ -3880,17 +3899,21 @@ command! {
 }
 
 record! {
-    /// Get Calibrated Sensor Ranges (0x0C,0x53).
+    /// Get calibrated sensor ranges (0x0C,0x53).
     ///
     /// Gets the ranges that a sensor supports.
     ///
     /// Also called `calibrated_sensor_ranges`. Response: [`GetCalibratedSensorRangesResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetCalibratedSensorRanges {
         /// Sensor to query; `all` is not allowed.
+        ///
+        /// On the [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CX7-AR](crate::devices::CX7_AR) and
+        /// [3DM-GV7-AR](crate::devices::GV7_AR): only [`SensorRangeType::ALL`],
+        /// [`SensorRangeType::ACCEL`], [`SensorRangeType::GYRO`] and [`SensorRangeType::PRESSURE`].
         pub sensor: SensorRangeType,
     }
 }
@@ -3913,25 +3936,25 @@ command! {
 }
 
 record! {
-    /// Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+    /// Low-pass anti-aliasing filter (0x0C,0x54).
     ///
     /// Configures the low-pass filter of a data field.
     ///
     /// Also called `lowpass_filter`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`LowPassFilterResponse`]. Changes
+    /// Response: [`LowPassFilterResponse`]. Affects
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
     /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure),
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
-    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
-    /// firmware \> 1.0.07. On the [3DM-CV7-AR](crate::devices::CV7_AR): firmware \> 1.0.07. On the
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel). Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7);
+    /// likely or assumed on 7 more. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): firmware \>
+    /// 1.0.07. On the [3DM-CV7-AR](crate::devices::CV7_AR): firmware \> 1.0.07. On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all
@@ -3982,19 +4005,19 @@ constructors! {
         enable: bool,
         manual: bool,
         frequency: f32,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(descriptor_set: u8, field_descriptor: u8) -> Read;
+    fn read(descriptor_set: u8, field_descriptor: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(descriptor_set: u8, field_descriptor: u8) -> Save;
+    fn save(descriptor_set: u8, field_descriptor: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(descriptor_set: u8, field_descriptor: u8) -> Load;
+    fn load(descriptor_set: u8, field_descriptor: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(descriptor_set: u8, field_descriptor: u8) -> LoadDefault;
+    fn load_default(descriptor_set: u8, field_descriptor: u8) -> LoadDefaultCall;
 }
 
 field! {
@@ -4018,10 +4041,10 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`DataStreamFormatResponse`]. Known
-    /// only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
-    /// devices support it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain:
-    /// Whether functions other than write require `format`. The SDK of 2014 sends both parameters
-    /// with every function, and a 0 in place of `format`.
+    /// only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: A comment in
+    /// the SDK of 2014 restricts it to the 3DM-GX3-35; no other source lists devices. Uncertain:
+    /// Functions other than write are assumed not to require `format`. The SDK of 2014 sends both
+    /// parameters with every function, and a 0 in place of `format`.
     ///
     /// - In the wrapped format, packets of the sensor arrive in fields of the data sets:
     ///   `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the
@@ -4048,19 +4071,19 @@ constructors! {
     DataStreamFormat
 
     /// Apply the new setting.
-    fn write(stream: InternalSensor, format: StreamFormat) -> Write;
+    fn write(stream: InternalSensor, format: StreamFormat) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(stream: InternalSensor, format: StreamFormat) -> Read;
+    fn read(stream: InternalSensor, format: StreamFormat) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(stream: InternalSensor, format: StreamFormat) -> Save;
+    fn save(stream: InternalSensor, format: StreamFormat) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(stream: InternalSensor, format: StreamFormat) -> Load;
+    fn load(stream: InternalSensor, format: StreamFormat) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(stream: InternalSensor, format: StreamFormat) -> LoadDefault;
+    fn load_default(stream: InternalSensor, format: StreamFormat) -> LoadDefaultCall;
 }
 
 field! {
@@ -4085,11 +4108,11 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`DevicePowerStateResponse`]. The
     /// device may take 5 s to reply. Known only from the MIP SDK of 2014 and MicroStrain
-    /// Communication Library. Uncertain: Which devices support it. A comment in the SDK of 2014
-    /// names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses one
-    /// longer than usual; 5 s is assumed. Uncertain: Whether `state` may be omitted with functions
-    /// other than write. The SDK of 2014 sends `device` with every function, and a 0 in place of
-    /// `state`.
+    /// Communication Library. Uncertain: A comment in the SDK of 2014 names the 3DM-GX3-25 and the
+    /// 3DM-GX3-35; no other source lists devices. Uncertain: The time-out of 5 s is assumed; the
+    /// SDK of 2014 uses one that is longer than usual. Uncertain: Functions other than write are
+    /// assumed not to require `state`. The SDK of 2014 sends `device` with every function, and a 0
+    /// in place of `state`.
     ///
     /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Eq, Hash)]
@@ -4097,6 +4120,9 @@ record! {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// The sensor.
+        ///
+        /// On the [3DM-GX3-15](crate::devices::GX3_15) and [-25](crate::devices::GX3_25): only
+        /// [`InternalSensor::IMU`].
         pub device: Option<InternalSensor>,
         /// Power state of an internal sensor.
         ///
@@ -4114,19 +4140,19 @@ constructors! {
     DevicePowerState
 
     /// Apply the new setting.
-    fn write(device: InternalSensor, state: SensorPowerState) -> Write;
+    fn write(device: InternalSensor, state: SensorPowerState) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(device: InternalSensor) -> Read;
+    fn read(device: InternalSensor) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(device: InternalSensor) -> Save;
+    fn save(device: InternalSensor) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(device: InternalSensor) -> Load;
+    fn load(device: InternalSensor) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(device: InternalSensor) -> LoadDefault;
+    fn load_default(device: InternalSensor) -> LoadDefaultCall;
 }
 
 field! {
@@ -4150,8 +4176,8 @@ record! {
     /// No device is known for certain to support it. For advanced use. Functions:
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Known only from the MIP SDK of 2014 and
-    /// MicroStrain Communication Library. Uncertain: Which devices support it. A comment in the SDK
-    /// of 2014 names the 3DM-GX3-35.
+    /// MicroStrain Communication Library. Requires a receiver. Uncertain: A comment in the SDK of
+    /// 2014 names the 3DM-GX3-35; no other source lists devices.
     ///
     /// - In direct mode, your program configures the u-blox receiver with its own protocol; see
     ///   [`system::CommMode`](crate::system::CommMode).
@@ -4172,13 +4198,13 @@ constructors! {
     GpsAdvancedSettings
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -4192,7 +4218,7 @@ command! {
 }
 
 record! {
-    /// Device Status (0x0C,0x64).
+    /// Device status (0x0C,0x64).
     ///
     /// Gets the state of the device, in basic form or with counters.
     ///
@@ -4202,17 +4228,18 @@ record! {
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`],
-    /// [`DeviceStatusBasicGx3Response`] or [`DeviceStatusDiagnosticGx3Response`]. Supported by
+    /// [`DeviceStatusBasicGx3Response`] or [`DeviceStatusDiagnosticGx3Response`]. Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-35](crate::devices::GX5_35), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 17 more.
     ///
     /// - The device expects its own model number, which
     ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) returns.
     /// - Device families reply in different layouts. The selector and the length distinguish them.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatus {
@@ -4291,12 +4318,14 @@ responses! {
 }
 
 record! {
-    /// IMU Message Format response (0x0C,0x80).
+    /// IMU message format response (0x0C,0x80).
     ///
-    /// Response to [`ImuMessageFormat`]. Supported by [3DM-CX5-10](crate::devices::CX5_10),
+    /// Response to [`ImuMessageFormat`]. Confirmed on [3DM-CV5-10](crate::devices::CV5_10),
+    /// [-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-35](crate::devices::GX5_35), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 14 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](ImuMessageFormatResponse::descriptors).
@@ -4329,16 +4358,17 @@ field! {
 }
 
 record! {
-    /// GNSS Message Format response (0x0C,0x81).
+    /// GNSS message format response (0x0C,0x81).
     ///
-    /// Response to [`GnssMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Response to [`GnssMessageFormat`]. Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 4 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](GnssMessageFormatResponse::descriptors). Range: 0 to 82.
     ///
-    /// Source: mip-sdk-4: GNSS Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
+    /// Source: mip-sdk-4: GNSS message format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
     #[derive(Default, Eq, Hash)]
     pub struct GnssMessageFormatResponse {
@@ -4367,11 +4397,12 @@ field! {
 }
 
 record! {
-    /// Estimation Filter Message Format response (0x0C,0x82).
+    /// Estimation filter message format response (0x0C,0x82).
     ///
-    /// Response to [`FilterMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Response to [`FilterMessageFormat`]. Confirmed on [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 9 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](FilterMessageFormatResponse::descriptors).
@@ -4404,12 +4435,14 @@ field! {
 }
 
 record! {
-    /// Get IMU Data Base Rate response (0x0C,0x83).
+    /// Get IMU data base rate response (0x0C,0x83).
     ///
-    /// Also called `imu_get_base_rate_response`. Response to [`GetImuBaseRate`]. Supported by
+    /// Also called `imu_get_base_rate_response`. Response to [`GetImuBaseRate`]. Confirmed on
+    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 15 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4440,12 +4473,13 @@ field! {
 }
 
 record! {
-    /// Get GNSS Data Base Rate response (0x0C,0x84).
+    /// Get GNSS data base rate response (0x0C,0x84).
     ///
-    /// Also called `gnss_get_base_rate_response`. Response to [`GetGnssBaseRate`]. Supported by
+    /// Also called `gnss_get_base_rate_response`. Response to [`GetGnssBaseRate`]. Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4476,14 +4510,14 @@ field! {
 }
 
 record! {
-    /// Data Stream Control response (0x0C,0x85).
+    /// Data stream control response (0x0C,0x85).
     ///
-    /// Also called `datastream_control_response`. Response to [`DataStreamControl`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// Also called `datastream_control_response`. Response to [`DataStreamControl`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 25 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -4491,18 +4525,19 @@ record! {
     pub struct DataStreamControlResponse {
         /// Stream specified in the command.
         ///
-        /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
-        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
-        /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
-        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
-        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+        /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+        /// [3DM-GX3-15](crate::devices::GX3_15), [-25](crate::devices::GX3_25),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-MV5-AR](crate::devices::MV5_AR): values of
+        /// [`LegacyDataStream`]; only [`LegacyDataStream::ALL_STREAMS`], [`LegacyDataStream::IMU`]
+        /// and [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
+        /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
+        /// [3DM-GX3-35](crate::devices::GX3_35), [-45](crate::devices::GX3_45),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
+        /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
         /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: u8,
@@ -4528,19 +4563,21 @@ constructors! {
 impl DataStreamControlResponse {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST):
-    /// values of [`LegacyDataStream`]. On the [3DM-GX5-15](crate::devices::GX5_15): values of
-    /// [`LegacyDataStream`]; only [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
+    /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [-25](crate::devices::GX3_25),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-MV5-AR](crate::devices::MV5_AR): values of
+    /// [`LegacyDataStream`]; only [`LegacyDataStream::ALL_STREAMS`], [`LegacyDataStream::IMU`] and
+    /// [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+    /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
+    /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
     #[inline]
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> LegacyDataStream {
@@ -4629,12 +4666,13 @@ field! {
 }
 
 record! {
-    /// UART Baud Rate response (0x0C,0x87).
+    /// UART baud rate response (0x0C,0x87).
     ///
-    /// Also called `uart_baudrate_response`. Response to [`UartBaudRate`]. Supported by
+    /// Also called `uart_baudrate_response`. Response to [`UartBaudRate`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 12 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
     /// (0x0C,0x40).
@@ -4736,12 +4774,13 @@ field! {
 }
 
 record! {
-    /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
+    /// Get estimation filter data base rate response (0x0C,0x8A).
     ///
-    /// Also called `filter_get_base_rate_response`. Response to [`GetFilterBaseRate`]. Supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Also called `filter_get_base_rate_response`. Response to [`GetFilterBaseRate`]. Confirmed on
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 9 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4772,13 +4811,14 @@ field! {
 }
 
 record! {
-    /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
+    /// Advanced low-pass filter settings response (0x0C,0x8B).
     ///
-    /// Also called `imu_lowpass_filter_response`. Response to [`ImuLowPassFilter`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Also called `imu_lowpass_filter_response`. Response to [`ImuLowPassFilter`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 20 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
@@ -4834,10 +4874,10 @@ field! {
 }
 
 record! {
-    /// NMEA Message Format response (0x0C,0x8C).
+    /// NMEA message format response (0x0C,0x8C).
     ///
-    /// Response to [`NmeaMessageFormat`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`NmeaMessageFormat`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 4 more.
     ///
     /// The wire format also contains `count`: Number of sentences. Counts the elements of
     /// [`format_entries`](NmeaMessageFormatResponse::format_entries).
@@ -4868,11 +4908,11 @@ field! {
 }
 
 record! {
-    /// Get Data Base Rate response (0x0C,0x8E).
+    /// Get data base rate response (0x0C,0x8E).
     ///
-    /// Response to [`GetBaseRate`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Response to [`GetBaseRate`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4906,10 +4946,10 @@ field! {
 }
 
 record! {
-    /// Message Format response (0x0C,0x8F).
+    /// Message format response (0x0C,0x8F).
     ///
-    /// Response to [`MessageFormat`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`MessageFormat`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](MessageFormatResponse::descriptors).
@@ -4945,7 +4985,7 @@ field! {
 }
 
 record! {
-    /// Basic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+    /// Basic device status (inertial sensor of the 3DM-RQ1-45) (0x0C,0x90).
     ///
     /// Timer only, in microseconds.
     ///
@@ -4960,7 +5000,7 @@ record! {
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusBasicRq1ImuResponse {
@@ -4995,21 +5035,22 @@ field! {
 }
 
 record! {
-    /// Basic Device Status (0x0C,0x90).
+    /// Basic device status (0x0C,0x90).
     ///
     /// State and timer.
     ///
     /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicWithoutStateResponse`]
     /// and [`DeviceStatusBasicGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
-    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [-35](crate::devices::GX5_35), [-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
+    /// or assumed on 9 more.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusBasicResponse {
@@ -5020,7 +5061,7 @@ record! {
         /// State of the system; the meaning of its values is not documented.
         ///
         /// On the [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT)
-        /// and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
+        /// and [-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
         pub system_state: u16,
         /// Time since start-up.
         ///
@@ -5053,7 +5094,7 @@ impl DeviceStatusBasicResponse {
     /// Reads `system_state` as [`Gx4SystemState`].
     ///
     /// On the [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
+    /// [-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
     #[inline]
     #[must_use]
     pub fn system_state_as_gx4_system_state(&self) -> Gx4SystemState {
@@ -5070,7 +5111,7 @@ field! {
 }
 
 record! {
-    /// Basic Device Status without a state (0x0C,0x90).
+    /// Basic device status (without state) (0x0C,0x90).
     ///
     /// Timer only.
     ///
@@ -5086,7 +5127,7 @@ record! {
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusBasicWithoutStateResponse {
@@ -5127,7 +5168,7 @@ field! {
 }
 
 record! {
-    /// Diagnostic Device Status (0x0C,0x90).
+    /// Diagnostic device status (0x0C,0x90).
     ///
     /// State, timer, and the counters of streams and port.
     ///
@@ -5137,12 +5178,12 @@ record! {
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 7 more.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticResponse {
@@ -5249,7 +5290,7 @@ field! {
 }
 
 record! {
-    /// Diagnostic Device Status with GNSS (0x0C,0x90).
+    /// Diagnostic device status (with GNSS) (0x0C,0x90).
     ///
     /// State, timer, and the counters of pulses, streams, port and receiver.
     ///
@@ -5259,15 +5300,16 @@ record! {
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Supported by [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is
-    /// from a manual. Uncertain: MSCL lists only the names of the values, from which the
-    /// descriptions are inferred; the times are assumed to be in ms like the system timer.
+    /// Confirmed on [3DM-GX5-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely
+    /// or assumed on 2 more. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5
+    /// and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the values,
+    /// from which the descriptions are inferred; the times are assumed to be in ms like the system
+    /// timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGnssResponse {
@@ -5418,7 +5460,7 @@ field! {
 }
 
 record! {
-    /// Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
+    /// Diagnostic device status (3DM-GQ4-45) (0x0C,0x90).
     ///
     /// The layout with GNSS, plus flags for parts that could not be started.
     ///
@@ -5435,7 +5477,7 @@ record! {
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGq4_45Response {
@@ -5598,7 +5640,7 @@ field! {
 }
 
 record! {
-    /// Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
+    /// Diagnostic device status (3DM-RQ1-45) (0x0C,0x90).
     ///
     /// The layout with GNSS, plus the temperature.
     ///
@@ -5609,14 +5651,14 @@ record! {
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: No known manual documents it.
-    /// Uncertain: MSCL lists only the names of the values, from which the descriptions are
-    /// inferred; the times are assumed to be in ms like the system timer.
+    /// [-45-ST](crate::devices::RQ1_45_ST). Uncertain: No known manual documents it. Uncertain:
+    /// MSCL lists only the names of the values, from which the descriptions are inferred; the times
+    /// are assumed to be in ms like the system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Default)]
     pub struct DeviceStatusDiagnosticRq1_45Response {
@@ -5784,7 +5826,7 @@ field! {
 }
 
 record! {
-    /// Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
+    /// Diagnostic device status (3DM-GX4-15, 3DM-GX4-25) (0x0C,0x90).
     ///
     /// Timer, and counters of pulses, streams, port and USB.
     ///
@@ -5802,7 +5844,7 @@ record! {
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGx4Response {
@@ -5941,7 +5983,7 @@ field! {
 }
 
 record! {
-    /// Diagnostic Device Status of an IMU (0x0C,0x90).
+    /// Diagnostic device status (IMU) (0x0C,0x90).
     ///
     /// Timer, available sensors, temperature, and the counters of pulses, stream and port.
     ///
@@ -5959,7 +6001,7 @@ record! {
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Copy, Default)]
     pub struct DeviceStatusDiagnosticImuResponse {
@@ -5977,9 +6019,9 @@ record! {
         pub has_pressure: crate::Bool,
         /// Power state of the sensors.
         pub power_state: u8,
-        /// Largest angular rate that can be measured.
+        /// Largest measurable angular rate.
         pub gyro_range: u16,
-        /// Largest acceleration that can be measured.
+        /// Largest measurable acceleration.
         pub accel_range: u16,
         /// Reserved.
         pub reserved: u32,
@@ -6086,7 +6128,7 @@ field! {
 }
 
 record! {
-    /// Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45 (0x0C,0x90).
+    /// Diagnostic device status (inertial sensor of the 3DM-GX4-45) (0x0C,0x90).
     ///
     /// Timer, available sensors and their ranges, temperature, and the counters of pulses, stream
     /// and port.
@@ -6104,7 +6146,7 @@ record! {
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Copy, Default)]
     pub struct DeviceStatusDiagnosticGx4ImuResponse {
@@ -6120,14 +6162,14 @@ record! {
         pub has_mag: crate::Bool,
         /// True if the device has a pressure sensor.
         pub has_pressure: crate::Bool,
-        /// Largest angular rate that can be measured.
+        /// Largest measurable angular rate.
         pub gyro_range: u16,
-        /// Largest acceleration that can be measured.
+        /// Largest measurable acceleration.
         pub accel_range: u8,
-        /// Largest magnetic field that can be measured.
+        /// Largest measurable magnetic field.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub mag_range: f32,
-        /// Largest pressure that can be measured.
+        /// Largest measurable pressure.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pressure_range: f32,
         /// Temperature of the board.
@@ -6234,7 +6276,7 @@ field! {
 }
 
 record! {
-    /// Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+    /// Diagnostic device status (inertial sensor of the 3DM-RQ1-45) (0x0C,0x90).
     ///
     /// Timer, temperature and supply, and the counters of pulses, stream and port.
     ///
@@ -6250,7 +6292,7 @@ record! {
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Copy, Default)]
     pub struct DeviceStatusDiagnosticRq1ImuResponse {
@@ -6372,7 +6414,7 @@ field! {
 }
 
 record! {
-    /// Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
+    /// Basic device status (3DM-GX3-35, 3DM-GX3-45) (0x0C,0x90).
     ///
     /// State of the port.
     ///
@@ -6385,7 +6427,7 @@ record! {
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusBasicGx3Response {
@@ -6438,7 +6480,7 @@ field! {
 }
 
 record! {
-    /// Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
+    /// Diagnostic device status (3DM-GX3-35, 3DM-GX3-45) (0x0C,0x90).
     ///
     /// State of the port, and the counters of the port, USB, receiver and IMU.
     ///
@@ -6454,7 +6496,7 @@ record! {
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
-    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device status
     /// (0x0C,0x64).
     #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGx3Response {
@@ -6714,11 +6756,12 @@ field! {
 }
 
 record! {
-    /// Complementary Filter Configuration response (0x0C,0x97).
+    /// Complementary filter configuration response (0x0C,0x97).
     ///
-    /// Response to [`ComplementaryFilter`]. Supported by
+    /// Response to [`ComplementaryFilter`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35); likely or assumed on
+    /// 22 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
@@ -6768,12 +6811,12 @@ field! {
 }
 
 record! {
-    /// Accelerometer Bias Configuration response (0x0C,0x9A).
+    /// Accelerometer bias configuration response (0x0C,0x9A).
     ///
-    /// Response to [`AccelBias`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Response to [`AccelBias`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 24 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
@@ -6805,16 +6848,16 @@ field! {
 }
 
 record! {
-    /// Gyroscope Bias Configuration response (0x0C,0x9B).
+    /// Gyroscope bias configuration response (0x0C,0x9B).
     ///
     /// The bias in use.
     ///
     /// Also called `capture_gyro_bias_response`. Response to [`GyroBias`] and [`CaptureGyroBias`].
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 21 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
@@ -6846,12 +6889,12 @@ field! {
 }
 
 record! {
-    /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
+    /// Magnetometer hard iron offset response (0x0C,0x9C).
     ///
-    /// Response to [`MagHardIronOffset`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Response to [`MagHardIronOffset`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
@@ -6883,12 +6926,12 @@ field! {
 }
 
 record! {
-    /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
+    /// Magnetometer soft iron matrix response (0x0C,0x9D).
     ///
-    /// Response to [`MagSoftIronMatrix`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Response to [`MagSoftIronMatrix`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
@@ -6920,11 +6963,11 @@ field! {
 }
 
 record! {
-    /// Coning and Sculling Enable response (0x0C,0x9E).
+    /// Coning and sculling enable response (0x0C,0x9E).
     ///
-    /// Response to [`ConingScullingEnable`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Response to [`ConingScullingEnable`]. Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 15 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -6955,17 +6998,17 @@ field! {
 }
 
 record! {
-    /// Constellation Settings response (0x0C,0xA0).
+    /// Constellation settings response (0x0C,0xA0).
     ///
     /// Tracking channels of the receiver and the setting of each constellation.
     ///
-    /// Response to [`ConstellationSettings`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and
-    /// [3DM-GX5-35](crate::devices::GX5_35).
+    /// Response to [`ConstellationSettings`]. Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45) and
+    /// [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 2 more.
     ///
     /// The wire format also contains `config_count`: Number of entries. Counts the elements of
     /// [`settings`](ConstellationSettingsResponse::settings). Range: 0 to 41.
     ///
-    /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
+    /// Source: mip-sdk-4: Constellation settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
     /// Settings (0x0C, 0x21).
     #[derive(Default, Eq, Hash)]
     pub struct ConstellationSettingsResponse {
@@ -7006,11 +7049,11 @@ field! {
 }
 
 record! {
-    /// GNSS SBAS Settings response (0x0C,0xA1).
+    /// GNSS SBAS settings response (0x0C,0xA1).
     ///
-    /// Response to [`GnssSbasSettings`]. Supported by
+    /// Response to [`GnssSbasSettings`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45) and
-    /// [3DM-GX5-35](crate::devices::GX5_35).
+    /// [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 3 more.
     ///
     /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
     /// for all. Counts the elements of [`included_prns`](GnssSbasSettingsResponse::included_prns).
@@ -7053,12 +7096,12 @@ field! {
 }
 
 record! {
-    /// GNSS Assisted Fix response (0x0C,0xA2).
+    /// GNSS assisted fix response (0x0C,0xA2).
     ///
-    /// Response to [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Response to [`GnssAssistedFix`]. Confirmed on [3DM-GX5-35](crate::devices::GX5_35); likely
+    /// or assumed on 2 more. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
+    /// Source: mip-sdk-4: GNSS assisted fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFixResponse {
         /// Storage of data for a faster first fix.
@@ -7100,12 +7143,12 @@ field! {
 }
 
 record! {
-    /// GNSS Time Assistance response (0x0C,0xA3).
+    /// GNSS time assistance response (0x0C,0xA3).
     ///
-    /// Response to [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Response to [`GnssTimeAssistance`]. Confirmed on [3DM-GX5-35](crate::devices::GX5_35);
+    /// likely or assumed on 2 more. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: GNSS Time Assistance (0x0C,0x24).
+    /// Source: mip-sdk-4: GNSS time assistance (0x0C,0x24).
     #[derive(Copy, Default)]
     pub struct GnssTimeAssistanceResponse {
         /// GPS time of week.
@@ -7150,10 +7193,10 @@ field! {
 }
 
 record! {
-    /// PPS Source Control response (0x0C,0xA8).
+    /// PPS source control response (0x0C,0xA8).
     ///
-    /// Also called `pps_source_response`. Response to [`PpsSourceControl`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `pps_source_response`. Response to [`PpsSourceControl`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7182,29 +7225,29 @@ field! {
 }
 
 record! {
-    /// Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
+    /// Sensor-to-vehicle frame transformation Euler response (0x0C,0xB1).
     ///
     /// Also called `sensor_2_vehicle_transform_euler_response`. Response to
-    /// [`SensorToVehicleTransformEuler`]. Supported by
+    /// [`SensorToVehicleTransformEuler`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 9 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
     #[derive(Copy, Default)]
     pub struct SensorToVehicleTransformEulerResponse {
-        /// Rotation about the x axis.
+        /// Roll angle of the sensor relative to the vehicle.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Frame: vehicle. Positive: right side down.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
-        /// Rotation about the y axis.
+        /// Pitch angle of the sensor relative to the vehicle.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Frame: vehicle. Positive: nose up.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch: f32,
-        /// Rotation about the z axis.
+        /// Yaw angle of the sensor relative to the vehicle.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Frame: vehicle. Positive: clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
     }
@@ -7235,11 +7278,11 @@ field! {
 }
 
 record! {
-    /// Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
+    /// Sensor-to-vehicle frame transformation quaternion response (0x0C,0xB2).
     ///
     /// Also called `sensor_2_vehicle_transform_quaternion_response`. Response to
-    /// [`SensorToVehicleTransformQuaternion`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`SensorToVehicleTransformQuaternion`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     #[derive(Copy, Default)]
@@ -7270,11 +7313,11 @@ field! {
 }
 
 record! {
-    /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
+    /// Sensor-to-vehicle frame transformation direction cosine matrix response (0x0C,0xB3).
     ///
     /// Also called `sensor_2_vehicle_transform_dcm_response`. Response to
-    /// [`SensorToVehicleTransformDcm`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`SensorToVehicleTransformDcm`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
@@ -7306,10 +7349,11 @@ field! {
 }
 
 record! {
-    /// Get Supported Events response (0x0C,0xB4).
+    /// Get supported events response (0x0C,0xB4).
     ///
-    /// Response to [`GetEventSupport`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`GetEventSupport`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
+    /// assumed on 8 more.
     ///
     /// The wire format also contains `num_entries`: Number of types. Counts the elements of
     /// [`entries`](GetEventSupportResponse::entries).
@@ -7319,7 +7363,7 @@ record! {
     pub struct GetEventSupportResponse {
         /// Query specified in the command.
         pub query: EventSupportQuery,
-        /// Number of slots; instances are numbered from 1 to this.
+        /// Number of instances, which are numbered from 1.
         ///
         /// Unit: 1.
         pub max_instances: u8,
@@ -7357,14 +7401,15 @@ field! {
 }
 
 record! {
-    /// Event Control response (0x0C,0xB5).
+    /// Event control response (0x0C,0xB5).
     ///
-    /// Response to [`EventControl`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`EventControl`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct EventControlResponse {
-        /// Number of the trigger.
+        /// Trigger instance.
         pub instance: u8,
         /// Mode of the trigger.
         ///
@@ -7393,10 +7438,10 @@ field! {
 }
 
 record! {
-    /// Get Event Trigger Status response (0x0C,0xB6).
+    /// Get event trigger status response (0x0C,0xB6).
     ///
-    /// Response to [`GetEventTriggerStatus`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`GetEventTriggerStatus`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `count`: Number of entries. Counts the elements of
     /// [`triggers`](GetEventTriggerStatusResponse::triggers).
@@ -7427,10 +7472,10 @@ field! {
 }
 
 record! {
-    /// Get Event Action Status response (0x0C,0xB7).
+    /// Get event action status response (0x0C,0xB7).
     ///
-    /// Response to [`GetEventActionStatus`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`GetEventActionStatus`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `count`: Number of entries. Counts the elements of
     /// [`actions`](GetEventActionStatusResponse::actions).
@@ -7461,16 +7506,16 @@ field! {
 }
 
 record! {
-    /// Event Trigger Configuration response (0x0C,0xB8).
+    /// Event trigger configuration response (0x0C,0xB8).
     ///
-    /// Also called `event_trigger_response`. Response to [`EventTriggerConfig`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `event_trigger_response`. Response to [`EventTriggerConfig`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
     #[derive(Copy, Default)]
     pub struct EventTriggerConfigResponse {
-        /// Number of the trigger.
+        /// Trigger instance.
         pub instance: u8,
         /// Kind of trigger.
         ///
@@ -7503,17 +7548,17 @@ field! {
 }
 
 record! {
-    /// Event Action Configuration response (0x0C,0xB9).
+    /// Event action configuration response (0x0C,0xB9).
     ///
-    /// Also called `event_action_response`. Response to [`EventActionConfig`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `event_action_response`. Response to [`EventActionConfig`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Event
     /// Cycle.
     #[derive(Default, Eq, Hash)]
     pub struct EventActionConfigResponse {
-        /// Number of the action.
+        /// Action instance.
         pub instance: u8,
         /// Trigger instance that the action follows.
         pub trigger: u8,
@@ -7553,10 +7598,11 @@ field! {
 }
 
 record! {
-    /// GPIO Configuration response (0x0C,0xC1).
+    /// GPIO configuration response (0x0C,0xC1).
     ///
-    /// Response to [`GpioConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`GpioConfig`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
+    /// assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7680,10 +7726,10 @@ field! {
 }
 
 record! {
-    /// GPIO State response (0x0C,0xC2).
+    /// GPIO state response (0x0C,0xC2).
     ///
-    /// Response to [`GpioState`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Response to [`GpioState`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 9 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7717,10 +7763,10 @@ field! {
 }
 
 record! {
-    /// Odometer Configuration response (0x0C,0xC3).
+    /// Odometer configuration response (0x0C,0xC3).
     ///
-    /// Also called `odometer_response`. Response to [`OdometerConfig`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `odometer_response`. Response to [`OdometerConfig`]. Confirmed on
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Copy, Default)]
@@ -7767,9 +7813,10 @@ field! {
 }
 
 record! {
-    /// Sensor Range response (0x0C,0xD2).
+    /// Sensor range response (0x0C,0xD2).
     ///
-    /// Response to [`SensorRange`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`SensorRange`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 10 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7801,10 +7848,10 @@ field! {
 }
 
 record! {
-    /// Get Calibrated Sensor Ranges response (0x0C,0xD3).
+    /// Get calibrated sensor ranges response (0x0C,0xD3).
     ///
     /// Also called `calibrated_sensor_ranges_response`. Response to [`GetCalibratedSensorRanges`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `num_ranges`: Number of ranges. Counts the elements of
     /// [`ranges`](GetCalibratedSensorRangesResponse::ranges).
@@ -7847,12 +7894,12 @@ field! {
 }
 
 record! {
-    /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
+    /// Low-pass anti-aliasing filter response (0x0C,0xD4).
     ///
-    /// Also called `lowpass_filter_response`. Response to [`LowPassFilter`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Also called `lowpass_filter_response`. Response to [`LowPassFilter`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7);
+    /// likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
     #[derive(Copy, Default)]

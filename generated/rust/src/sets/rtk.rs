@@ -1,7 +1,7 @@
 //! RTK commands (0x0F): Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
 //!
 //! Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the
-//! names. Uncertain: How the strings are padded or terminated.
+//! names. Uncertain: No source states how strings are padded or terminated.
 //!
 //! Source: mip-sdk-4: Rtk Commands (0x0F).
 
@@ -14,7 +14,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const RTK_SET: u8 = 0x0F;
+pub const SET: u8 = 0x0F;
 
 open_enum! {
     /// Type of device connected to a corrections modem.
@@ -251,19 +251,19 @@ constructors! {
     ConnectedDeviceType
 
     /// Apply the new setting.
-    fn write(device_type: ConnectedDevice) -> Write;
+    fn write(device_type: ConnectedDevice) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -351,9 +351,9 @@ record! {
     /// Source: mip-sdk-4: Service status (0x0F,0x0A).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ServiceStatus {
-        /// Reserved: send 0. Uncertain: What the modem sends; 0 is assumed.
+        /// Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed.
         pub reserved1: u32,
-        /// Reserved: send 0. Uncertain: What the modem sends; 0 is assumed.
+        /// Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed.
         pub reserved2: u32,
     }
 }
@@ -424,17 +424,17 @@ record! {
     pub struct LedControl {
         /// First colour.
         ///
-        /// Uncertain: The order of its parts; red, green, blue is likely.
+        /// Uncertain: No source states the order of its parts; red, green, blue is likely.
         pub primary_color: [u8; 3],
         /// Second colour.
         ///
-        /// Uncertain: The order of its parts; red, green, blue is likely.
+        /// Uncertain: No source states the order of its parts; red, green, blue is likely.
         pub alternate_color: [u8; 3],
         /// Pattern.
         pub action: LedAction,
         /// Period of the pattern.
         ///
-        /// Uncertain: The unit; ms is likely.
+        /// Uncertain: No source states the unit; ms is likely.
         pub period: u32,
     }
 }
@@ -629,11 +629,13 @@ record! {
         pub valid: crate::Bool,
         /// Received signal strength.
         ///
-        /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: The unit; dBm is likely.
+        /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: No source states the
+        /// unit; dBm is likely.
         pub rssi: i32,
         /// Quality of the modem's radio signal.
         ///
-        /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: The unit.
+        /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: No source states the
+        /// unit.
         pub signal_quality: i32,
     }
 }
@@ -654,6 +656,12 @@ constructors! {
         rssi: i32,
         signal_quality: i32,
     );
+}
+
+valid! {
+    GetRssiResponse
+    rssi_is_valid "rssi": valid 0x0;
+    signal_quality_is_valid "signal_quality": valid 0x0;
 }
 
 field! {
@@ -761,8 +769,8 @@ record! {
     ///
     /// Connection status according to the server.
     ///
-    /// Response to [`ServiceStatus`]. Known only from the MicroStrain MIP SDK. Uncertain: What the
-    /// counters count.
+    /// Response to [`ServiceStatus`]. Known only from the MicroStrain MIP SDK. Uncertain: No source
+    /// states what the counters count.
     ///
     /// Source: mip-sdk-4: Service status (0x0F,0x0A).
     #[derive(Copy, Default, Eq, Hash)]
@@ -779,7 +787,7 @@ record! {
         pub last_bytes: u32,
         /// Time of the last transfer.
         ///
-        /// Uncertain: The unit and the epoch.
+        /// Uncertain: No source states the unit and the epoch.
         pub last_bytes_time: u64,
     }
 }

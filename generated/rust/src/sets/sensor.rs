@@ -12,39 +12,43 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SENSOR_SET: u8 = 0x80;
+pub const SET: u8 = 0x80;
 
 bitfield! {
     /// Sensor axes that were near or outside their range.
     OverrangeFlags: u16 {
-        /// The accelerometer x axis is near or outside its range. Bit 0. Concerns [`ScaledAccel`].
+        /// The accelerometer x axis is near or outside its range. Bit 0. Affects [`ScaledAccel`].
         ACCEL_X: bool = 0,
             accel_x, set_accel_x, with_accel_x;
-        /// The accelerometer y axis is near or outside its range. Bit 1. Concerns [`ScaledAccel`].
+        /// The accelerometer y axis is near or outside its range. Bit 1. Affects [`ScaledAccel`].
         ACCEL_Y: bool = 1,
             accel_y, set_accel_y, with_accel_y;
-        /// The accelerometer z axis is near or outside its range. Bit 2. Concerns [`ScaledAccel`].
+        /// The accelerometer z axis is near or outside its range. Bit 2. Affects [`ScaledAccel`].
         ACCEL_Z: bool = 2,
             accel_z, set_accel_z, with_accel_z;
-        /// The gyroscope x axis is near or outside its range. Bit 4. Concerns [`ScaledGyro`].
+        /// The gyroscope x axis is near or outside its range. Bit 4. Affects [`ScaledGyro`].
         GYRO_X: bool = 4,
             gyro_x, set_gyro_x, with_gyro_x;
-        /// The gyroscope y axis is near or outside its range. Bit 5. Concerns [`ScaledGyro`].
+        /// The gyroscope y axis is near or outside its range. Bit 5. Affects [`ScaledGyro`].
         GYRO_Y: bool = 5,
             gyro_y, set_gyro_y, with_gyro_y;
-        /// The gyroscope z axis is near or outside its range. Bit 6. Concerns [`ScaledGyro`].
+        /// The gyroscope z axis is near or outside its range. Bit 6. Affects [`ScaledGyro`].
         GYRO_Z: bool = 6,
             gyro_z, set_gyro_z, with_gyro_z;
-        /// The magnetometer x axis is near or outside its range. Bit 8. Concerns [`ScaledMag`].
+        /// The magnetometer x axis is near or outside its range. Bit 8. Affects [`ScaledMag`].
+        /// Requires a magnetometer.
         MAG_X: bool = 8,
             mag_x, set_mag_x, with_mag_x;
-        /// The magnetometer y axis is near or outside its range. Bit 9. Concerns [`ScaledMag`].
+        /// The magnetometer y axis is near or outside its range. Bit 9. Affects [`ScaledMag`].
+        /// Requires a magnetometer.
         MAG_Y: bool = 9,
             mag_y, set_mag_y, with_mag_y;
-        /// The magnetometer z axis is near or outside its range. Bit 10. Concerns [`ScaledMag`].
+        /// The magnetometer z axis is near or outside its range. Bit 10. Affects [`ScaledMag`].
+        /// Requires a magnetometer.
         MAG_Z: bool = 10,
             mag_z, set_mag_z, with_mag_z;
-        /// The pressure sensor is near or outside its range. Bit 12. Concerns [`ScaledPressure`].
+        /// The pressure sensor is near or outside its range. Bit 12. Affects [`ScaledPressure`].
+        /// Requires a pressure sensor.
         PRESSURE: bool = 12,
             pressure, set_pressure, with_pressure;
     }
@@ -135,15 +139,16 @@ record! {
     /// Raw magnetic field in counts of the sensor, temperature compensated.
     ///
     /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
-    /// SDK.
+    /// SDK. Requires a magnetometer.
     ///
     /// Source: mip-sdk-4: Raw mag (0x80,0x03); mip-sdk-2014: Raw mag (0x80,0x03).
     #[derive(Copy, Default)]
     pub struct RawMag {
         /// Magnetic field in counts.
         ///
-        /// Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame. The SDK has the
-        /// vehicle frame here, but the sensor frame for raw acceleration and raw angular rate.
+        /// Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame is doubtful: the SDK
+        /// has the vehicle frame here, but the sensor frame for raw acceleration and raw angular
+        /// rate.
         pub raw_mag: types::Vector3f,
     }
 }
@@ -170,10 +175,11 @@ record! {
     ///
     /// Specific force, temperature compensated: about -1 g on z when level and at rest.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely or assumed on 24
+    /// more.
     ///
     /// - At rest, it is the opposite of the gravity vector.
     ///
@@ -210,10 +216,11 @@ record! {
     ///
     /// Measured angular rate, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely or assumed on 24
+    /// more.
     ///
     /// Source: 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05); 3dm-cv7-gnss-ins: Scaled Gyro
     /// (0x80,0x05).
@@ -249,10 +256,10 @@ record! {
     ///
     /// Measured magnetic field, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [-45](crate::devices::GX5_45); likely or assumed on 16 more. Requires a magnetometer.
     ///
     /// Source: 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06).
     #[derive(Copy, Default)]
@@ -286,9 +293,9 @@ record! {
     ///
     /// Time integral of the angular rate over the period set by the message format.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35).
+    /// [-35](crate::devices::GX5_35); likely or assumed on 21 more.
     ///
     /// Source: 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07); 3dm-cv7-gnss-ins: Delta Theta
     /// (0x80,0x07).
@@ -322,20 +329,20 @@ field! {
 record! {
     /// Delta velocity (0x80,0x08).
     ///
-    /// Time integral of the acceleration over the period set by the message format.
+    /// Time integral of the specific force over the period set by the message format.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15); likely or
+    /// assumed on 22 more.
     ///
     /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
-    /// - It includes gravity. Divided by the period, z is -1 g on a device that is level and at
-    ///   rest.
+    /// - Divided by the period, z is -1 g on a device that is level and at rest.
     ///
     /// Source: 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08); 3dm-cv7-gnss-ins: Delta
     /// Velocity (0x80,0x08).
     #[derive(Copy, Default)]
     pub struct DeltaVelocity {
-        /// Integral of the acceleration.
+        /// Integral of the specific force: acceleration minus gravity.
         ///
         /// Elements: x, y, z. Unit: g\*s. Frame: vehicle. At rest and level: x 0, y 0.
         pub delta_velocity: types::Vector3f,
@@ -365,8 +372,8 @@ record! {
     /// Attitude from the complementary filter as a direction cosine matrix, relative to the NED
     /// frame.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 21 more.
     ///
     /// - `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle
     ///   frame.
@@ -406,22 +413,22 @@ record! {
     ///
     /// Attitude from the complementary filter as a quaternion, relative to the NED frame.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 18 more.
     ///
-    /// - `v_vehicle = q^-1 * v_ned * q`; the 3DM-GX5-15 uses the sensor frame in place of the
-    ///   vehicle frame.
+    /// - The 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
+    /// - `v_ned = q * v_vehicle * q^-1`
     ///
     /// Source: 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A); 3dm-cv7-gnss-ins: Complementary Filter
     /// Quaternion (0x80,0x0A).
     #[derive(Copy, Default)]
     pub struct CompQuaternion {
-        /// Rotation between the NED frame and the vehicle frame.
+        /// Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first.
         ///
         /// Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the
-        /// [3DM-GX5-15](crate::devices::GX5_15): Rotation between the NED frame and the sensor
-        /// frame.
+        /// [3DM-GX5-15](crate::devices::GX5_15): Rotates vectors of the sensor frame into the NED
+        /// frame; Hamilton quaternion, w first.
         pub q: types::Quatf,
     }
 }
@@ -449,8 +456,8 @@ record! {
     /// Change in the complementary filter's attitude, as a matrix.
     ///
     /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
-    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The
-    /// interval of the change and the frames. The SDK and the SDK of 2014 state only the name and
+    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: No
+    /// source states the interval of the change and the frames; the SDKs state only the name and
     /// the layout.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B); mip-sdk-2014: Orientation
@@ -487,9 +494,10 @@ record! {
     ///
     /// Attitude from the complementary filter as Euler angles, relative to the NED frame.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). Uncertain: The ranges of the angles. Uncertain: which
-    /// no source states.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15); likely
+    /// or assumed on 19 more. Uncertain: The ranges of the angles are inferred; no source states
+    /// them.
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
@@ -499,8 +507,8 @@ record! {
     pub struct CompEulerAngles {
         /// Roll angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
-        /// level: 0. Positive: right side down.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side
+        /// down.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
         /// Pitch angle.
@@ -511,8 +519,7 @@ record! {
         pub pitch: f32,
         /// Yaw angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-        /// clockwise seen from above.
+        /// Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
     }
@@ -560,7 +567,7 @@ record! {
     pub struct OrientationRawTemperature {
         /// Temperatures in counts.
         ///
-        /// Unit: 1. Uncertain: The scale, and which axes the numbers 1 to 3 are.
+        /// Unit: 1. Uncertain: No source states the scale, or the axes of the numbers 1 to 3.
         pub raw_temperature: [u16; 4],
     }
 }
@@ -588,8 +595,9 @@ record! {
     /// Free-running counter of the device.
     ///
     /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
-    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain:
-    /// Which devices send it. The SDK of 2014 is for devices of the 3-series and 4-series.
+    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: No
+    /// source lists the devices that send it; the SDK of 2014 is for devices of the 3-series and
+    /// 4-series.
     ///
     /// Source: mip-sdk-4: Internal timestamp (0x80,0x0E); mip-sdk-2014: Internal timestamp
     /// (0x80,0x0E).
@@ -627,8 +635,8 @@ record! {
     ///
     /// Deprecated: the SDK marks it as deprecated and names no replacement. Distinguished from
     /// [`PpsTimestampWithFlags`] by the size of its data. Not listed in any device profile. Known
-    /// only from the MicroStrain MIP SDK. Uncertain: Whether any device sends it.
-    /// [`PpsTimestampWithFlags`] has more sources. Uncertain: The epoch.
+    /// only from the MicroStrain MIP SDK. Uncertain: Possibly no device sends it;
+    /// [`PpsTimestampWithFlags`] has more sources. Uncertain: No source states the epoch.
     ///
     /// - The sources contradict each other. Only the SDK has this layout.
     ///
@@ -638,11 +646,11 @@ record! {
     pub struct PpsTimestamp {
         /// Whole seconds.
         ///
-        /// Unit: s. Uncertain: The unit; it follows from the name.
+        /// Unit: s. Uncertain: The unit is inferred from the name.
         pub seconds: u32,
         /// Fraction of the second.
         ///
-        /// Unit: us. Uncertain: The unit; it follows from the name.
+        /// Unit: us. Uncertain: The unit is inferred from the name.
         pub useconds: u32,
     }
 }
@@ -674,8 +682,8 @@ record! {
     /// Deprecated: the SDK marks the descriptor as deprecated and names no replacement.
     /// Distinguished from [`PpsTimestamp`] by the size of its data. Not listed in any device
     /// profile. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
-    /// Uncertain: Which devices send it. The SDK of 2014 dates from the time of the 3DM-GX3
-    /// devices. Uncertain: The epoch.
+    /// Uncertain: No source lists the devices that send it; the SDK of 2014 dates from the time of
+    /// the 3DM-GX3. Uncertain: No source states the epoch.
     ///
     /// - The sources disagree on the layout; this one is from MSCL and the SDK of 2014.
     ///
@@ -685,7 +693,7 @@ record! {
     pub struct PpsTimestampWithFlags {
         /// State of the time.
         ///
-        /// Uncertain: The meaning of the bits, which no source states.
+        /// Uncertain: No source states the meaning of the bits.
         pub flags: u8,
         /// Whole seconds.
         ///
@@ -727,7 +735,7 @@ record! {
     ///
     /// Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
     ///
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 11 more.
     ///
     /// - Without magnetic disturbance it equals the measured magnetic field, unless a
     ///   sensor-to-vehicle transformation moves the latter out of the sensor frame.
@@ -738,9 +746,9 @@ record! {
     pub struct NorthVector {
         /// Geomagnetic field.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame. The SDK has the
-        /// vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack
-        /// this vector.
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame is doubtful: the SDK
+        /// has the vehicle frame, but the lists of what the sensor-to-vehicle transformation
+        /// changes lack this vector.
         pub stabilized_mag: types::Vector3f,
     }
 }
@@ -767,7 +775,8 @@ record! {
     ///
     /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     ///
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35); likely
+    /// or assumed on 10 more.
     ///
     /// - At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation
     ///   moves the latter out of the sensor frame.
@@ -779,8 +788,8 @@ record! {
         /// Opposite of the gravity vector, as the accelerometers measure it.
         ///
         /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain:
-        /// The frame. The SDK has the vehicle frame, but the lists of what the sensor-to-vehicle
-        /// transformation changes lack this vector.
+        /// The frame is doubtful: the SDK has the vehicle frame, but the lists of what the
+        /// sensor-to-vehicle transformation changes lack this vector.
         pub stabilized_accel: types::Vector3f,
     }
 }
@@ -807,9 +816,9 @@ record! {
     ///
     /// GPS time of the sensor data.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35).
+    /// [-35](crate::devices::GX5_35); likely or assumed on 12 more.
     ///
     /// - Without a PPS the time runs on the internal clock and jumps when the PPS returns.
     /// - The fraction of the time of week is the time since the last pulse.
@@ -825,7 +834,15 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid) is set. On the
-        /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): valid if
+        /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): valid if
+        /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
+        /// set (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
+        /// [-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -834,15 +851,29 @@ record! {
         ///
         /// Unit: week. Valid if
         /// [`valid_flags.week_number_valid`](types::SensorGpsTimestampFlags::week_number_valid) is
-        /// set. On the [3DM-GX5-15](crate::devices::GX5_15) and
-        /// [3DM-GX5-35](crate::devices::GX5_35): valid if
+        /// set. On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): valid if
+        /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
+        /// set (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
+        /// [-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub week_number: u16,
         /// State of the time.
         ///
-        /// On the [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35):
-        /// values of [`types::Gx5SensorGpsTimestampFlags`].
+        /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
+        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+        /// [`types::Gx5SensorGpsTimestampFlags`] (inferred: the 3DM-GX5-15 has it). On the
+        /// [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35): values of
+        /// [`types::Gx5SensorGpsTimestampFlags`].
         pub valid_flags: types::SensorGpsTimestampFlags,
     }
 }
@@ -869,12 +900,99 @@ constructors! {
 impl GpsTimestamp {
     /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
     ///
-    /// On the [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values
-    /// of [`types::Gx5SensorGpsTimestampFlags`].
+    /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25), [-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+    /// [-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [-45](crate::devices::GX5_45): values of [`types::Gx5SensorGpsTimestampFlags`] (inferred:
+    /// the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [-35](crate::devices::GX5_35): values of [`types::Gx5SensorGpsTimestampFlags`].
     #[inline]
     #[must_use]
     pub fn valid_flags_as_gx5_sensor_gps_timestamp_flags(&self) -> types::Gx5SensorGpsTimestampFlags {
         self.valid_flags.into()
+    }
+}
+
+#[rustfmt::skip]
+impl GpsTimestamp {
+    /// Is `tow` valid, as its flags say?
+    ///
+    /// They depend on the device, and are recognized by the bits that are set.
+    #[inline]
+    #[must_use]
+    pub fn tow_is_valid(&self) -> bool {
+        if flags!(self valid_flags) & 0xFFF8 == 0 {
+            return flag!(self valid_flags 0x4);
+        }
+        flag!(self valid_flags 0x8)
+    }
+
+    /// Is `tow` valid on this device, as its flags say?
+    #[cfg(feature = "devices")]
+    #[must_use]
+    pub fn tow_is_valid_on(&self, device: &crate::devices::Profile) -> bool {
+        match device.id {
+            "3dm-cv5-10"
+            | "3dm-cv5-15"
+            | "3dm-cv5-25"
+            | "3dm-cx5-10"
+            | "3dm-cx5-15"
+            | "3dm-cx5-25"
+            | "3dm-cx5-45"
+            | "3dm-gx4-15"
+            | "3dm-gx4-25"
+            | "3dm-gx4-45"
+            | "3dm-gx5-15"
+            | "3dm-gx5-25"
+            | "3dm-gx5-35"
+            | "3dm-gx5-45" => {
+                flag!(self valid_flags 0x4)
+            }
+            _ => {
+                flag!(self valid_flags 0x8)
+            }
+        }
+    }
+
+    /// Is `week_number` valid, as its flags say?
+    ///
+    /// They depend on the device, and are recognized by the bits that are set.
+    #[inline]
+    #[must_use]
+    pub fn week_number_is_valid(&self) -> bool {
+        if flags!(self valid_flags) & 0xFFF8 == 0 {
+            return flag!(self valid_flags 0x4);
+        }
+        flag!(self valid_flags 0x10)
+    }
+
+    /// Is `week_number` valid on this device, as its flags say?
+    #[cfg(feature = "devices")]
+    #[must_use]
+    pub fn week_number_is_valid_on(&self, device: &crate::devices::Profile) -> bool {
+        match device.id {
+            "3dm-cv5-10"
+            | "3dm-cv5-15"
+            | "3dm-cv5-25"
+            | "3dm-cx5-10"
+            | "3dm-cx5-15"
+            | "3dm-cx5-25"
+            | "3dm-cx5-45"
+            | "3dm-gx4-15"
+            | "3dm-gx4-25"
+            | "3dm-gx4-45"
+            | "3dm-gx5-15"
+            | "3dm-gx5-25"
+            | "3dm-gx5-35"
+            | "3dm-gx5-45" => {
+                flag!(self valid_flags 0x4)
+            }
+            _ => {
+                flag!(self valid_flags 0x10)
+            }
+        }
     }
 }
 
@@ -888,8 +1006,8 @@ record! {
     ///
     /// Temperatures since the last power-on or reset.
     ///
-    /// Also called `temperature_abs`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Also called `temperature_abs`. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 9 more.
     ///
     /// - The values come from the inertial sensors, alone or together with sensors on the board.
     ///
@@ -942,7 +1060,8 @@ record! {
     ///
     /// Raw ambient pressure in counts of the sensor, temperature compensated.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a
+    /// pressure sensor.
     ///
     /// Source: mip-sdk-4: Raw pressure (0x80,0x16).
     #[derive(Copy, Default)]
@@ -977,9 +1096,10 @@ record! {
     ///
     /// Measured ambient pressure, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35); likely or assumed on
+    /// 17 more. Requires a pressure sensor.
     ///
     /// Source: 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17); 3dm-cv7-gnss-ins: Scaled
     /// Pressure (0x80,0x17).
@@ -1015,14 +1135,20 @@ record! {
     ///
     /// Sensor axes that are near or outside their range.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7);
+    /// likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct OverrangeStatus {
         /// One bit for each axis.
+        ///
+        /// On the [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CX7-AR](crate::devices::CX7_AR) and
+        /// [3DM-GV7-AR](crate::devices::GV7_AR): only [`accel_x`](OverrangeFlags::accel_x),
+        /// [`accel_y`](OverrangeFlags::accel_y), [`accel_z`](OverrangeFlags::accel_z),
+        /// [`gyro_x`](OverrangeFlags::gyro_x), [`gyro_y`](OverrangeFlags::gyro_y),
+        /// [`gyro_z`](OverrangeFlags::gyro_z) and [`pressure`](OverrangeFlags::pressure).
         pub status: OverrangeFlags,
     }
 }
@@ -1057,7 +1183,8 @@ record! {
     pub struct Odometer {
         /// Average speed over the interval; negative values come from quadrature encoders only.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.odometer`](OdometerFlags::odometer) is set.
+        /// Unit: m/s. Frame: vehicle. Positive: forward. Valid if
+        /// [`valid_flags.odometer`](OdometerFlags::odometer) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub speed: f32,
         /// Uncertainty of the speed.
@@ -1087,6 +1214,12 @@ constructors! {
         uncertainty: f32,
         valid_flags: OdometerFlags,
     );
+}
+
+valid! {
+    Odometer
+    speed_is_valid "speed": valid_flags 0x1;
+    uncertainty_is_valid "uncertainty": valid_flags 0x1;
 }
 
 field! {

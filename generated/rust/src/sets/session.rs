@@ -6,10 +6,14 @@
 use core::fmt;
 
 use crate::device::{Device, DeviceError, Port};
+#[cfg(feature = "devices")]
+use crate::devices::{model_number, Known, Profile, Rejected};
 use crate::error::EncodeError;
 #[allow(unused_imports)]
 use crate::types;
-use crate::{Command, CommandError, Field};
+#[cfg(feature = "devices")]
+use crate::List;
+use crate::{Command, CommandError, Field, Reason};
 
 /// The baud rates of all known devices: the usual one first, the others in descending order.
 #[rustfmt::skip]
@@ -29,10 +33,12 @@ const ATTEMPTS: u8 = 3;
 ///
 /// `place` is one of these:
 ///
-/// - `serial:/dev/ttyACM0`, `serial:COM3:460800`: a serial port. The [`BAUD_RATES`] are tried until
-///   the device answers, which takes about a third of a second each; a given rate is tried first.
-/// - `tcp:192.168.1.20:9000`: a host and a port.
-/// - `file:log.bin`: a recorded log, whose packets [`Device::next_packet`] returns.
+/// - `/dev/ttyACM0`, `COM3:460800`: a serial port. The [`BAUD_RATES`] are tried until the device
+///   answers, which takes about a third of a second each; a given rate is tried first.
+/// - `192.168.1.20:9000`: a host and a port.
+/// - `log.bin`: a recorded log, whose packets [`Device::next_packet`] returns.
+///
+/// The prefixes `serial:`, `tcp:` and `file:` state the kind.
 ///
 /// # Errors
 ///
@@ -46,19 +52,37 @@ pub fn open(place: &str) -> Result<Device<crate::device::Line>, DeviceError<std:
         return Ok(device);
     }
     let all = if has_rate { &BAUD_RATES[..] } else { &[] };
-    let mut found = Err(CommandError::TimedOut.into());
-    if let Some(rate) = given {
-        found = device.connect(&[rate]);
-    }
-    if is_timeout(&found) {
+    let mut found = device.connect(given.as_ref().map_or(all, core::slice::from_ref));
+    if given.is_some() && is_timeout(&found) {
         found = device.connect(all);
     }
-    match found {
-        Err(DeviceError::Command(CommandError::TimedOut)) => {
-            Err(DeviceError::Port(nobody(place, all)))
-        }
-        found => found.map(|_| device),
+    if is_timeout(&found) {
+        return Err(DeviceError::Port(nobody(place, all)));
     }
+    found.map(|_| device)
+}
+
+/// Like [`open`], for a runtime of `tokio`; `place` cannot be a log.
+///
+/// # Errors
+///
+/// Returns the errors of [`open`].
+#[cfg(feature = "tokio")]
+pub async fn open_async(
+    place: &str,
+) -> Result<crate::device::TokioDevice, DeviceError<std::io::Error>> {
+    let line = crate::device::AsyncLine::open(place).await.map_err(DeviceError::Port)?;
+    let given = line.named_baud();
+    let mut device = crate::device::TokioDevice::at(line);
+    let all = if device.baud().is_some() { &BAUD_RATES[..] } else { &[] };
+    let mut found = device.connect(given.as_ref().map_or(all, core::slice::from_ref)).await;
+    if given.is_some() && is_timeout(&found) {
+        found = device.connect(all).await;
+    }
+    if is_timeout(&found) {
+        return Err(DeviceError::Port(nobody(place, all)));
+    }
+    found.map(|_| device)
 }
 
 /// The error for a device that was not found, with the remedy.
@@ -84,13 +108,27 @@ pub struct Rate {
 }
 
 impl Rate {
-    /// A field at a rate in Hz; 0: the highest rate of the device.
+    /// A field at a rate in Hz, for example 100.
+    ///
+    /// ```
+    /// use mip_protocol::sensor::{ScaledAccel, ScaledGyro};
+    /// use mip_protocol::session::Rate;
+    ///
+    /// let rates = [Rate::of::<ScaledAccel>(100.0), Rate::fastest::<ScaledGyro>()];
+    /// assert_ne!(rates[0], Rate::fastest::<ScaledAccel>());
+    /// ```
     #[must_use]
     pub const fn of<T: Field>(hz: f32) -> Self {
         Self { descriptor: T::DESCRIPTOR, hz, sets: T::SETS, name: T::NAME }
     }
 
-    /// The same for a field of unknown type, by its descriptor.
+    /// A field at the highest rate of the device.
+    #[must_use]
+    pub const fn fastest<T: Field>() -> Self {
+        Self::of::<T>(f32::INFINITY)
+    }
+
+    /// The same for a field of unknown type, by its descriptor. An infinite rate is the highest one.
     #[must_use]
     pub const fn of_descriptor(descriptor: u8, hz: f32) -> Self {
         Self { descriptor, hz, sets: &[], name: "" }
@@ -99,7 +137,7 @@ impl Rate {
     /// Returns the decimation whose rate is nearest to `hz`.
     fn decimation(&self, base: u16) -> u16 {
         let (base, wanted) = (f32::from(base), self.hz);
-        if wanted == 0.0 || wanted >= base || wanted.is_nan() {
+        if wanted >= base || wanted.is_nan() {
             return 1;
         }
         if wanted * f32::from(u16::MAX) <= base {
@@ -123,6 +161,14 @@ impl Rate {
 pub enum StreamError<E> {
     /// A command failed.
     Device(DeviceError<E>),
+    /// The device rejected a field.
+    #[cfg(feature = "devices")]
+    Rejected {
+        /// The command, and the code with which the device rejected it.
+        error: CommandError,
+        /// The field, and why it was rejected.
+        field: Rejected,
+    },
     /// The device does not support this rate: it divides its base rate by whole numbers. No setting
     /// was changed.
     NoSuchRate {
@@ -149,6 +195,8 @@ impl<E: fmt::Display> fmt::Display for StreamError<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Device(error) => error.fmt(f),
+            #[cfg(feature = "devices")]
+            Self::Rejected { error, field } => write!(f, "{error}: {field}"),
             Self::NoSuchRate { descriptor, name, wanted, nearest, base } => {
                 if name.is_empty() {
                     write!(f, "field 0x{descriptor:02X}")?;
@@ -163,7 +211,22 @@ impl<E: fmt::Display> fmt::Display for StreamError<E> {
 }
 
 #[cfg(any(feature = "core-error", feature = "std"))]
-impl<E: fmt::Debug + fmt::Display> crate::error::Error for StreamError<E> {}
+impl<E: fmt::Debug + fmt::Display> crate::error::Error for StreamError<E> {
+    fn source(&self) -> Option<&(dyn crate::error::Error + 'static)> {
+        match self {
+            Self::Device(error) => error.source(),
+            _ => None,
+        }
+    }
+}
+
+impl types::DescriptorRate {
+    /// Creates the entry for a field: it is sent at the base rate divided by `decimation`.
+    #[must_use]
+    pub fn of<T: Field>(decimation: u16) -> Self {
+        Self::new(T::DESCRIPTOR, decimation)
+    }
+}
 
 /// A command that changes the baud rate of a port of the device.
 pub trait ChangesBaud: Command {
@@ -171,81 +234,95 @@ pub trait ChangesBaud: Command {
     fn new_baud(&self) -> Option<u32>;
 }
 
-impl ChangesBaud for crate::protocol::Write<crate::base::CommSpeed> {
+impl ChangesBaud for crate::protocol::WriteCall<crate::base::CommSpeed> {
     fn new_baud(&self) -> Option<u32> {
         self.baud
     }
 }
 
-impl ChangesBaud for crate::protocol::Write<crate::mip_3dm::UartBaudRate> {
+impl ChangesBaud for crate::protocol::WriteCall<crate::mip_3dm::UartBaudRate> {
     fn new_baud(&self) -> Option<u32> {
         self.baud
     }
 }
 
-#[cfg(feature = "open")]
+/// The error of a command that no device answers.
+fn silent<C: Command, E>(_: &C) -> DeviceError<E> {
+    CommandError::of::<C>(Reason::TimedOut).into()
+}
+
+fn reason<T, E>(result: &Result<T, DeviceError<E>>) -> Option<Reason> {
+    match result {
+        Err(DeviceError::Command(error)) => Some(error.reason),
+        _ => None,
+    }
+}
+
 fn is_timeout<T, E>(result: &Result<T, DeviceError<E>>) -> bool {
-    matches!(result, Err(DeviceError::Command(CommandError::TimedOut)))
+    reason(result) == Some(Reason::TimedOut)
 }
 
 fn is_refused<T, E>(result: &Result<T, DeviceError<E>>) -> bool {
-    matches!(result, Err(DeviceError::Command(CommandError::Refused(_))))
+    matches!(reason(result), Some(Reason::Refused(_)))
 }
 
-/// Repeats a command if its error may have been caused by noise.
-fn repeated<T, E>(
-    mut call: impl FnMut() -> Result<T, DeviceError<E>>,
-) -> Result<T, DeviceError<E>> {
-    let mut left = ATTEMPTS;
-    loop {
-        left = left.saturating_sub(1);
-        match call() {
-            Err(DeviceError::Command(
-                CommandError::TimedOut
-                | CommandError::MissingResponse
-                | CommandError::Undecodable(_),
-            )) if left > 0 => {}
-            result => return result,
-        }
+/// May noise have caused the error of a command?
+fn may_be_noise<T, E>(result: &Result<T, DeviceError<E>>) -> bool {
+    let noise = [Some(Reason::TimedOut), Some(Reason::MissingResponse)];
+    noise.contains(&reason(result)) || matches!(reason(result), Some(Reason::Undecodable(_)))
+}
+
+/// Returns `None` for the error of a command.
+#[cfg(feature = "devices")]
+fn answered<T, E>(result: Result<T, DeviceError<E>>) -> Result<Option<T>, DeviceError<E>> {
+    match result {
+        Err(DeviceError::Command(_)) => Ok(None),
+        result => result.map(Some),
     }
 }
 
-impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
+/// The functions of a device, written once: an asynchronous one awaits.
+macro_rules! functions {
+    ([$($of:tt)*] [$($async:tt)*] [$($await:tt)*]) => {
+$($of)* {
     /// Finds the device: tries each of these baud rates, such as [`BAUD_RATES`], until a device
     /// answers a ping or sends data; then sets the device to idle. Data that arrived is discarded.
     ///
-    /// Returns the rate; `None` if the port supports none of them ([`Port::set_baud`]), for example
-    /// a TCP connection. Commands without a reply are repeated. A rate at which no device
-    /// answers takes about a third of a second.
+    /// Returns the rate; `None` if the port supports none of them, for example a TCP connection.
+    /// Commands without a reply are repeated. A rate at which no device answers takes about a third
+    /// of a second.
     ///
     /// # Errors
     ///
-    /// The port fails, or no device answers ([`CommandError::TimedOut`]); the port then has the rate
-    /// that was tried last.
-    pub fn connect(&mut self, rates: &[u32]) -> Result<Option<u32>, DeviceError<P::Error>> {
+    /// The port fails, or no device answers ([`Reason::TimedOut`]); the port then has the rate that
+    /// was tried last.
+    pub $($async)* fn connect(
+        &mut self,
+        rates: &[u32],
+    ) -> Result<Option<u32>, DeviceError<P::Error>> {
         let ping = crate::base::Ping::new();
         let (mut found, mut tried) = (None, false);
         for rate in rates {
-            if self.port_mut().set_baud(*rate).map_err(DeviceError::Port)? {
+            if self.set_baud(*rate)? {
                 tried = true;
-                if self.is_heard(&ping, LISTEN)? {
+                if self.is_heard(&ping, LISTEN)$($await)*? {
                     found = Some(*rate);
                     break;
                 }
             }
         }
         if tried && found.is_none() {
-            return Err(CommandError::TimedOut.into());
+            return Err(silent(&ping));
         }
-        repeated(|| self.request(&crate::base::SetIdle::new()))?;
+        self.repeat(&crate::base::SetIdle::new())$($await)*?;
         self.discard();
         Ok(found)
     }
 
     /// Starts the data of a descriptor set: reads its base rate, writes which fields are sent and
     /// how often, in this order, enables the stream, and ends the idle state. Returns the base rate
-    /// in Hz, at which fields with a rate of 0 are sent. A base rate of 0 means that data is sent
-    /// as it arrives.
+    /// in Hz, which is that of [`Rate::fastest`]. A base rate of 0 means that data is sent as it
+    /// arrives.
     ///
     /// Fields that all sets share, such as time stamps, come first. If the device rejects the first
     /// command, the older commands for the set are used instead. Commands without a reply are
@@ -253,59 +330,71 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ///
     /// # Errors
     ///
-    /// [`StreamError::NoSuchRate`], before any setting is changed; [`StreamError::Device`] if a field
+    /// [`StreamError::NoSuchRate`], before any setting is changed; [`StreamError::Rejected`] if the
+    /// device rejects one of the fields, with the feature `open`; [`StreamError::Device`] if a field
     /// does not occur in the set, there are too many, or a command fails.
-    #[rustfmt::skip]
     #[allow(clippy::float_cmp)] // a rate that is nearly the same is another one
-    pub fn stream(&mut self, set: u8, rates: &[Rate]) -> Result<u16, StreamError<P::Error>> {
+    pub $($async)* fn stream(
+        &mut self,
+        set: u8,
+        rates: &[Rate],
+    ) -> Result<u16, StreamError<P::Error>> {
         for rate in rates {
             if let Some(first) = rate.sets.first().filter(|_| !rate.sets.contains(&set)) {
                 let error = EncodeError::set(rate.name, *first, set);
                 return Err(DeviceError::Request(error.into()).into());
             }
         }
-        let current = repeated(|| self.request(&crate::mip_3dm::GetBaseRate::new(set))).map(|x| x.rate);
+        let read = crate::mip_3dm::GetBaseRate::new(set);
+        let current = self.repeat(&read)$($await)*.map(|x| x.rate);
         let older = is_refused(&current);
         let older_rate = match set {
             _ if !older => None,
-            0x80 => Some(repeated(|| self.request(&crate::mip_3dm::GetImuBaseRate::new())).map(|x| x.rate)),
-            0x81 => Some(repeated(|| self.request(&crate::mip_3dm::GetGnssBaseRate::new())).map(|x| x.rate)),
-            0x82 => Some(repeated(|| self.request(&crate::mip_3dm::GetFilterBaseRate::new())).map(|x| x.rate)),
+            0x80 => Some(self.repeat(&crate::mip_3dm::GetImuBaseRate::new())$($await)*.map(|x| x.rate)),
+            0x81 => Some(self.repeat(&crate::mip_3dm::GetGnssBaseRate::new())$($await)*.map(|x| x.rate)),
+            0x82 => Some(self.repeat(&crate::mip_3dm::GetFilterBaseRate::new())$($await)*.map(|x| x.rate)),
             _ => None,
         };
         // A device that rejects this command as well does not have the set.
-        let base = older_rate.filter(|rate| !is_refused(rate)).unwrap_or(current)?;
+        let current = older_rate.filter(|rate| !is_refused(rate)).unwrap_or(current);
+        let base = self.explained(current, &read)$($await)*?;
         for rate in rates {
             let nearest = f32::from(base) / f32::from(rate.decimation(base));
-            if base != 0 && rate.hz != 0.0 && rate.hz != nearest {
+            let exists = base == 0 || rate.hz == f32::INFINITY || rate.hz == nearest;
+            if !exists || rate.hz == 0.0 {
                 let Rate { descriptor, hz: wanted, name, .. } = *rate;
                 return Err(StreamError::NoSuchRate { descriptor, name, wanted, nearest, base });
             }
         }
-        let fields = rates.iter().map(|rate| types::DescriptorRate::new(rate.descriptor, rate.decimation(base)));
+        let fields = rates.iter();
+        let fields = fields.map(|x| types::DescriptorRate::new(x.descriptor, x.decimation(base)));
         match set {
             0x80 if older => {
                 let format = crate::mip_3dm::ImuMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
-                repeated(|| self.request(&format))?;
-                repeated(|| self.request(&crate::mip_3dm::DataStreamControl::write(1, true)))?;
+                let done = self.repeat(&format)$($await)*;
+                self.explained(done, &format)$($await)*?;
+                self.repeat(&crate::mip_3dm::DataStreamControl::write(1, true))$($await)*?;
             }
             0x81 if older => {
                 let format = crate::mip_3dm::GnssMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
-                repeated(|| self.request(&format))?;
-                repeated(|| self.request(&crate::mip_3dm::DataStreamControl::write(2, true)))?;
+                let done = self.repeat(&format)$($await)*;
+                self.explained(done, &format)$($await)*?;
+                self.repeat(&crate::mip_3dm::DataStreamControl::write(2, true))$($await)*?;
             }
             0x82 if older => {
                 let format = crate::mip_3dm::FilterMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
-                repeated(|| self.request(&format))?;
-                repeated(|| self.request(&crate::mip_3dm::DataStreamControl::write(3, true)))?;
+                let done = self.repeat(&format)$($await)*;
+                self.explained(done, &format)$($await)*?;
+                self.repeat(&crate::mip_3dm::DataStreamControl::write(3, true))$($await)*?;
             }
             _ => {
                 let format = crate::mip_3dm::MessageFormat::write(set, fields.collect::<crate::List<types::DescriptorRate, 83>>());
-                repeated(|| self.request(&format))?;
-                repeated(|| self.request(&crate::mip_3dm::DataStreamControl::write(set, true)))?;
+                let done = self.repeat(&format)$($await)*;
+                self.explained(done, &format)$($await)*?;
+                self.repeat(&crate::mip_3dm::DataStreamControl::write(set, true))$($await)*?;
             }
         }
-        repeated(|| self.request(&crate::base::Resume::new()))?;
+        self.repeat(&crate::base::Resume::new())$($await)*?;
         Ok(base)
     }
 
@@ -319,28 +408,121 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ///
     /// The port has no baud rate, or the command writes none ([`DeviceError::NoBaudRate`]); the
     /// device rejects it; the port fails; or the device answers at neither rate
-    /// ([`CommandError::TimedOut`]).
-    pub fn change_baud<C>(&mut self, command: &C) -> Result<u32, DeviceError<P::Error>>
+    /// ([`Reason::TimedOut`]).
+    pub $($async)* fn change_baud<C>(&mut self, command: &C) -> Result<u32, DeviceError<P::Error>>
     where
         C: ChangesBaud,
     {
-        let (Some(new), Some(old)) = (command.new_baud(), self.port().baud()) else {
+        let (Some(new), Some(old)) = (command.new_baud(), self.baud()) else {
             return Err(DeviceError::NoBaudRate);
         };
-        match self.request(command) {
+        match self.request(command)$($await)* {
             // The reply may have arrived at the new rate.
-            Err(DeviceError::Command(CommandError::TimedOut)) => {}
+            result if is_timeout(&result) => {}
             result => drop(result?),
         }
-        self.pass(CHANGE)?;
+        self.pass(CHANGE)$($await)*?;
         let ping = crate::base::Ping::new();
         for rate in [new, old] {
-            if self.port_mut().set_baud(rate).map_err(DeviceError::Port)?
-                && self.is_heard(&ping, LISTEN)?
-            {
+            if self.set_baud(rate)? && self.is_heard(&ping, LISTEN)$($await)*? {
                 return Ok(rate);
             }
         }
-        Err(CommandError::TimedOut.into())
+        Err(silent(&ping))
     }
+
+    /// Asks the device what it is, and returns its profile; `None` if it is newer than this crate.
+    ///
+    /// # Errors
+    ///
+    /// The command fails, or the port.
+    #[cfg(feature = "devices")]
+    pub $($async)* fn profile(
+        &mut self,
+    ) -> Result<Option<&'static Profile>, DeviceError<P::Error>> {
+        let reply = self.repeat(&crate::base::GetDeviceInfo::new())$($await)*?;
+        let texts = [reply.device_info.model_number.as_str(), reply.device_info.serial_number.as_str()];
+        let mut numbers = texts.iter().flatten().filter_map(|text| model_number(text));
+        Ok(numbers.find_map(Profile::by_model))
+    }
+
+    /// Finds the field for which the device has rejected a command that lists fields: asks the
+    /// device what it is and what it sends. `None` if nothing shows the field.
+    ///
+    /// # Errors
+    ///
+    /// The port fails. The errors of commands are ignored, because what the device has answered so
+    /// far helps.
+    #[cfg(feature = "devices")]
+    pub $($async)* fn rejected<C: Command>(
+        &mut self,
+        command: &C,
+    ) -> Result<Option<Rejected>, DeviceError<P::Error>> {
+        let profile = answered(self.profile()$($await)*)?.flatten();
+        let mut descriptors = List::<u16, 256>::new();
+        {
+            match answered(self.repeat(&crate::base::GetDeviceDescriptors::new())$($await)*)? {
+                Some(reply) => descriptors.extend(reply.descriptors.iter().copied()),
+                None => descriptors.clear(), // the others alone show nothing
+            }
+        }
+        if descriptors.contains(&0x0107) {
+            match answered(self.repeat(&crate::base::GetExtendedDescriptors::new())$($await)*)? {
+                Some(reply) => descriptors.extend(reply.descriptors.iter().copied()),
+                None => descriptors.clear(), // the others alone show nothing
+            }
+        }
+        Ok(Rejected::of(command, &Known { profile, descriptors: &descriptors }))
+    }
+
+    /// Adds the rejected field to an error, in programs for computers.
+    #[cfg_attr(not(feature = "open"), allow(unused_variables, clippy::unused_self))]
+    #[cfg_attr(not(feature = "open"), allow(clippy::unused_async))]
+    $($async)* fn explained<C: Command, T>(
+        &mut self,
+        result: Result<T, DeviceError<P::Error>>,
+        command: &C,
+    ) -> Result<T, StreamError<P::Error>> {
+        #[cfg(feature = "open")]
+        if is_refused(&result) {
+            if let (Ok(Some(field)), Err(DeviceError::Command(error))) =
+                (self.rejected(command)$($await)*, &result)
+            {
+                return Err(StreamError::Rejected { error: *error, field });
+            }
+        }
+        Ok(result?)
+    }
+
+    /// Sends a command again if its error may have been caused by noise.
+    $($async)* fn repeat<C: Command>(
+        &mut self,
+        command: &C,
+    ) -> Result<C::Response, DeviceError<P::Error>> {
+        let mut left = ATTEMPTS;
+        loop {
+            left = left.saturating_sub(1);
+            let result = self.request(command)$($await)*;
+            if left == 0 || !may_be_noise(&result) {
+                return result;
+            }
+        }
+    }
+}
+    };
+}
+
+functions! { [impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q>] [] [] }
+
+#[cfg(feature = "embedded-io-async")]
+functions! {
+    [
+        impl<P, S, F, const N: usize, const Q: usize> crate::device::AsyncDevice<P, S, N, Q>
+        where
+            P: embedded_io_async::Read + embedded_io_async::Write,
+            S: FnMut(u32) -> F,
+            F: core::future::Future<Output = ()>,
+    ]
+    [async]
+    [.await]
 }

@@ -49,8 +49,8 @@ record! {
     ///
     /// The event trigger that caused the packet.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR)
-    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - Put it first in the format of event messages, to distinguish their packets from scheduled
     ///   ones.
@@ -124,8 +124,8 @@ record! {
     ///
     /// Number of base periods between the previous field of this kind and this one.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
-    /// Whether each set and each event instance counts separately, as with [`DeltaTime`].
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Each
+    /// set and each event instance may count separately, as with [`DeltaTime`].
     ///
     /// - A tick is one period at the base rate of the device.
     ///
@@ -161,9 +161,9 @@ record! {
     ///
     /// External time of the data as GPS time of week and week number.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7);
+    /// likely or assumed on 7 more.
     ///
     /// - In event messages it is the time of the trigger.
     /// - It becomes valid after the PPS is locked and
@@ -211,6 +211,12 @@ constructors! {
     );
 }
 
+valid! {
+    GpsTimestamp
+    tow_is_valid "tow": valid_flags 0x1;
+    week_number_is_valid "week_number": valid_flags 0x2;
+}
+
 field! {
     GpsTimestamp: 0xD3, "shared.gps_timestamp";
     in [0x80..=0xFE];
@@ -221,8 +227,8 @@ record! {
     ///
     /// External time since this field was last sent in the same set and event instance.
     ///
-    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - It is the same as [`ExternalTimeDelta`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.
@@ -260,8 +266,8 @@ record! {
     ///
     /// Time of the data by the internal reference clock.
     ///
-    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - The clock starts at power-on, only moves forward and never jumps; the value is always
     ///   valid.
@@ -299,8 +305,8 @@ record! {
     ///
     /// Reference time since this field was last sent in the same set and event instance.
     ///
-    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - The value is always valid.
     ///
@@ -336,8 +342,8 @@ record! {
     ///
     /// Time of the data in the external clock domain.
     ///
-    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - It is [`GpsTimestamp`] in nanoseconds.
     /// - In event messages it is the time of the trigger.
@@ -376,6 +382,11 @@ constructors! {
     fn new(nanoseconds: u64, valid_flags: ExternalTimestampFlags);
 }
 
+valid! {
+    ExternalTimestamp
+    nanoseconds_is_valid "nanoseconds": valid_flags 0x1;
+}
+
 field! {
     ExternalTimestamp: 0xD7, "shared.external_timestamp";
     in [0x80..=0xFE];
@@ -386,8 +397,8 @@ record! {
     ///
     /// External time since this field was last sent in the same set and event instance.
     ///
-    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - It is the same as [`DeltaTime`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.
@@ -415,6 +426,11 @@ constructors! {
 
     /// Creates it from its values.
     fn new(dt_nanos: u64, valid_flags: ExternalTimeDeltaFlags);
+}
+
+valid! {
+    ExternalTimeDelta
+    dt_nanos_is_valid "dt_nanos": valid_flags 0x1;
 }
 
 field! {

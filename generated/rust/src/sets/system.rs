@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SYSTEM_SET: u8 = 0x7F;
+pub const SET: u8 = 0x7F;
 
 bitfield! {
     /// Protocols of a port.
@@ -43,7 +43,7 @@ open_enum! {
         STANDARD = 1, "standard";
         /// The internal inertial sensor; the protocol is MIP.
         SENSOR_DIRECT = 2, "sensor_direct";
-        /// The internal GNSS receiver, if there is one; the protocols are NMEA and UBX.
+        /// The internal GNSS receiver; the protocols are NMEA and UBX. Requires a receiver.
         GNSS_DIRECT = 3, "gnss_direct";
     }
 }
@@ -74,7 +74,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Port whose protocols are set or read.
         ///
-        /// Uncertain: Whether write and read accept `all`.
+        /// Uncertain: No source states whether write and read accept `all`.
         pub port: Option<types::CommInterface>,
         /// Protocols that the port receives.
         ///
@@ -101,19 +101,19 @@ constructors! {
         port: types::CommInterface,
         protocols_incoming: CommProtocols,
         protocols_outgoing: CommProtocols,
-    ) -> Write;
+    ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(port: types::CommInterface) -> Read;
+    fn read(port: types::CommInterface) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(port: types::CommInterface) -> Save;
+    fn save(port: types::CommInterface) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(port: types::CommInterface) -> Load;
+    fn load(port: types::CommInterface) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(port: types::CommInterface) -> LoadDefault;
+    fn load_default(port: types::CommInterface) -> LoadDefaultCall;
 }
 
 field! {
@@ -136,8 +136,9 @@ record! {
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`CommModeResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response: [`CommModeResponse`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15),
+    /// [-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely or assumed on 17
+    /// more.
     ///
     /// - The ACK is sent in the old mode, just before the switch.
     /// - In a direct mode, the device itself replies only to this command and
@@ -151,8 +152,13 @@ record! {
         /// Communication mode.
         ///
         /// Default: [`ProtocolMode::STANDARD`]. Required for
-        /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-35](crate::devices::GX5_35):
-        /// default [`ProtocolMode::STANDARD`].
+        /// [write](types::FunctionSelector::WRITE). On the [3DM-CV5-15](crate::devices::CV5_15),
+        /// [-25](crate::devices::CV5_25), [3DM-CX5-15](crate::devices::CX5_15),
+        /// [-25](crate::devices::CX5_25), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [-25](crate::devices::GX4_25), [3DM-GX5-15](crate::devices::GX5_15) and
+        /// [-25](crate::devices::GX5_25): only [`ProtocolMode::STANDARD`] and
+        /// [`ProtocolMode::SENSOR_DIRECT`]. On the [3DM-GX5-35](crate::devices::GX5_35): default
+        /// [`ProtocolMode::STANDARD`].
         pub mode: Option<ProtocolMode>,
     }
     wire 2 {
@@ -165,19 +171,19 @@ constructors! {
     CommMode
 
     /// Apply the new setting.
-    fn write(mode: ProtocolMode) -> Write;
+    fn write(mode: ProtocolMode) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read() -> Read;
+    fn read() -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save() -> Save;
+    fn save() -> SaveCall;
 
     /// Load the saved setting.
-    fn load() -> Load;
+    fn load() -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default() -> LoadDefault;
+    fn load_default() -> LoadDefaultCall;
 }
 
 field! {
@@ -203,7 +209,7 @@ record! {
     pub struct InterfaceControlResponse {
         /// Port whose protocols are set or read.
         ///
-        /// Uncertain: Whether write and read accept `all`.
+        /// Uncertain: No source states whether write and read accept `all`.
         pub port: types::CommInterface,
         /// Protocols that the port receives.
         pub protocols_incoming: CommProtocols,
@@ -239,8 +245,9 @@ field! {
 record! {
     /// Communication mode response (0x7F,0x90).
     ///
-    /// Response to [`CommMode`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`CommMode`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15),
+    /// [-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely or assumed on 17
+    /// more.
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
     #[derive(Copy, Default, Eq, Hash)]

@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SYSTEM_DATA_SET: u8 = 0xA0;
+pub const SET: u8 = 0xA0;
 
 bitfield! {
     /// Level of each GPIO pin, set for high. Bits of pins that do not exist read 0.
@@ -36,10 +36,9 @@ record! {
     ///
     /// Flags of the tests that run all the time.
     ///
-    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7):
-    /// firmware \> 1.0.10.
+    /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 8 more. On the
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - The field is long; stream it at a low rate or poll it.
     /// - A fault that has passed before the next message is still reported, because its flag stays
@@ -54,12 +53,12 @@ record! {
         /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
         /// second byte.
         ///
-        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+        /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+        /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
         /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values
-        /// of [`types::Cv7InertialContinuousBuiltInTest`]. On the
+        /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+        /// [`types::Cv7InertialContinuousBuiltInTest`]. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
         /// [`types::Cv7ContinuousBuiltInTest`].
         pub result: [u8; 16],
@@ -82,11 +81,11 @@ constructors! {
 impl BuiltInTest {
     /// Reads `result` as [`types::Cv7InertialContinuousBuiltInTest`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
+    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
+    /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
     /// [`types::Cv7InertialContinuousBuiltInTest`].
     #[inline]
     #[must_use]
@@ -115,8 +114,8 @@ record! {
     ///
     /// Synchronization of the device time with the pulse per second.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR)
-    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). On the
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more. On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// Source: 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02).
@@ -154,8 +153,8 @@ record! {
     ///
     /// Levels of all user GPIO pins.
     ///
-    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). On the
+    /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more. On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - A pulse that is shorter than the period at which the field is sent is missed.

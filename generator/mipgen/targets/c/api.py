@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from mipgen import model as m
-from mipgen.emit.symbols import Symbols, constants, others, parameters, parts, things
+from mipgen.emit.symbols import Symbols, constant_names, named_parts, parameter_names, types_and_fields, unusual_names
 
 from . import calls, cpp, names
 from .cpp_snippets import Programs as CppPrograms
@@ -29,15 +29,15 @@ def cpp_symbol(thing: m.Type | m.Field) -> str:
 
 
 def symbols(model: m.Model) -> Iterator[Symbols]:
-    for x in things(model):
+    for x in types_and_fields(model):
         if isinstance(x, m.Field):
-            others = [i.name for i in of_field(x) if i.scope == "C"] + [*calls.identifiers(x, model)]
+            others = [i.name for i in of_field(x, model) if i.scope == "C"] + [*calls.identifiers(x, model)]
             name = symbol(x)
         elif isinstance(x, m.Vector):
             continue  # an array
         else:
             typed = not isinstance(x, m.Enum) or names.is_enum(x)  # else it has constants, but no type
-            others = [i.name for i in of_type(x) if i.scope == "C" and (typed or i.name != symbol(x))]
+            others = [i.name for i in of_type(x, model) if i.scope == "C" and (typed or i.name != symbol(x))]
             name = symbol(x) if typed else f"{symbol(x)}_name"
         yield Symbols(x, name, tuple(n for n in others if n != name))
 
@@ -45,17 +45,16 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
 def cpp_symbols(model: m.Model) -> Iterator[Symbols]:
     """Yields the same for C++: for a command, the structures to send; for other fields, the functions that read
     values."""
-    for x in things(model):
+    for x in types_and_fields(model):
         if isinstance(x, m.Vector):
             continue
-        others = [cpp.word(v.name) for v in parts(x)] if not isinstance(x, m.Field) else []
+        others = [cpp.word(v.name) for v in named_parts(x)] if not isinstance(x, m.Field) else []
         name = cpp.qualified(x)
         if isinstance(x, m.Field) and x.role == m.COMMAND:
-            scope = name.rpartition("::")[0]
-            name, *others = [f"{scope}::{c.name}" for c in cpp.commands(x, model)] or [name]
+            name, *others = [f"{cpp.scope(x)}::{c.name}" for c in cpp.commands(x, model)] or [name]
         elif isinstance(x, m.Field):
             others = [f"{a.name}()" for a in cpp.accessors(x)]
-        elif cpp.in_bytes(x):
+        elif names.in_bytes(x):
             others = [f"{name}_bits::{other}" for other in others]
         elif not isinstance(x, m.Struct):
             others = [f"{name}::{other}" for other in others]
@@ -64,12 +63,12 @@ def cpp_symbols(model: m.Model) -> Iterator[Symbols]:
 
 def writing(model: m.Model) -> dict[str, Any]:
     """Returns data for tools that write programs: names that differ between C and the specification, and the calls."""
-    words, commands = parameters(model), [f for f in model.fields if f.role == m.COMMAND]
+    words, commands = parameter_names(model), [f for f in model.fields if f.role == m.COMMAND]
     return {
         "scalars": {name: names.c_type(scalar) for name, scalar in m.SCALARS.items()},
         "headers": {x.name: names.module(x.name) for x in model.families},
-        "members": others(words, names.member),
-        "arguments": others(words, names.argument_name),
+        "members": unusual_names(words, names.member),
+        "arguments": unusual_names(words, names.argument_name),
         "calls": {f.full_name: list(_calls(f, model)) for f in commands},
     }
 
@@ -77,8 +76,8 @@ def writing(model: m.Model) -> dict[str, Any]:
 def cpp_writing(model: m.Model) -> dict[str, Any]:
     """Returns the same for C++, without what it shares with C."""
     return {
-        "members": others(parameters(model), cpp.word),
-        "constants": others(constants(model), cpp.word),
+        "members": unusual_names(parameter_names(model), cpp.word),
+        "constants": unusual_names(constant_names(model), cpp.word),
     }
 
 
@@ -95,7 +94,7 @@ def _calls(f: m.Field, model: m.Model) -> Iterator[dict[str, Any]]:
         if call.way is not None and call.way.function is not None:
             row["function"] = call.way.function.name
         if call.way is not None:
-            row["takes"] = [p.name for p in call.given]
+            row["takes"] = [p.name for p in call.parameters]
         if call.whole:
             row["whole"] = True
         if call.response is not None:

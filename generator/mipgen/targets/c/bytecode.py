@@ -12,7 +12,7 @@ from mipgen import model as m
 from mipgen.lower import extent, memory
 
 from .literals import hexadecimal
-from .members import home
+from .members import capacity, union_prefix
 from .names import member, symbol, type_name
 from .tables import required
 
@@ -79,7 +79,25 @@ class Part:
     steps: tuple[Step | Numbers | Part, ...]
 
 
-def program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
+@dataclass(frozen=True, slots=True)
+class Codec:
+    """How a field is read and written, see `mip_codec` in core.h."""
+
+    program: list[str]
+    interpreter: str  # the function that runs the program; NULL if it needs none
+    numbers_only: int  # the size of a field without an interpreter, else 0
+    shape: str  # the counts of 64, 32 and 16-bit numbers, if they are few, in this order and without gaps; otherwise 0
+
+
+def codec(f: m.Field, model: m.Model) -> Codec:
+    layouts = model.layouts(f)
+    program = _program(f, layouts, model.sizes(f))
+    if is_numbers(f, layouts):
+        return Codec(program, "NULL", f.min_size, _shape(f))
+    return Codec(program, "&mip_layout" if len(layouts) > 1 else "&mip_program", 0, "0")
+
+
+def _program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
     """Writes a field's program: `layouts` are all those of its descriptor, `sizes` the sizes of this one."""
     steps: list[Step | Numbers | Part] = [_layout(f, sizes)] if len(layouts) > 1 else []
     far = _is_far(f)
@@ -101,21 +119,11 @@ def is_numbers(f: m.Field, layouts: Sequence[m.Field]) -> bool:
     return plain and not (f.groups or _is_far(f)) and len(layouts) == 1
 
 
-def interpreter(f: m.Field, layouts: Sequence[m.Field]) -> str:
-    """Returns the function that runs a field's program; NULL if it needs none."""
-    if is_numbers(f, layouts):
-        return "NULL"
-    return "&mip_layout" if len(layouts) > 1 else "&mip_program"
-
-
-def shape(f: m.Field, layouts: Sequence[m.Field]) -> str:
-    """Writes the counts of 64, 32 and 16-bit numbers, if they are few, in this order and without gaps; otherwise 0."""
-    if not is_numbers(f, layouts) or memory.has_gaps(f):
-        return "0"
+def _shape(f: m.Field) -> str:
     numbers = [s for s in _joined([*_steps(f.parameters, "")]) if isinstance(s, Numbers)]
     widths = [w for s in numbers for w in [_WIDTHS[s.macro]] * s.count]
     counts = [widths.count(w) for w in (64, 32, 16)]
-    simple = widths == sorted(widths, reverse=True) and 8 not in widths
+    simple = widths == sorted(widths, reverse=True) and 8 not in widths and not memory.has_gaps(f)
     most = zip(counts, _SHAPE, strict=True)
     return f"MIP_SHAPE({', '.join(map(str, counts))})" if simple and all(n <= limit for n, limit in most) else "0"
 
@@ -126,11 +134,11 @@ def _is_far(f: m.Field) -> bool:
 
 
 def _layout(f: m.Field, sizes: range) -> Step:
-    told = [(at + i, byte) for at, constant in f.signature for i, byte in enumerate(constant)]
-    bytes_ = [f"{at}, {hexadecimal(byte)}" for at, byte in told]
-    if not told:
+    constants = [(at + i, byte) for at, constant in f.signature for i, byte in enumerate(constant)]
+    tests = [f"{at}, {hexadecimal(byte)}" for at, byte in constants]
+    if not tests:
         return Step("MIP_SIZES", (sizes.start, sizes.stop - 1), 4)
-    return Step("MIP_LAYOUT", (sizes.start, sizes.stop - 1, len(told), *bytes_), 4 + 2 * len(told))
+    return Step("MIP_LAYOUT", (sizes.start, sizes.stop - 1, len(tests), *tests), 4 + 2 * len(tests))
 
 
 def _optional(f: m.Field) -> Step:
@@ -200,7 +208,7 @@ def _group(count: int) -> Step:
 
 
 def _numbers(p: m.Parameter, count: int, place: tuple[str, str], joins: bool) -> Numbers:
-    macro = "MIP_DOUBLES" if p.scalar.name == "double" else f"MIP_{8 * p.scalar.size}_BITS"
+    macro = "MIP_DOUBLES" if p.scalar.name == "double" else f"MIP_{p.scalar.width}_BITS"
     return Numbers(macro, count, place, joins)
 
 
@@ -209,7 +217,7 @@ def _items(p: m.Parameter, base: str, record: str, name: str) -> Iterator[Step |
     wire, item, fixed = extent.element(p), p.item, p.count or 1
     if p.counter is not None:
         counter = (base, record + member(p.counter))
-        yield Step("MIP_COUNTED", (f"MIP_SIZE({', '.join(counter)})", p.capacity, wire), 4, counter)
+        yield Step("MIP_COUNTED", (f"MIP_SIZE({', '.join(counter)})", capacity(p), wire), 4, counter)
     elif p.fills:
         yield Step("MIP_REST", (p.capacity, wire), 4, (base, f"{name}_count"))
     if item.struct:
@@ -226,4 +234,4 @@ def _switch(union: m.Union, tag: tuple[str, str], base: str, record: str, of: st
     yield Step("MIP_SWITCH", (size, len(cases)), 3, tag)
     for value, p in cases:
         step = Step("MIP_CASE", (LENGTH, *map(hexadecimal, value.to_bytes(size, "big"))), size + 1)
-        yield Part(step, (*_step(p, base, record, of + home(p)),))
+        yield Part(step, (*_step(p, base, record, of + union_prefix(p)),))

@@ -6,43 +6,55 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from mipgen import model as m
+from mipgen.lower import extent
 from mipgen.lower import session as lower
 from mipgen.lower.calls import replies
 from mipgen.lower.memory import members
 
-from .members import Constructor, argument, constructors, takes_enum
-from .names import argument_name, constant, field_name, macro, member, module, short, type_name
+from .comments import Comments
+from .direct import place, put, unsigned
+from .members import CFunction, Constructor, argument, capacity, constructors, selector, takes_enum
+from .names import argument_name, constant, field_name, member, module, short, type_name
 
 
-@dataclass(frozen=True, slots=True)
-class Send:
-    """A function of the client that sends a command."""
-
-    name: str
-    response: m.Field | None
-    doc: list[str]
+def _declared(response: m.Field | None) -> list[str]:
+    """Declares the argument for the response."""
+    return [f"struct {field_name(response)} *response"] if response else []
 
 
-@dataclass(frozen=True, slots=True)
-class Put:
-    """A number or the elements of an array in a command's data, and the value to write."""
-
-    scalar: m.Scalar
-    at: int
-    value: str
-    index: str = ""  # "[i].rate": for an element, the suffix of the value
-    count: str = ""  # of an array
-    most: int = 0  # the maximum number of elements; 0 if it is fixed
-    stride: int = 0  # bytes of an element
+def _decoded(response: m.Field | None) -> str:
+    """Writes the arguments for decoding the response."""
+    return f"&{field_name(response)}_codec, response" if response else "NULL, NULL"
 
 
 @dataclass(frozen=True, slots=True)
 class Data:
-    """The data of a command, written without its structure."""
+    """The data of a command, written without its structure: numbers, and the elements of arrays."""
 
-    puts: tuple[Put, ...]
-    size: int
-    array: Put | None = None  # the array at the end whose elements the caller counts, if there is one
+    exchange: str
+    numbers: list[tuple[m.Scalar, int, str]]  # each with its offset
+    loops: list[str]  # the statements that write the elements
+    size: int  # without an array that the caller counts
+    length: str  # the size with such an array at its end; empty if there is none
+
+    @property
+    def octets(self) -> list[str]:
+        """The bytes of data that contains no larger numbers; otherwise empty."""
+        single = [unsigned(scalar, value) for scalar, _, value in self.numbers if scalar.size == 1]
+        return single if len(single) == len(self.numbers) and not self.loops else []
+
+    @property
+    def statements(self) -> list[str]:
+        if self.octets:
+            return [f"const uint8_t data[] = {{{', '.join(self.octets)}}};"]
+        numbers = [put(scalar, place("data", at), value) for scalar, at, value in self.numbers]
+        declared = f"uint8_t data[{'MIP_MAX_FIELD_DATA' if self.length else self.size}];"
+        return [declared, *numbers, *self.loops] if numbers or self.loops else []
+
+    @property
+    def arguments(self) -> str:
+        """The data and its length."""
+        return f"data, {self.length or self.size}" if self.length or self.size else f"MIP_NO_DATA({self.exchange}), 0"
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,18 +64,50 @@ class Call:
     name: str
     field: m.Field
     response: m.Field | None
-    doc: list[str]
+    summary: str
     way: Constructor | None = None  # makes the command's structure from the arguments
-    given: tuple[m.Parameter, ...] = ()  # the arguments
+    parameters: tuple[m.Parameter, ...] = ()  # the arguments
     passed: tuple[str, ...] = ()  # the arguments of the constructor
     whole: bool = False  # is the command's structure the argument?
+    fixed: m.Reply | None = None  # the one of several replies whose parameters it fixes
     data: Data | None = None  # None: it is encoded from the structure
 
     @property
     def arguments(self) -> tuple[str, ...]:
         if self.whole:
             return (f"const struct {field_name(self.field)} *command",)
-        return tuple(argument(p, self.field) for p in self.given)
+        return tuple(argument(p, self.field) for p in self.parameters)
+
+    @property
+    def statements(self) -> list[str]:
+        command = field_name(self.field)
+        if self.data is None:
+            made = [f"struct {command} command;"] if self.way else []
+            sent = f"&{command}_command, {self.value}, {_decoded(self.response)}"
+            return [*made, f"return mip_device_call(device, {sent});"]
+        sent = f"(device, &{self.data.exchange}, {self.data.arguments}"
+        end = f"request{sent}, {_decoded(self.response)}" if self.response else f"send{sent}"
+        return [*self.data.statements, f"return mip_device_{end});"]
+
+    @property
+    def macro(self) -> tuple[str, ...]:
+        """The end of a macro's name, and its arguments, if one defines the function: it passes a structure, or there is
+        only the function selector to send."""
+        if self.whole and self.response:
+            return ("_WITH", self.name, field_name(self.field), field_name(self.response))
+        function = self.way.function if self.way else None
+        chosen = selector(function) if function else ""
+        if self.data is None or self.parameters or [value for _, _, value in self.data.numbers] != [chosen]:
+            return ()
+        made = (self.name, field_name(self.field), chosen)
+        return ("_FOR", *made, field_name(self.response)) if self.response else ("", *made)
+
+    def function(self, docs: Comments) -> CFunction:
+        """It is inline if compilers should see the array of a caller."""
+        doc = [self.summary, *docs.arguments(self.parameters, self.field)]
+        result = f"{'MIP_INLINE' if self.data and self.data.length else 'static inline'} struct mip_result"
+        declarations = ["struct mip_device *device", *self.arguments, *_declared(self.response)]
+        return CFunction(self.name, doc, result, declarations, self.statements)
 
     @property
     def value(self) -> str:
@@ -72,64 +116,72 @@ class Call:
             return "command" if self.whole else "NULL"
         return f"{field_name(self.field)}_{self.way.name}({', '.join(('&command', *self.passed))})"
 
-    @property
-    def makes(self) -> bool:
-        """True if the function makes the command's structure."""
-        return self.way is not None
+
+def sent_with(f: m.Field, model: m.Model) -> tuple[str, ...]:
+    """Returns the arguments of MIP_SEND; empty if the command has no structure, or several responses or none."""
+    responses = model.responses(f)
+    return (_name("send", f), field_name(f), field_name(responses[0])) if members(f) and len(responses) == 1 else ()
 
 
-def commands(family: m.Family) -> list[m.Field]:
-    return [f for f in family.fields if f.role == m.COMMAND]
+def functions(f: m.Field, model: m.Model) -> list[CFunction]:
+    return [
+        *(sends(f, model) if not sent_with(f, model) else []),
+        *(c.function(Comments(model)) for c in calls(f, model) if not c.macro),
+    ]
 
 
-def sends(f: m.Field, model: m.Model) -> list[Send]:
+def sends(f: m.Field, model: m.Model) -> list[CFunction]:
     """Returns the function that sends a command, and one for each of several possible responses or layouts."""
-    what = f"Adds the command to a packet and tracks its reply: see mip_client_send. {f.title}."
     responses = model.responses(f)
     if len(responses) == 1:
-        where = "If the command requests the response, it is stored in `response`, which may be NULL."
-        return [Send(_name("send", f), responses[0], [f"{what} {where}"])]
-    plain = Send(_name("send", f), None, [what])
-    return [plain, *(Send(_name("send_for", r), r, [f"{what} Expects this response."]) for r in responses)]
+        return [_send(f, _name("send", f), responses[0], "")]
+    several = (_send(f, _name("send_for", r), r, " Expects this response.") for r in responses)
+    return [_send(f, _name("send", f), None, ""), *several]
+
+
+def _send(f: m.Field, name: str, response: m.Field | None, more: str) -> CFunction:
+    doc = f"{f.title}: adds the command to a packet.{more} See mip_client_send."
+    client = ["struct mip_client *client", "struct mip_request *request", "struct mip_builder *packet"]
+    command = [f"const struct {field_name(f)} *command"] if members(f) else []
+    sent = f"&{field_name(f)}_command, {'command' if command else 'NULL'}, {_decoded(response)}"
+    call = f"return mip_client_send(client, request, packet, {sent}, now);"
+    declarations = [*client, *command, *_declared(response), "uint32_t now"]
+    return CFunction(name, [doc], "static inline mip_error", declarations, [call])
 
 
 # --------------------------------------------------------------------------- the first minutes
 
 
 @dataclass(frozen=True, slots=True)
-class Older:
-    """Like `Session`, for one data set of an older device."""
+class Rates:
+    """The functions that read a base rate and write which fields are sent, with the names that they use."""
 
-    set: int
+    of: lower.Session | lower.Older
     base_rate: str
-    base_rates: str
+    response: str
     rate: str
     format: str
-    stream: int
 
 
 @dataclass(frozen=True, slots=True)
 class Session:
     """The names that mip_device_connect and mip_device_stream use: functions, structures and members."""
 
-    headers: tuple[str, ...]
-    bauds: tuple[int, ...]
+    of: lower.Session
+    headers: list[str]
     ping: str
     idle: str
     resume: str
     identify: str
     identity: str  # the structure of its response
-    model_numbers: tuple[str, ...]
-    base_rate: str
-    base_rates: str
-    rate: str
-    format: str
-    item: str  # the structure of a field and its decimation
+    model_numbers: list[str]
+    rates: Rates
+    older: list[Rates]  # of older devices, each for one set
+    format: str  # the structure of the command that writes which fields are sent
+    item: str  # that of a field and its decimation
     descriptor: str
     decimation: str
-    capacity: int
     stream: str
-    older: tuple[Older, ...]
 
 
 def session(model: m.Model) -> Session | None:
@@ -141,39 +193,30 @@ def session(model: m.Model) -> Session | None:
     def call(f: m.Field) -> str:
         return next(iter(calls(f, model))).name
 
+    def rates(of: lower.Session | lower.Older) -> Rates:
+        rate = of.base_rate
+        return Rates(of, call(rate.command), field_name(rate.response), member(rate.parameter.name), call(of.format))
+
     (identity,) = model.responses(start.identify)
     item = start.entries.item.struct
     assert item
     descriptor, decimation = item.parameters
     return Session(
-        headers=tuple(sorted({f"{module(f.family)}_commands" for f in start.commands})),
-        bauds=start.bauds,
+        of=start,
+        headers=sorted({f"{module(f.family)}_commands" for f in start.commands}),
         ping=call(start.ping),
         idle=call(start.idle),
         resume=call(start.resume),
         identify=call(start.identify),
         identity=field_name(identity),
-        model_numbers=tuple(".".join(map(member, path.split("."))) for path in start.model_numbers),
-        base_rate=call(start.base_rate.command),
-        base_rates=field_name(start.base_rate.response),
-        rate=member(start.base_rate.parameter.name),
-        format=call(start.format),
+        model_numbers=[".".join(map(member, path.split("."))) for path in start.model_numbers],
+        rates=rates(start),
+        older=[rates(x) for x in start.older],
+        format=field_name(start.format),
         item=type_name(item),
         descriptor=member(descriptor.name),
         decimation=member(decimation.name),
-        capacity=start.entries.capacity,
         stream=call(start.stream),
-        older=tuple(
-            Older(
-                set=x.set,
-                base_rate=call(x.base_rate.command),
-                base_rates=field_name(x.base_rate.response),
-                rate=member(x.base_rate.parameter.name),
-                format=call(x.format),
-                stream=x.stream,
-            )
-            for x in start.older
-        ),
     )
 
 
@@ -183,13 +226,25 @@ def session(model: m.Model) -> Session | None:
 def calls(f: m.Field, model: m.Model) -> list[Call]:
     """Returns a call for each function of a command and for each response, and one with its structure, if it has
     one."""
+    made = model.derived(_made)
+    if f.full_name not in made:
+        made[f.full_name] = _calls(f, model)
+    return made[f.full_name]
+
+
+def _made(_: m.Model) -> dict[str, list[Call]]:
+    """Returns the calls of each field, once they have been made."""
+    return {}
+
+
+def _calls(f: m.Field, model: m.Model) -> list[Call]:
     if not members(f):
         return list(_ways(f, None, model))
     made = [c for way in constructors(f) for c in _ways(f, way, model)]
     responses = model.responses(f)
-    doc = f"{f.title}: calls the command with these values, including optional parameters. See mip_device_call."
+    doc = f"{f.title}, with these values, including optional parameters."
     response = responses[0] if len(responses) == 1 else None
-    return [*made, Call(f"{_name('call', f)}_with", f, response, [doc], whole=True)]
+    return [*made, Call(f"{_name('call', f)}_with", f, response, doc, whole=True)]
 
 
 def _ways(f: m.Field, way: Constructor | None, model: m.Model) -> Iterator[Call]:
@@ -198,35 +253,26 @@ def _ways(f: m.Field, way: Constructor | None, model: m.Model) -> Iterator[Call]
     function = way.function if way else None
     layouts = [(layout, r) for r in replies(f, function, model) for layout in r.layouts]
     end = f"_{function.name}" if function else ""
-    if len(layouts) == 1:
-        yield _call(f, f"{_name('call', f)}{end}", way, *layouts[0], fixed=False, model=model)
-        return
-    yield _call(f, f"{_name('call', f)}{end}", way, None, None, fixed=False, model=model)
-    for layout, reply in layouts:
-        yield _call(f, f"{_name('call_for', layout)}{end}", way, layout, reply, fixed=True, model=model)
+    name = f"{_name('call', f)}{end}"
+    yield _call(f, name, way, layouts[0][0] if len(layouts) == 1 else None, None, model)
+    for layout, reply in layouts if len(layouts) > 1 else ():
+        yield _call(f, f"{_name('call_for', layout)}{end}", way, layout, reply, model)
 
 
 def _call(
-    f: m.Field,
-    name: str,
-    way: Constructor | None,
-    response: m.Field | None,
-    reply: m.Reply | None,
-    fixed: bool,
-    model: m.Model,
+    f: m.Field, name: str, way: Constructor | None, response: m.Field | None, fixed: m.Reply | None, model: m.Model
 ) -> Call:
-    values = {c.parameter: c.value for c in reply.when} if reply and fixed else {}
-    function = way.function if way else None
-    doc = f"{f.title}: {function.name}. {function.description}" if function else f"{f.title}."
+    """Returns a call of a function. Its values are those that select the reply `fixed`, if there is one."""
+    values = {c.parameter: c.value for c in fixed.when} if fixed else {}
+    function, parameters = (way.function, way.parameters) if way else (None, ())
+    doc = f"{f.title}: {function.name}." if function else f"{f.title}."
     doc += " The reply is decoded as this response." if fixed else ""
-    doc += " See mip_device_call."
-    asked = way.asked if way else ()
     passed: list[str] = []
-    for p in asked:
+    for p in parameters:
         passed += [_literal(p, values[p.name])] if p.name in values else _passed(p)
-    given = tuple(p for p in asked if p.name not in values)
-    data = _data(f, function, asked, passed) if _determined(f, function, response, model) else None
-    return Call(name, f, response, [doc], way, given, tuple(passed), data=data)
+    remaining = tuple(p for p in parameters if p.name not in values)
+    data = _data(f, function, parameters, passed) if _determined(f, function, response, model) else None
+    return Call(name, f, response, doc, way, remaining, tuple(passed), data=data, fixed=fixed)
 
 
 def _determined(f: m.Field, function: m.Function | None, response: m.Field | None, model: m.Model) -> bool:
@@ -239,56 +285,53 @@ def _determined(f: m.Field, function: m.Function | None, response: m.Field | Non
     return len(ways) == 1 and not ways[0].when and all(r.descriptor == response.descriptor for r in ways[0].layouts)
 
 
-def _data(f: m.Field, function: m.Function | None, asked: tuple[m.Parameter, ...], passed: list[str]) -> Data | None:
-    """Returns plain numbers at fixed offsets, and at most one array at the end; None for any other data."""
-    if any(p.fills for p in asked):
+def _data(
+    f: m.Field, function: m.Function | None, parameters: tuple[m.Parameter, ...], passed: list[str]
+) -> Data | None:
+    """Writes plain numbers at fixed offsets, and at most one array at the end; None for any other data."""
+    if any(p.fills for p in parameters):
         return None
-    values = dict(zip((p.name for p in asked), passed, strict=True))
-    puts: list[Put] = []
-    at, array = 0, None
-    if function is not None:
-        puts.append(Put(m.SCALARS["u8"], 0, f"{macro('mip_function_selector')}_{macro(function.name)}"))
-        at = 1
+    values = dict(zip((p.name for p in parameters), passed, strict=True))
+    octet = m.SCALARS["u8"]
+    numbers = [(octet, 0, selector(function))] if function else []
+    loops: list[str] = []
+    at, length = len(numbers), ""
     for p in next(c for c in f.calls if c.function == function).required:
         value = values.get(p.name, "")
-        if array is not None:
+        if length:
             return None
         if p.constant is not None:
-            puts += [Put(m.SCALARS["u8"], at + i, str(byte)) for i, byte in enumerate(p.octets)]
-            at += p.size
+            numbers += [(octet, at + i, str(byte)) for i, byte in enumerate(p.octets)]
         elif p.reserved is not None and p.kind == "scalar" and p.scalar.kind != "float":
-            puts.append(Put(p.scalar, at, str(p.reserved)))
-            at += p.size
+            numbers.append((p.scalar, at, str(p.reserved)))
         elif value and p.kind in ("scalar", "counter"):
-            puts.append(Put(p.scalar, at, f"mip_truth({value})" if p.scalar.kind == "bool" else value))
-            at += p.size
-        elif value and p.kind == "array":
-            elements = _elements(p, at, value)
-            if not elements:
-                return None
-            puts += elements
-            if p.count is None:
-                array = elements[0]
-            else:
-                at += elements[0].stride * p.count
+            numbers.append((p.scalar, at, f"mip_truth({value})" if p.scalar.kind == "bool" else value))
+        elif value and p.kind == "array" and (loop := _loop(p, at, value)):
+            loops += loop
+            if p.counter:
+                count = argument_name(p.counter)
+                length = (
+                    f"{count} <= {capacity(p)} ? {at} + {extent.element(p)} * (size_t){count} : MIP_MAX_FIELD_DATA + 1"
+                )
         else:
             return None
-    return Data(tuple(puts), at, array)
+        at += extent.size(p)[0]
+    return Data(f"{field_name(f)}_exchange", numbers, loops, at, length)
 
 
-def _elements(p: m.Parameter, at: int, value: str) -> list[Put]:
-    """Returns the numbers in the elements of an array; none if an element contains anything else."""
+def _loop(p: m.Parameter, at: int, value: str) -> list[str]:
+    """Writes the numbers in the elements of an array; empty if an element contains anything else."""
     parts = p.item.struct.parameters if p.item.struct else (p.item,)
     if not all(q.kind in ("scalar", "counter") and q.reserved is None for q in parts):
         return []
-    stride = sum(q.size for q in parts)
-    count, most = (str(p.count), 0) if p.count is not None else (argument_name(p.counter or ""), p.capacity)
-    puts = []
+    count = argument_name(p.counter) if p.counter else str(p.capacity)
+    checked = [f"(void)mip_counted({count}, {value}, sizeof({value}[0]));"] if p.counter else []
+    lines = [*checked, f"for (size_t i = 0; i < {count}{f' && i < {capacity(p)}' if p.counter else ''}; i++) {{"]
     for q in parts:
         index = f"[i].{member(q.name)}" if p.item.struct else "[i]"
-        puts.append(Put(q.scalar, at, value, index, count, most, stride))
+        lines.append(put(q.scalar, f"{place('data', at)} + {extent.element(p)} * i", f"{value}{index}"))
         at += q.size
-    return puts
+    return [*lines, "}"]
 
 
 def _passed(p: m.Parameter) -> list[str]:

@@ -12,14 +12,14 @@ from mipgen.lower.memory import members
 
 from . import names
 from .literals import hexadecimal
-from .members import last_present
 
 #: The line length of clang-format, which moves comments but need not wrap these.
 WIDTH = 100
 
 
-#: Many devices only probably support a field. Headers leave these devices to the profiles.
-ELSEWHERE = "Devices that only probably support a field are listed in mip/profiles.h, not here."
+#: Headers leave the devices that support a field to the profiles.
+EVIDENCE = ("devices", "likely", "assumed")
+ELSEWHERE = "The devices that support a field are in mip/profiles.h."
 
 
 def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
@@ -71,7 +71,7 @@ def reference(r: describe.Ref) -> str:
             return r.words
 
 
-def said(facts: Iterable[describe.Fact]) -> list[str]:
+def sentences(facts: Iterable[describe.Fact]) -> list[str]:
     return [describe.say(f.sentence, reference) for f in facts]
 
 
@@ -85,61 +85,57 @@ class Comments:
         """Composes the comment of a header: the facts about its set, or about the family of sets that share it."""
         place = f" ({hexadecimal(x.number)})" if len(x.sets) == 1 else ""
         what = " ".join([f"{x.title}{place}.", *self._prose(x.description)])
-        unsure = [ELSEWHERE] if any(self.model.devices_of(f, certain=False) for f in x.fields) else []
-        return ["@file", " ".join([what, *said(describe.uncertain(x, self.model))]), *unsure]
+        return ["@file", " ".join([what, *sentences(describe.uncertain(x, self.model))]), ELSEWHERE]
 
     def set(self, s: m.Set, family: m.Family) -> list[str]:
         """Composes the comment of a set's constant; it describes the set if the header covers several."""
         if len(family.sets) == 1:
             return ["Descriptor set of these fields."]
         what = " ".join([f"Descriptor set: {s.title}.", *self._prose(s.description)])
-        return [" ".join([what, *said(describe.uncertain(s, self.model))])]
+        return [" ".join([what, *sentences(describe.uncertain(s, self.model))])]
 
     def field(self, f: m.Field) -> list[str]:
-        one = f.set and len(f.occurrences) == 1
-        place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if one else hexadecimal(f.descriptor)
+        single = f.set and len(f.occurrences) == 1
+        place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if single else hexadecimal(f.descriptor)
         return [
             f"{f.title}: {f.role} {place}.",
             *self._prose(f.description),
             *_in_full(f),
-            *_paragraphs([], describe.in_code(f, self.model)),
+            *_paragraphs([], [x for x in describe.in_code(f, self.model) if x.topic not in EVIDENCE]),
             *self._without_member(f),
             *_cited(f),
         ]
 
     def key(self, f: m.Field) -> list[str]:
         """Composes the comment of a field's constant."""
-        several = len(f.occurrences) > 1
-        what = "Descriptor set, one of those above, and descriptor" if several else "Descriptor set and descriptor"
-        others = " Other layouts share them: _decode rejects those with MIP_ERROR_LAYOUT."
-        return [f"{what}, as mip_field_key returns them.{others if len(self.model.layouts(f)) > 1 else ''}"]
+        if len(self.model.layouts(f)) == 1:
+            return []
+        return ["Other layouts share this descriptor: _decode rejects those with MIP_ERROR_LAYOUT."]
 
     def present(self, f: m.Field) -> list[str]:
         """Composes the comment of the member that counts the present parameters."""
-        selector = ", without the function selector" if f.functions else ""
-        more = "; a ..._WITH_... constant sends all up to that one" if last_present(f) else ""
-        return [f"Number of present parameters{selector}. Decoding sets it. 0 sends only the required ones{more}."]
+        return ["Number of present parameters, of a decoded field. To send: 0, or a ..._WITH_... constant."]
 
     def type(self, t: m.Enum | m.Bitfield | m.Struct) -> list[str]:
         more = self._without_member(t) if isinstance(t, m.Struct) else []
         texts = [*self._prose(t.description), *_in_full(t)]
-        return [*_paragraphs(texts, describe.type(t, self.model)), *more, *_cited(t)]
+        return [*_paragraphs(texts, describe.type_facts(t, self.model)), *more, *_cited(t)]
 
     def member(self, p: m.Parameter, record: m.Record) -> list[str]:
         empty = [describe.case(c, p, record) for c in p.cases if c.parameter is None]
         text = [*self._prose(p.description), *_values(p)]
         return _paragraphs(text, [*describe.parameter(p, record, self.model), *empty])
 
-    def arguments(self, given: Sequence[m.Parameter], f: m.Field) -> list[str]:
+    def arguments(self, parameters: Sequence[m.Parameter], f: m.Field) -> list[str]:
         """Describes the arguments of a function with the comments of the members."""
-        items = [f"- {names.argument_name(p.name)}: {' '.join(self.member(p, f))}" for p in given]
+        items = [f"- {names.argument_name(p.name)}: {' '.join(self.member(p, f))}" for p in parameters]
         return ["\n".join(items)] if items else []
 
     def case(self, c: m.Case, union: m.Parameter, record: m.Record) -> list[str]:
         """Composes the comment of an alternative: when it is present, then the documentation of its parameter."""
         assert c.parameter is not None
         text = [*self._prose(c.parameter.description or c.tag.description), *_values(c.parameter)]
-        when = said([describe.case(c, union, record)])
+        when = sentences([describe.case(c, union, record)])
         return _paragraphs([*when, *text], describe.parameter(c.parameter, record, self.model))
 
     def value(self, v: m.EnumValue) -> list[str]:
@@ -147,10 +143,10 @@ class Comments:
 
     def bits(self, b: m.Bits) -> list[str]:
         place, *facts = describe.bits(b, self.model)
-        return _paragraphs([*said([place]), *self._prose(b.description), *_in_full(b)], facts)
+        return _paragraphs([*sentences([place]), *self._prose(b.description), *_in_full(b)], facts)
 
     def device(self, d: m.Device) -> list[str]:
-        facts = said(describe.device(d, self.model))
+        facts = sentences(describe.device(d, self.model))
         return [" ".join([f"{d.title}:", *self._prose(d.description)]), " ".join(facts), *_cited(d)]
 
     def _prose(self, text: str) -> list[str]:
@@ -175,8 +171,8 @@ def _values(p: m.Parameter) -> list[str]:
 def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:
     """Joins texts and facts into one paragraph; each note is a paragraph of its own."""
     notes = describe.topics(facts, "note")
-    first = " ".join([*texts, *said(f for f in facts if f not in notes)])
-    return [*([first] if first else []), *said(notes)]
+    first = " ".join([*texts, *sentences(f for f in facts if f not in notes)])
+    return [*([first] if first else []), *sentences(notes)]
 
 
 def _in_full(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> list[str]:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TypeGuard
 
 from mipgen import model as m
 from mipgen.emit.naming import Escape, Identifier
 from mipgen.lower.memory import members
 
 from . import calls, names, runtime
-from .members import constructors, takes_enum
+from .members import constructors, dimensions, selector, takes_enum
 
 _KEYWORDS = frozenset(names.LANGUAGE["keywords"])
 
@@ -28,21 +29,21 @@ def bare(thing: m.Type | m.Field) -> str:
     return word(thing.name.removeprefix(f"{owner}_") if owner else thing.name)
 
 
-def qualified(thing: m.Type | m.Field) -> str:
-    """Returns the name of a thing with its namespaces."""
+def scope(thing: m.Type | m.Field) -> str:
+    """Returns the namespace of a thing."""
     if isinstance(thing, m.Field):
         inside = thing.family if thing.set else None  # the acknowledge belongs to no set
     else:
         inside = getattr(thing, "owner", None)
-    return f"mip::{namespace(inside)}::{bare(thing)}" if inside else f"mip::{bare(thing)}"
+    return f"mip::{namespace(inside)}" if inside else "mip"
 
 
-def in_bytes(t: m.Type) -> bool:
-    """True for a bitfield that is an array of bytes instead of a number."""
-    return isinstance(t, m.Bitfield) and t.scalar is None
+def qualified(thing: m.Type | m.Field) -> str:
+    """Returns the name of a thing with its namespaces."""
+    return f"{scope(thing)}::{bare(thing)}"
 
 
-def named(e: m.Scalar | m.Type | None) -> bool:
+def is_enum_class(e: m.Scalar | m.Type | None) -> TypeGuard[m.Enum | m.Bitfield]:
     """True for a type that is an `enum class` in C++."""
     return isinstance(e, m.Enum) or (isinstance(e, m.Bitfield) and e.scalar is not None)
 
@@ -68,40 +69,31 @@ def accessors(f: m.Field) -> list[Accessor]:
 
 
 def _accessor(p: m.Parameter, f: m.Field) -> Accessor | None:
-    name = names.member(p.name)
-    at = f"c_type::{name}"
-    count = f"c_type::{names.member(p.counter)}" if p.counter else f"{at}_count"
     if p.element is None:
         return None
+    at, doc = f"c_type::{names.member(p.name)}", ""
+    items = f"{{{at}, {f'c_type::{names.member(p.counter)}' if p.counter else f'{at}_count'}}}"
+    kind = f"::{qualified(p.element)}" if is_enum_class(p.element) else names.c_type(p.element)
+    value = f"static_cast<{kind}>({at})"
     if p.optional and p.length is None:
-        there = f"present >= MIP_{names.macro(names.field_name(f)).removeprefix('MIP_')}_WITH_{names.macro(p.name)}"
-        one = f"::{qualified(p.element)}" if named(p.element) else names.c_type(p.element)  # type: ignore[arg-type]
-        value = f"static_cast<{one}>({at})"
-        kind = f"std::optional<{one}>"
-        return Accessor(word(p.name), kind, f"{there} ? {kind}({value}) : std::nullopt", "If it is present.")
-    if p.length is None and named(p.element):
-        assert isinstance(p.element, (m.Enum, m.Bitfield))
-        return Accessor(word(p.name), f"::{qualified(p.element)}", f"static_cast<::{qualified(p.element)}>({at})", "")
-    if p.kind == "text" and isinstance(p.length, int):
-        return Accessor(
-            word(p.name), "std::string_view", f"::mip::text({at})", "May contain leading or trailing spaces."
-        )
-    if p.kind == "text":
-        return Accessor(word(p.name), "std::string_view", f"{{{at}, {count}}}", "")
-    if p.kind == "array" and (p.counter or p.fills):
-        return Accessor(word(p.name), f"span<{_element(p)}>", f"{{{at}, {count}}}", "")
-    return None
+        is_present = f"present >= {names.macro(f'{names.field_name(f)}_with_{p.name}')}"
+        kind, doc = f"std::optional<{kind}>", "If it is present."
+        value = f"{is_present} ? {kind}({value}) : std::nullopt"
+    elif p.kind == "text" and isinstance(p.length, int):
+        kind, value, doc = "std::string_view", f"::mip::text({at})", "May contain leading or trailing spaces."
+    elif p.kind == "text":
+        kind, value = "std::string_view", items
+    elif p.kind == "array" and (p.counter or p.fills):
+        kind, value = f"span<{_element(p)}>", items
+    elif p.length is not None or not is_enum_class(p.element):
+        return None
+    return Accessor(word(p.name), kind, value, doc)
 
 
 def _element(p: m.Parameter) -> str:
     """Returns the element type of a variable-length array."""
     assert p.element is not None
-    one = names.c_type(p.element)
-    return f"const {one.replace('struct ', '::')}{_dimensions(p.item)}"
-
-
-def _dimensions(p: m.Parameter) -> str:
-    return f"[{max(1, p.capacity)}]{_dimensions(p.item)}" if p.several else ""
+    return f"const {names.c_type(p.element, structure='::')}{dimensions(p.item)}"
 
 
 # --------------------------------------------------------------------------- commands
@@ -112,63 +104,56 @@ class Command:
     """A structure with the parameters that one call of a command needs."""
 
     name: str
-    field: m.Field
-    response: m.Field | None
-    doc: str
-    members: tuple[str, ...]
-    call: str  # the C function
-    arguments: tuple[str, ...]  # of the C function
-    fill: str  # the function that fills the C structure
-    filled: tuple[str, ...]  # the arguments of `fill`
-    plain: bool  # are the members all that `fill` needs?
-    fixed: tuple[str, ...] | None  # for a command with constant data: its function selector, if it has one
+    doc: list[str]
+    base: str  # its base class, which defines everything, if the command's data is constant
+    members: list[str]
+    response: str
+    receives: str  # the argument of `call` for the response
+    call: str  # the call of the C function
+    fill: str  # the call that fills the C structure; empty if the members are not all that it needs
 
 
 def commands(f: m.Field, model: m.Model) -> list[Command]:
     return [_command(f, c) for c in calls.calls(f, model) if not c.whole]
 
 
-def whole_response(f: m.Field, model: m.Model) -> m.Field | None:
-    """Returns the response to a command that is passed as a C structure; None if there are several."""
-    responses = model.responses(f)
-    return responses[0] if len(responses) == 1 else None
-
-
 def _command(f: m.Field, c: calls.Call) -> Command:
-    asked = c.way.asked if c.way else ()
-    arrays = {p.counter: p for p in asked if p.counter}
-    shown = [p for p in c.given if p.name not in arrays]
-    plain = c.given == asked
+    parameters, c_name = c.way.parameters if c.way else (), names.field_name(f)
+    arrays = {p.counter: p for p in parameters if p.counter}
     function = c.way.function if c.way else None
+    answer = response(c.response) if c.response else "void"
+    passed = ["device_", *(a for p in c.parameters for a in _passed(p, arrays)), *(["to_"] if c.response else [])]
+    filled = ["to_", *(a for p in parameters for a in _passed(p, arrays))]
     what = f"{f.title}: {function.name}." if function else f"{f.title}."
     return Command(
         name=command_name(f, c),
-        field=f,
-        response=c.response,
-        doc=f"{what} See {c.name}.",
-        members=tuple(_declared(p, f) for p in shown),
-        call=c.name,
-        arguments=tuple(a for p in c.given for a in _passed(p, arrays)),
-        fill=f"{names.field_name(f)}_{c.way.name}" if c.way else "",
-        filled=tuple(a for p in asked for a in _passed(p, arrays)),
-        plain=plain,
-        fixed=_fixed(c),
+        doc=[f"{what} See {c.name}."],
+        base="" if (fixed := _fixed(c)) is None else f"fixed_command<{', '.join([f'::{c_name}', answer, *fixed])}>",
+        members=[_declared(p, f) for p in c.parameters if p.name not in arrays],
+        response=answer,
+        receives=", response *to_" if c.response else "",
+        call=f"::{c.name}({', '.join(passed)})",
+        fill=f"::{c_name}_{c.way.name if c.way else ''}({', '.join(filled)})" if c.parameters == parameters else "",
     )
+
+
+def response(*responses: m.Field) -> str:
+    """Returns the only response to a command, or void."""
+    return f"::{qualified(responses[0])}" if len(responses) == 1 else "void"
 
 
 def _fixed(c: calls.Call) -> tuple[str, ...] | None:
     """Returns the function selector of a command without other data; empty if there is no data, None if there is
     more."""
-    if c.data is None or c.given or (c.way and (c.way.asked or c.way.assigned or not c.way.function)):
+    if c.data is None or c.parameters or (c.way and (c.way.assigned or not c.way.function)):
         return None
-    return (f"MIP_FUNCTION_SELECTOR_{names.macro(c.way.function.name)}",) if c.way and c.way.function else ()
+    return (selector(c.way.function),) if c.way and c.way.function else ()
 
 
 def command_name(f: m.Field, c: calls.Call) -> str:
     """Returns the name of a call: `write_message_format`, `ping`; `for_...` for one of several responses."""
     function = c.way.function.name if c.way and c.way.function else ""
-    several = c.response is not None and "_call_for_" in c.name
-    name = f"for_{c.response.name}" if several and c.response else f.name
+    name = f"for_{c.response.name}" if c.fixed and c.response else f.name
     return word(f"{function}_{name}" if function else name)
 
 
@@ -177,16 +162,16 @@ def _declared(p: m.Parameter, f: m.Field) -> str:
     name = _member(p.name)
     if p.element is None:
         return f"::{names.union_name(p, f)} {name}"
-    one = names.c_type(p.element).replace("struct ", "::")
+    element = names.c_type(p.element, structure="::")
     if p.kind == "text":
         return f"{'std::string_view' if p.counter or p.fills else 'const char *'} {name}"
     if p.kind == "array" and (p.counter or p.fills):
         return f"span<{_element(p)}> {name}"
     if p.several:
-        return f"{one} {name}{_dimensions(p)}"
-    if named(p.element):
-        return f"::{qualified(p.element)} {name}"  # type: ignore[arg-type]
-    return f"{'bool' if one == 'mip_bool' else one} {name}"
+        return f"{element} {name}{dimensions(p)}"
+    if is_enum_class(p.element):
+        return f"::{qualified(p.element)} {name}"
+    return f"{'bool' if element == 'mip_bool' else element} {name}"
 
 
 def _passed(p: m.Parameter, arrays: dict[str, m.Parameter]) -> list[str]:
@@ -202,7 +187,7 @@ def _passed(p: m.Parameter, arrays: dict[str, m.Parameter]) -> list[str]:
         return [name]
     if takes_enum(p):
         return [f"static_cast<enum {names.type_name(p.element)}>({name})"]  # type: ignore[arg-type]
-    if named(p.element):
+    if is_enum_class(p.element):
         return [f"number({name})"]
     return [f"&{name}" if names.is_struct(p.element) else name]
 
@@ -247,7 +232,7 @@ def _of_type(t: m.Type, scope: str) -> Iterator[Identifier]:
     place = getattr(t, "position", None)
     name = bare(t)
     yield Identifier(scope, name, t.name, place)
-    if in_bytes(t):
+    if names.in_bytes(t):
         yield Identifier(scope, f"{name}_bits", t.name, place)
     inside = f"enum class {scope.removeprefix('namespace ')}::{name}"
     parts = t.values if isinstance(t, m.Enum) else t.bits if isinstance(t, m.Bitfield) else ()

@@ -25,28 +25,25 @@ class Programs:
     def command(self, f: m.Field) -> str:
         """Composes the call of a command at a device."""
         lines = [f'#include "mip/{module(f.family)}_commands.hpp"']
-        for i, shown in enumerate(self.samples.shown(f)):
+        for i, form in enumerate(self.samples.shown(f)):
             name = "answer" if i else "result"
-            lines += _call(f, shown, self.samples, f"const auto {name} = ")
+            lines += _call(f, form, self.samples, f"const auto {name} = ")
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
         """Composes a function that sends several commands and stops at the first one that is not acknowledged."""
         lines = sorted({f'#include "mip/{module(f.family)}_commands.hpp"' for f, _ in steps})
         lines += ["", f"mip::result<> {name}(mip::device<> &device) {{"]
-        calls = [
-            _call(f, given.call, given, "result = " if i else "mip::result<> result = ", 88)
-            for i, (f, given) in enumerate(steps)
-        ]
-        lines += snippets.in_turn(steps, calls, "// {}", "result")
-        return "\n".join([*lines, "    return result;", "}"])
+        return snippets.sequence(lines, steps, _call, "mip::result<>", "// {}", "result")
 
     def data(self, f: m.Field) -> str:
         """Composes the lines that read a data field of a packet."""
         called = {a.name for a in accessors(f)}
         counted = {p.counter for p in members(f) if p.counter}
-        shown = [p for p in members(f) if p.name not in counted]
-        names = [f"value->{word(p.name)}()" if word(p.name) in called else f"value->{member(p.name)}" for p in shown]
+        parameters = [p for p in members(f) if p.name not in counted]
+        names = [
+            f"value->{word(p.name)}()" if word(p.name) in called else f"value->{member(p.name)}" for p in parameters
+        ]
         read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
         return "\n".join([
             f'#include "mip/{module(f.family)}.hpp"',
@@ -57,35 +54,35 @@ class Programs:
         ])  # fmt: skip
 
 
-def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
+def _call(f: m.Field, form: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
     """Writes the declarations for a call, and the call, whose result is assigned."""
-    values = literals.record(f.parameters, samples.values(f, shown))
-    chosen = snippets.call_of(f, shown, samples)
+    values = literals.record(f.parameters, samples.values(f, form))
+    call = snippets.call_of(f, form, samples)
     before: list[Expression] = []
-    if chosen.whole:  # all of it is reserved
+    if call.whole:  # all of it is reserved
         before.append(after(f"const {field_name(f)} command = ", snippets.record(values)))
-        asked = Brackets(f"{result}device.call(", ["command"], ");", comma="")
-        return [laid_out(line, width) for line in (*(snippets.statement(x) for x in before), asked)]
-    counted = {p.counter for p in chosen.given if p.counter}
-    given: list[Expression] = []
-    for p in chosen.given:
+        called = Brackets(f"{result}device.call(", ["command"], ");", comma="")
+        return [laid_out(line, width) for line in (*(snippets.statement(x) for x in before), called)]
+    counted = {p.counter for p in call.parameters if p.counter}
+    arguments: list[Expression] = []
+    for p in call.parameters:
         if p.name in counted:
             continue
         declared, value = _argument(p, values[p.name])
         before += declared
-        given.append(value)
-    command = f"mip::{namespace(f.family)}::{command_name(f, chosen)}"
-    asked = Brackets(f"{result}device.call({command}{{", given, "});", comma="")
-    return [laid_out(line, width) for line in (*(snippets.statement(x) for x in before), asked)]
+        arguments.append(value)
+    command = f"mip::{namespace(f.family)}::{command_name(f, call)}"
+    called = Brackets(f"{result}device.call({command}{{", arguments, "});", comma="")
+    return [laid_out(line, width) for line in (*(snippets.statement(x) for x in before), called)]
 
 
 def _argument(p: m.Parameter, x: Literal) -> tuple[list[Expression], Expression]:
     """Writes the declarations that a member of a command needs, and the member's value."""
     match x:
-        case literals.Choice(known=None):
+        case literals.Choice(value=None):
             return [], f"static_cast<{qualified(x.type)}>({x.number.value})"
-        case literals.Choice(known=m.EnumValue() as known):
-            return [], f"{qualified(x.type)}::{word(known.name)}"
+        case literals.Choice(value=m.EnumValue() as named):
+            return [], f"{qualified(x.type)}::{word(named.name)}"
         case literals.Flags(names=()):
             return [], f"static_cast<{qualified(x.type)}>({x.number.text})"
         case literals.Flags():
@@ -94,9 +91,9 @@ def _argument(p: m.Parameter, x: Literal) -> tuple[list[Expression], Expression]
             return [], string(x.text)
         case literals.Items(items=(first, *_)) if p.counter or p.fills:
             assert p.element is not None
-            one = qualified(p.element) if isinstance(p.element, m.Struct) else c_type(p.element)
+            element = qualified(p.element) if isinstance(p.element, m.Struct) else c_type(p.element)
             inner = f"[{len(first.items)}]" if isinstance(first, literals.Items) else ""
-            return [after(f"const {one} {word(p.name)}[]{inner} = ", snippets.value(x))], word(p.name)
+            return [after(f"const {element} {word(p.name)}[]{inner} = ", snippets.value(x))], word(p.name)
         case literals.Items(items=()):
             return [], "{}"
     return [], snippets.value(x)

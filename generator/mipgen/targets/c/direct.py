@@ -2,55 +2,115 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import count
 
 from mipgen import model as m
 from mipgen.lower import runs
 from mipgen.lower.runs import Path, Run
 
-from .names import LANGUAGE, member
-
-_SCALARS: dict[str, str] = LANGUAGE["scalars"]
+from .literals import hexadecimal
+from .names import c_type, field_name, member
 
 
 @dataclass(frozen=True, slots=True)
-class Access:
-    """One member, or one of the numbers or texts inside it."""
+class Inline:
+    """The functions of a field that need no tables."""
 
-    path: str
-    offset: int  # in the data of the field
-    type: str  # name of the scalar
-    size: int  # bytes of one number
-    count: int  # of an array; 0 for a single number
-    text: bool = False  # followed by a NUL
-
-    @property
-    def bytes(self) -> bool:
-        """Are the bytes copied unchanged?"""
-        return self.count > 0 and self.size == 1
-
-    @property
-    def memory(self) -> int:
-        return m.SCALARS[self.type].memory
-
-    @property
-    def real(self) -> bool:
-        return self.type in ("float", "double")
-
-    @property
-    def cast(self) -> str:
-        """The type of a signed number or a character, to which the unsigned one is cast; empty for others."""
-        return _SCALARS[self.type] if m.SCALARS[self.type].kind in ("signed", "char") else ""
+    of: m.Field
+    name: str
+    several: bool  # does it occur in several sets?
+    layouts: bool  # do other layouts share its descriptor?
+    check: str  # a call that rejects other fields
+    reserve: str  # a call that makes room in a packet
+    statements: list[tuple[str, str]]  # read and write each member
 
 
-def direct(f: m.Field) -> list[Access]:
-    """Returns the members of a field in wire order; none if its layout varies or has constants, which need checks."""
-    return [_access(run) for run in runs.runs(f)]
+def is_direct(f: m.Field) -> bool:
+    """False if the layout varies or has constants, which need checks."""
+    return bool(runs.runs(f))
 
 
-def _access(r: Run) -> Access:
-    path = _path(r.path) + (".bytes" if r.parameter.kind == "bits" else "")
-    return Access(path, r.offset, r.scalar.name, r.scalar.size, r.count or 0, text=r.parameter.kind == "text")
+def inline(f: m.Field, model: m.Model) -> Inline:
+    return Inline(
+        of=f,
+        name=field_name(f),
+        several=len(f.occurrences) > 1,
+        layouts=len(model.layouts(f)) > 1,
+        check=_in_its_sets(f, "mip_field_check(field, {set}, {descriptor}, {size})"),
+        reserve=_in_its_sets(f, "mip_builder_reserve(builder, {set}, {descriptor}, {size}, &data)"),
+        statements=[*map(_statements, runs.runs(f))],
+    )
+
+
+def _in_its_sets(f: m.Field, call: str) -> str:
+    """Writes a call; for a field of several sets, it checks the set first."""
+    several = len(f.occurrences) > 1
+    number = "set" if several else hexadecimal(f.set)
+    made = call.format(set=number, descriptor=hexadecimal(f.descriptor), size=f.min_size)
+    return f"{_belongs(f.sets, 'set')} ? {made} : MIP_ERROR_SET" if several else made
+
+
+def _belongs(numbers: Sequence[int], name: str) -> str:
+    """Writes the condition that the variable `name` is one of these ascending numbers.
+
+    >>> _belongs((0x81, 0x91, 0x92, 0x93), "set")
+    'set == 0x81 || (set >= 0x91 && set <= 0x93)'
+    """
+    tests = []
+    for first in (n for n in numbers if n - 1 not in numbers):
+        last = next(n for n in count(first) if n + 1 not in numbers)
+        inside = f"({name} >= {hexadecimal(first)} && {name} <= {hexadecimal(last)})"
+        tests.append(inside if first < last else f"{name} == {hexadecimal(first)}")
+    return " || ".join(tests)
+
+
+# --------------------------------------------------------------------------- statements
+
+
+def _statements(r: Run) -> tuple[str, str]:
+    """Reads and writes a member, or one of the numbers or texts inside it."""
+    scalar, member, source, target = r.scalar, _member(r), place("field->data", r.offset), place("data", r.offset)
+    if r.count is None:
+        return _get(scalar, source, member), put(scalar, target, member, cast=_cast(scalar) != "")
+    if scalar.size == 1:
+        end = f"\n{member}[{r.count}] = '\\0';" if r.parameter.kind == "text" else ""
+        return f"memcpy({member}, {source}, {r.count});{end}", f"memcpy({target}, {member}, {r.count});"
+    loop, step = f"for (size_t i = 0; i < {r.count}; i++) {{\n%s\n}}", f" + {scalar.size} * i"
+    get = _get(scalar, source + step, f"{member}[i]")
+    return loop % get, loop % put(scalar, target + step, f"{member}[i]", cast=_cast(scalar) != "")
+
+
+def _get(scalar: m.Scalar, at: str, value: str) -> str:
+    if scalar.kind == "float":
+        return f"mip_get_{scalar.name}(&{value}, {at});"
+    return f"{value} = {_cast(scalar)}mip_get_{scalar.width}({at});"
+
+
+def put(scalar: m.Scalar, at: str, value: str, cast: bool = True) -> str:
+    """Writes a number to a place in the data."""
+    if scalar.kind == "float":
+        return f"mip_put_{scalar.name}({at}, &{value});"
+    return f"mip_put_{scalar.width}({at}, {unsigned(scalar, value) if cast else value});"
+
+
+def unsigned(scalar: m.Scalar, value: str) -> str:
+    """Converts a number to the unsigned one with the same bytes."""
+    return f"(uint{8 * scalar.memory}_t){value}"
+
+
+def _cast(scalar: m.Scalar) -> str:
+    """Writes the cast of an unsigned number to a signed one or a character; empty for others."""
+    return f"({c_type(scalar)})" if scalar.kind in ("signed", "char") else ""
+
+
+def place(data: str, offset: int) -> str:
+    return f"{data} + {offset}" if offset else data
+
+
+def _member(r: Run) -> str:
+    return f"value->{_path(r.path)}{'.bytes' if r.parameter.kind == 'bits' else ''}"
 
 
 def _path(parts: Path) -> str:

@@ -8,19 +8,21 @@ from mipgen import model as m
 from mipgen.emit.naming import Identifier
 from mipgen.lower.memory import members
 
-from . import calls, cpp, names, runtime, tables
-from .direct import direct
-from .members import constructors, has_accessor, last_present
-from .names import (  # fmt: skip
+from . import calls, cpp, names, runtime
+from .direct import is_direct
+from .members import constructors, has_accessor, last_present, write_from_response
+from .names import (
     accessor,
     constant,
     field_name,
     macro,
     member,
+    names_table,
     set_constant,
     symbol,
     type_name,
     union_name,
+    union_owner,
 )
 
 
@@ -28,15 +30,15 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     for name in runtime.names():
         yield Identifier("C", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
-        yield from of_type(t)
-    yield from of_field(model.protocol.acknowledge)
+        yield from of_type(t, model)
+    yield from of_field(model.protocol.acknowledge, model)
     for s in model.sets:
         yield Identifier("C", set_constant(s), f"set {s.name}", s.position)
     for x in model.families:
         for t in x.types:
-            yield from of_type(t)
+            yield from of_type(t, model)
         for f in x.fields:
-            yield from of_field(f)
+            yield from of_field(f, model)
             for name in calls.identifiers(f, model):
                 yield Identifier("C", name, f.full_name, f.position)
     for d in model.devices:
@@ -53,44 +55,39 @@ def package(model: m.Model) -> Iterator[Identifier]:
         yield Identifier(place, "mip", "the package", model.protocol.position, word=place == "C++")
 
 
-def of_type(t: m.Type) -> Iterator[Identifier]:
-    name, place = type_name(t), getattr(t, "position", None)
-    yield Identifier("C", name, t.name, place)
-    if isinstance(t, (m.Enum, m.Bitfield)):
-        yield Identifier("C", tables.names(t), t.name, place)
+def of_type(t: m.Type, model: m.Model) -> Iterator[Identifier]:
+    place, own = getattr(t, "position", None), [type_name(t)]
+    own += [names_table(t)] if isinstance(t, (m.Enum, m.Bitfield)) else []
+    own += [f"{type_name(t)}_name"] if isinstance(t, m.Enum) else []
+    yield from (Identifier("C", name, t.name, place) for name in own)
     if isinstance(t, m.Enum):
-        yield Identifier("C", f"{name}_name", t.name, place)
         for v in t.values:
             yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", v.position)
     elif isinstance(t, m.Bitfield):
         for b in t.bits:
-            yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", b.position)
-            for verb in ("get", "set") if has_accessor(b, t) else ():
-                yield Identifier("C", accessor(t, verb, b), f"{t.name}.{b.name}", b.position)
+            accessors = [accessor(t, verb, b) for verb in ("get", "set") if has_accessor(b, t)]
+            yield from (Identifier("C", n, f"{t.name}.{b.name}", b.position) for n in (constant(t, b), *accessors))
     elif isinstance(t, m.Struct):
-        yield from _members(t)
+        yield from _members(t, model)
 
 
-def of_field(f: m.Field) -> Iterator[Identifier]:
-    name = field_name(f)
-    yield Identifier("C", name, f.full_name, f.position)
-    yield Identifier("C", macro(name), f.full_name, f.position)
-    for end in ("DESCRIPTOR", "NAME", *(macro(f"with_{p.name}") for p, _ in last_present(f))):
-        yield Identifier("C", f"{macro(name)}_{end}", f.full_name, f.position)
-    both = ("decode", "encode")
-    inline = [f"{end}_inline" for end in both] if direct(f) else []
-    for end in ("codec", *both, *inline, *(c.name for c in constructors(f))):
-        yield Identifier("C", f"{name}_{end}", f.full_name, f.position)
-    yield from _members(f)
+def of_field(f: m.Field, model: m.Model) -> Iterator[Identifier]:
+    name, inline = field_name(f), ("decode_inline", "encode_inline") if is_direct(f) else ()
+    macros = ("descriptor", *(f"with_{p.name}" for p, _ in last_present(f)))
+    ends = ("codec", "decode", "encode", *inline, *(c.name for c in constructors(f)))
+    fills = [w.name for w in [write_from_response(f, model)] if w]
+    for own in (name, macro(name), *(macro(f"{name}_{x}") for x in macros), *(f"{name}_{end}" for end in ends), *fills):
+        yield Identifier("C", own, f.full_name, f.position)
+    yield from _members(f, model)
 
 
-def _members(record: m.Record) -> Iterator[Identifier]:
+def _members(record: m.Record, model: m.Model) -> Iterator[Identifier]:
     scope = f"struct {symbol(record)}"
     for p in members(record):
         yield Identifier(scope, member(p.name), p.name, p.position)
         if p.fills:
             yield Identifier(scope, f"{member(p.name)}_count", p.name, p.position)
-        if p.element is None:
+        if p.element is None and union_owner(p, record, model) is record:
             yield Identifier("C", union_name(p, record), p.name, p.position)
             for a in p.alternatives:
                 yield Identifier(f"union {union_name(p, record)}", member(a.name), a.name, p.position)

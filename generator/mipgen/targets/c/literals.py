@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from itertools import count
-
-from mipgen import model as m
 
 
 def hexadecimal(value: int) -> str:
@@ -17,25 +13,6 @@ def hexadecimal(value: int) -> str:
     return f"0x{value:02X}"
 
 
-def key(f: m.Field) -> str:
-    """Writes descriptor set and descriptor of a field as one number."""
-    return f"0x{f.set:02X}{f.descriptor:02X}"
-
-
-def belongs(numbers: Sequence[int], name: str) -> str:
-    """Writes the condition that the variable `name` is one of these ascending numbers.
-
-    >>> belongs((0x81, 0x91, 0x92, 0x93), "set")
-    'set == 0x81 || (set >= 0x91 && set <= 0x93)'
-    """
-    tests = []
-    for first in (n for n in numbers if n - 1 not in numbers):
-        last = next(n for n in count(first) if n + 1 not in numbers)
-        inside = f"({name} >= {hexadecimal(first)} && {name} <= {hexadecimal(last)})"
-        tests.append(inside if first < last else f"{name} == {hexadecimal(first)}")
-    return " || ".join(tests)
-
-
 def number(value: int, size: int, text: str = "") -> str:
     """Writes an unsigned number of `size` bytes; `text`, if given, is its notation.
 
@@ -44,12 +21,6 @@ def number(value: int, size: int, text: str = "") -> str:
     """
     text = text or (str(value) if value < 0x8000 else f"0x{value:X}")
     return f"UINT64_C({text})" if size == 8 else f"UINT32_C({text})" if value > 0x7FFF and size == 4 else text
-
-
-def mask(b: m.Bits, t: m.Bitfield) -> str:
-    """Writes a mask of bits, wide enough that its complement clears no other bits."""
-    text = f"0x{b.mask:0{2 * t.size}X}"
-    return f"UINT{8 * t.size}_C({text})" if t.size > 2 else f"{text}U"
 
 
 def decimal(value: float | int) -> str:

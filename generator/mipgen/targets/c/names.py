@@ -52,8 +52,25 @@ def symbol(thing: m.Type | m.Field) -> str:
     return field_name(thing) if isinstance(thing, m.Field) else type_name(thing)
 
 
-def union_name(p: m.Parameter, record: m.Record) -> str:
-    return f"{symbol(record)}_{p.name}"
+def union_name(p: m.Parameter, owner: m.Record) -> str:
+    """Returns the type of a union."""
+    return f"{symbol(owner)}_{p.name}"
+
+
+def union_owner(p: m.Parameter, record: m.Record, model: m.Model) -> m.Record:
+    """Returns the record that defines the type of a union: of a response, its command, if that has the same union."""
+    commands = model.commands(record) if isinstance(record, m.Field) and record.role == m.RESPONSE else ()
+    same = (f for f in commands if any(q.name == p.name and same_type(p, q) for q in f.parameters))
+    return next(same, record)
+
+
+def same_type(p: m.Parameter, q: m.Parameter) -> bool:
+    """True if two members have the same type, whatever is said of them."""
+    return all((p.element == q.element, p.length == q.length, _alternatives(p) == _alternatives(q)))
+
+
+def _alternatives(p: m.Parameter) -> list[object]:
+    return [(c.tag.value, c.parameter and (c.parameter.name, c.parameter.element, c.parameter.length)) for c in p.cases]
 
 
 def constant(t: m.Enum | m.Bitfield, part: m.EnumValue | m.Bits) -> str:
@@ -70,14 +87,19 @@ def bare(thing: m.Type | m.Field) -> str:
     return symbol(thing).removeprefix("mip_")
 
 
+def names_table(t: m.Enum | m.Bitfield) -> str:
+    """Returns the name of the table with the names of a type's values or bits."""
+    return f"mip_names_{bare(t)}"
+
+
 def is_enum(e: m.Scalar | m.Type | None) -> bool:
     """Is it an enumeration in C too? There, all values are of type int, which has 16 bits on some machines."""
     return isinstance(e, m.Enum) and all(v.value <= 0x7FFF for v in e.values)
 
 
-def c_type(e: m.Scalar | m.Type) -> str:
+def c_type(e: m.Scalar | m.Type, structure: str = "struct ") -> str:
     """Returns the C type of one item: for a vector, that of its elements; for an enumeration, an integer of its
-    width."""
+    width. `structure` precedes the name of a structure."""
     match e:
         case m.Scalar():
             return _SCALARS[e.name]
@@ -86,9 +108,14 @@ def c_type(e: m.Scalar | m.Type) -> str:
         case m.Bitfield(scalar=m.Scalar()):
             return type_name(e)
         case _:
-            return f"struct {type_name(e)}"
+            return f"{structure}{type_name(e)}"
 
 
-def is_struct(e: m.Scalar | m.Type) -> bool:
+def is_struct(e: m.Scalar | m.Type | None) -> bool:
     """Is one item a C structure, which is passed by address?"""
-    return c_type(e).startswith("struct ")
+    return isinstance(e, m.Struct) or in_bytes(e)
+
+
+def in_bytes(e: m.Scalar | m.Type | None) -> bool:
+    """True for a bitfield that is an array of bytes instead of a number."""
+    return isinstance(e, m.Bitfield) and e.scalar is None

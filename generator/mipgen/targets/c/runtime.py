@@ -13,7 +13,10 @@ if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
 
 #: Headers and sources that are generated for every specification.
-_GENERATED = ("connect", "constants", "mip", "names", "profiles", "protocol", "reflection", "registry", "types")
+_GENERATED = (
+    *("connect", "constants", "mip", "names", "profiles", "protocol", "reflection", "registry", "rejected"),
+    *("timestamps", "types"),
+)
 #: Types that a specification defines itself, and that the runtime uses.
 _OF_THE_SPECIFICATION = {"mip_ack_code"}
 
@@ -23,15 +26,17 @@ _COMMENTS = re.compile(r"/\*.*?\*/|//[^\n]*|#include[^\n]*|\{[#%].*?[#%]\}", re.
 @cache
 def names() -> tuple[str, ...]:
     """Returns the names with the prefix of the library: `mip_parser_init`, `MIP_OK`."""
-    found: set[str] = set()
+    identifiers: set[str] = set()
     templates = {f"{name}.h": (resources.root() / f"templates/c/{name}.h.j2") for name in _GENERATED}
     headers = {name: file for name, file in templates.items() if file.is_file()} | _runtime(".h")
     for name, file in headers.items():
         text = _COMMENTS.sub("", file.read_text("utf-8"))
         guard = name.rpartition("/")[2].upper().replace(".", "_")
-        found |= set(re.findall(r"\bmip_\w+\b(?!\{\{)", text))
-        found |= set(re.findall(r"^(?: *#define| {3,4}) (MIP_\w+)\b(?!\{\{)", text, re.MULTILINE)) - {f"MIP_{guard}"}
-    return tuple(sorted(found - _OF_THE_SPECIFICATION))
+        identifiers |= set(re.findall(r"\bmip_\w+\b(?!\{\{)", text))
+        identifiers |= set(re.findall(r"^(?: *#define| {3,4}) (MIP_\w+)\b(?!\{\{)", text, re.MULTILINE)) - {
+            f"MIP_{guard}"
+        }
+    return tuple(sorted(identifiers - _OF_THE_SPECIFICATION))
 
 
 @cache
@@ -43,12 +48,12 @@ def modules() -> frozenset[str]:
 @cache
 def in_namespace() -> frozenset[str]:
     """Returns the names in the namespace `mip` of C++."""
-    found: set[str] = set()
+    identifiers: set[str] = set()
     for file in _runtime(".hpp").values():
         text = file.read_text("utf-8")
         for inside in re.findall(r"^namespace mip \{$(.*?)^\} // namespace mip$", text, re.DOTALL | re.MULTILINE):
-            found |= set(_declared(inside))
-    return frozenset(found)
+            identifiers |= set(_declared(inside))
+    return frozenset(identifiers)
 
 
 def _declared(text: str) -> Iterator[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from mipgen import model as m
@@ -25,20 +25,15 @@ class Programs:
     def command(self, f: m.Field) -> str:
         """Composes the call of a command at a device; a complete program checks the result."""
         lines = [f'#include "mip/{module(f.family)}_commands.h"']
-        for i, shown in enumerate(self.samples.shown(f)):
-            lines += _call(f, shown, self.samples, "result = " if i else "struct mip_result result = ")
+        for i, form in enumerate(self.samples.shown(f)):
+            lines += _call(f, form, self.samples, "result = " if i else "struct mip_result result = ")
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
         """Composes a function that sends several commands and stops at the first one that is not acknowledged."""
         needs = sorted({f'#include "mip/{module(f.family)}_commands.h"' for f, _ in steps})
         lines = ['#include "mip/device.h"', *needs, "", f"struct mip_result {name}(struct mip_device *device) {{"]
-        calls = [
-            _call(f, given.call, given, "result = " if i else "struct mip_result result = ", 88)
-            for i, (f, given) in enumerate(steps)
-        ]
-        lines += in_turn(steps, calls, "/* {} */", "mip_succeeded(result)")
-        return "\n".join([*lines, "    return result;", "}"])
+        return sequence(lines, steps, _call, "struct mip_result", "/* {} */", "mip_succeeded(result)")
 
     def data(self, f: m.Field) -> str:
         """Composes the lines that read a data field of a packet; a complete program handles errors."""
@@ -54,57 +49,63 @@ class Programs:
         ])  # fmt: skip
 
 
-def in_turn(
-    steps: Sequence[tuple[m.Field, GivenValues]], calls: Sequence[list[str]], remark: str, succeeded: str
-) -> list[str]:
-    """Writes the statements of a function that makes these calls until one fails."""
-    lines: list[str] = []
-    for i, ((f, given), call) in enumerate(zip(steps, calls, strict=True), 1):
-        title = remark.format(f"{i}: {title_of(f, given)}")
-        body = "\n".join(call + ([remark.format(given.host)] if given.host else [])).split("\n")
-        if i == 1:
+def sequence(
+    head: list[str],
+    steps: Sequence[tuple[m.Field, GivenValues]],
+    call: Callable[[m.Field, m.Call, SampleValues, str, int], list[str]],
+    result: str,
+    remark: str,
+    succeeded: str,
+) -> str:
+    """Completes a function that makes calls until one fails."""
+    lines = list(head)
+    for i, (f, values) in enumerate(steps):
+        title = remark.format(f"{i + 1}: {title_of(f, values)}")
+        code = call(f, values.call, values, "result = " if i else f"{result} result = ", 88)
+        body = "\n".join(code + ([remark.format(values.host)] if values.host else [])).split("\n")
+        if i == 0:
             lines += [f"    {line}" for line in (title, *body)]
         else:
             lines += [f"    if ({succeeded}) {{ {title}", *(f"        {line}" for line in body), "    }"]
-    return lines
+    return "\n".join([*lines, "    return result;", "}"])
 
 
-def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
+def _call(f: m.Field, form: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
     """Writes the declarations for a call, and the call, whose result is assigned."""
-    values = literals.record(f.parameters, samples.values(f, shown))
-    chosen = call_of(f, shown, samples)
+    values = literals.record(f.parameters, samples.values(f, form))
+    call = call_of(f, form, samples)
     before: list[Expression] = []
-    given: list[Expression] = ["device"]
-    if chosen.whole:  # all of it is reserved
+    arguments: list[Expression] = ["device"]
+    if call.whole:  # all of it is reserved
         before.append(after(f"const struct {field_name(f)} command = ", record(values)))
-        given.append("&command")
-    for p in chosen.given:
-        declared, arguments = _argument(p, f, values[p.name])
+        arguments.append("&command")
+    for p in call.parameters:
+        declared, expressions = _argument(p, f, values[p.name])
         before += declared
-        given += arguments
-    if chosen.response is not None:
-        before.append(f"struct {field_name(chosen.response)} response")
-        given.append("&response")
-    asked = Brackets(f"{result}{chosen.name}(", given, ")", comma="")
-    return [laid_out(statement(line), width) for line in (*before, asked)]
+        arguments += expressions
+    if call.response is not None:
+        before.append(f"struct {field_name(call.response)} response")
+        arguments.append("&response")
+    called = Brackets(f"{result}{call.name}(", arguments, ")", comma="")
+    return [laid_out(statement(line), width) for line in (*before, called)]
 
 
 def statement(x: Expression) -> Expression:
     return f"{x};" if isinstance(x, str) else replace(x, tail=f"{x.tail};")
 
 
-def call_of(f: m.Field, shown: m.Call, samples: SampleValues) -> Call:
+def call_of(f: m.Field, form: m.Call, samples: SampleValues) -> Call:
     """Returns the C function that sends the command in this form and decodes its response."""
-    replies = samples.replies(f, shown)
+    replies = samples.replies(f, form)
     wanted = replies[0].layouts[0] if replies else None
-    way = next((c.name for c in constructors(f) if c.function == shown.function), None)
+    way = next((c.name for c in constructors(f) if c.function == form.function), None)
     fitting = [c for c in calls(f, samples.model) if (c.way.name if c.way else None) == way]
     return next((c for c in fitting if c.response == wanted), fitting[0])
 
 
 def _argument(p: m.Parameter, f: m.Field, x: Literal) -> tuple[list[Expression], list[Expression]]:
     """Writes the declarations that an argument of a call needs, and the argument."""
-    name = argument_name(p.name)
+    name, element = argument_name(p.name), c_type(p.element) if p.element else ""
     match x:
         case literals.Alternative():
             return [after(f"const union {union_name(p, f)} {name} = ", value(x))], [f"&{name}"]
@@ -114,19 +115,14 @@ def _argument(p: m.Parameter, f: m.Field, x: Literal) -> tuple[list[Expression],
             return [], [*_count(p, ()), "NULL"]
         case literals.Items(items=(first, *_)):
             inner = f"[{len(first.items)}]" if isinstance(first, literals.Items) else ""
-            return [after(f"const {_type(p)} {name}[]{inner} = ", value(x))], [*_count(p, x.items), name]
+            return [after(f"const {element} {name}[]{inner} = ", value(x))], [*_count(p, x.items), name]
         case literals.Structure() | literals.Octets():
-            return [after(f"const {_type(p)} {name} = ", value(x))], [f"&{name}"]
-        case literals.Choice(known=None) if takes_enum(p):
+            return [after(f"const {element} {name} = ", value(x))], [f"&{name}"]
+        case literals.Choice(value=None) if takes_enum(p):
             return [], [f"(enum {type_name(x.type)}){x.number.value}"]
-        case literals.Choice(known=m.EnumValue() as known) if takes_enum(p):
-            return [], [constant(x.type, known)]
+        case literals.Choice(value=m.EnumValue() as named) if takes_enum(p):
+            return [], [constant(x.type, named)]
     return [], [value(x)]
-
-
-def _type(p: m.Parameter) -> str:
-    assert p.element is not None
-    return c_type(p.element)
 
 
 def _count(p: m.Parameter, items: Sequence[object]) -> list[str]:
@@ -136,8 +132,8 @@ def _count(p: m.Parameter, items: Sequence[object]) -> list[str]:
 
 def record(values: dict[str, Literal]) -> Brackets:
     """Writes the initializer of a structure. A union without a value is omitted, because {0} would lack braces."""
-    held = {k: x for k, x in values.items() if not (isinstance(x, literals.Alternative) and x.value is None)}
-    return Brackets("{", [after(f".{member(k)} = ", value(x)) for k, x in held.items()] or ["0"], "}")
+    members = {k: x for k, x in values.items() if not (isinstance(x, literals.Alternative) and x.value is None)}
+    return Brackets("{", [after(f".{member(k)} = ", value(x)) for k, x in members.items()] or ["0"], "}")
 
 
 def value(x: Literal) -> Expression:
@@ -149,7 +145,7 @@ def value(x: Literal) -> Expression:
         case literals.Whole():
             return str(x.value) if x.value < 0 else number(x.value, x.size, x.text)
         case literals.Choice():
-            return constant(x.type, x.known) if x.known else value(x.number)
+            return constant(x.type, x.value) if x.value else value(x.number)
         case literals.Flags():
             return " | ".join(constant(x.type, b) for b in x.names) or number(x.number.value, x.number.size)
         case literals.Octets():
@@ -161,5 +157,5 @@ def value(x: Literal) -> Expression:
         case literals.Structure():
             return record(x.members)
         case literals.Alternative():
-            held = x.case.parameter if x.case and x.value else None
-            return Brackets("{", [after(f".{member(held.name)} = ", value(x.value)) if held and x.value else "0"], "}")
+            p = x.case.parameter if x.case and x.value else None
+            return Brackets("{", [after(f".{member(p.name)} = ", value(x.value)) if p and x.value else "0"], "}")

@@ -1,18 +1,19 @@
-"""Rows of the tables that programs search: registry and reflection."""
+"""The tables that programs search: registry and reflection."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from mipgen import model as m
+from mipgen.emit import package
 from mipgen.emit.formatting import CLANG_FORMAT
 from mipgen.emit.naming import upper
 from mipgen.lower.memory import members
 
 from . import literals
-from .members import home
-from .names import bare, field_name, member, symbol, union_name
+from .members import capacity, union_prefix
+from .names import bare, field_name, member, names_table, symbol, union_name, union_owner
 
 
 def required(f: m.Field) -> list[int]:
@@ -24,60 +25,40 @@ def required(f: m.Field) -> list[int]:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
-    field: m.Field
-    first_link: int
-    links: tuple[int, ...]  # the entries of its responses or commands
+class Registry:
+    """The tables of runtime/c/src/mip/registry.h."""
+
+    entries: str
+    sets: list[str]
+    links: list[str]  # for each entry with responses or commands, the entries of these
 
 
-@dataclass(frozen=True, slots=True)
-class SetEntry:
-    number: int
-    name: str
-    first: int  # the entry of the first field of its family
-    count: int
-
-
-def _ordered(model: m.Model) -> list[m.Field]:
-    """Returns the acknowledge, then all fields by family, descriptor and order in the specification."""
-    families = (sorted(x.fields, key=lambda f: f.descriptor) for x in model.families)
-    return [model.protocol.acknowledge, *(f for fields in families for f in fields)]
-
-
-def entry(e: Entry) -> list[str]:
-    """Returns the members of struct mip_entry."""
-    name = field_name(e.field)
-    return [
-        literals.hexadecimal(e.field.descriptor),
-        f"MIP_{upper(e.field.role)}",
-        str(len(e.links)),
-        str(e.first_link),
-        literals.string(e.field.name),
-        f"&{name}_codec",
-        f"&{name}_command" if e.field.role == m.COMMAND else "NULL",
-    ]
-
-
-def sets(model: m.Model) -> Iterator[SetEntry]:
-    """Yields all descriptor sets by number, after set 0 of the acknowledge, which represents all command sets."""
-    acknowledge = model.protocol.acknowledge
-    yield SetEntry(acknowledge.set, acknowledge.family, 0, 1)
-    places: dict[str, tuple[int, int]] = {}
-    first = 1
+def registry(model: m.Model) -> Registry:
+    """Lists the acknowledge, then all fields by family, descriptor and order in the specification."""
+    acknowledge, places, links = model.protocol.acknowledge, dict[str, str](), list[list[str]]()
+    order = [acknowledge]
     for x in model.families:
-        places[x.name] = first, len(x.fields)
-        first += len(x.fields)
-    yield from (SetEntry(s.number, s.name, *places[s.family]) for s in model.sets)
-
-
-def entries(model: m.Model) -> Iterator[Entry]:
-    order = _ordered(model)
-    index = {f.full_name: i for i, f in enumerate(order)}
-    first = 0
+        places[x.name] = f"{len(order)}, {len(x.fields)}"
+        order += sorted(x.fields, key=lambda f: f.descriptor)
+    index = {f.full_name: str(i) for i, f in enumerate(order)}
+    entries = []
     for f in order:
-        linked = model.responses(f) if f.role == m.COMMAND else model.commands(f)
-        yield Entry(f, first, tuple(index[x.full_name] for x in linked))
-        first += len(linked)
+        linked, name = model.responses(f) if f.role == m.COMMAND else model.commands(f), field_name(f)
+        entries.append([
+            literals.hexadecimal(f.descriptor),
+            f"MIP_{upper(f.role)}",
+            str(len(linked)),
+            str(sum(map(len, links))),
+            literals.string(f.name),
+            f"&{name}_codec",
+            f"&{name}_command" if f.role == m.COMMAND else "NULL",
+        ])  # fmt: skip
+        links.append([index[x.full_name] for x in linked])
+    # set 0 is that of the acknowledge, and represents all command sets
+    sets = [(acknowledge.set, "0, 1", acknowledge.family), *((s.number, places[s.family], s.name) for s in model.sets)]
+    rows = [f"{{{literals.hexadecimal(number)}, {place}, {literals.string(name)}}}" for number, place, name in sets]
+    table = array("const struct mip_entry mip_registry[]", entries, model.protocol.package)
+    return Registry(table, rows, [", ".join(x) for x in links if x])
 
 
 # --------------------------------------------------------------------------- reflection
@@ -88,23 +69,9 @@ _WIDTH = 100  # columns, as in .clang-format
 _KINDS = {"scalar": "NUMBER", "switch": "UNION"}
 
 
-def names(t: m.Enum | m.Bitfield) -> str:
-    """Returns the name of the table with the names of a type's values or bits."""
-    return f"mip_names_{bare(t)}"
-
-
-def labels(parts: Sequence[m.EnumValue | m.Bits]) -> str:
-    """Writes names as one string, each followed by a NUL; after the last name, it is the string's own."""
-    return " ".join([*(f'"{part.name}\\0"' for part in parts[:-1]), *(f'"{part.name}"' for part in parts[-1:])]) or '""'
-
-
-def numbers(t: m.Enum) -> str:
-    return ", ".join(literals.number(v.value, t.scalar.size) for v in t.values)
-
-
-def array(declaration: str, rows: Iterable[Sequence[str]], length: Callable[[str], int] = len) -> str:
+def array(declaration: str, rows: Sequence[Sequence[str]], name: str = m.OWN_PACKAGE) -> str:
     """Defines an array of structures in its final layout: that of clang-format, which takes long, and much memory, for
-    such tables. `length` is that of a text in which the package is renamed later.
+    such tables. `name` is that of the package, which the text contains later.
 
     >>> a, b, c = "a" * 60, "b" * 30, "c" * 60
     >>> print(array("static const struct pair pairs[]", [[a, b, "1"], [b, f"f({a}, {c})", "2"]]))
@@ -119,6 +86,7 @@ def array(declaration: str, rows: Iterable[Sequence[str]], length: Callable[[str
     };
     // final: end
     """
+    length = len if name == m.OWN_PACKAGE else lambda text: len(package.everywhere(text, name))
     begin, indent = (" = {", 4) if length(declaration) + len(" = {") <= _WIDTH else (" =\n    {", 8)
     lines = [line for row in rows for line in _row(row, " " * indent, length)]
     return CLANG_FORMAT.final("\n".join([declaration + begin, *lines, "};"]))
@@ -142,50 +110,76 @@ def _row(members: Sequence[str], indent: str, length: Callable[[str], int]) -> l
     return [line for line in lines if line.strip()]
 
 
-def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None) -> list[str]:
+def reflected(r: m.Record, model: m.Model) -> Iterator[tuple[str, list[list[str]]]]:
+    """Yields the tables of a record, each with its declaration: the types that its parameters may have, the
+    alternatives of its unions, and its parameters."""
+    name = bare(r)
+    for p in r.parameters:
+        if p.readings:
+            yield f"static const struct mip_reading readings_{name}_{p.name}[]", [*_readings(p, r)]
+    for p in r.parameters:
+        if p.alternatives:
+            rows = [_parameter(a, r, model, p) for a in p.alternatives]
+            yield f"static const struct mip_parameter members_{name}_{p.name}[]", rows
+        if p.cases:
+            yield f"static const struct mip_case cases_{name}_{p.name}[]", [*_cases(p, r)]
+    if r.parameters:
+        yield f"static const struct mip_parameter parameters_{name}[]", [_parameter(p, r, model) for p in r.parameters]
+
+
+def _parameter(p: m.Parameter, record: m.Record, model: m.Model, union: m.Parameter | None = None) -> list[str]:
     """Returns the members of struct mip_parameter; `union` is the union that contains the parameter, if one does."""
     item, full = p.leaf, bare(record)
+    scalar = upper(item.scalar.name) if item.kind in ("scalar", "constant", "counter") else "U8"
+    kind = f"MIP_KIND_{_KINDS.get(item.kind, upper(item.kind))}", f"MIP_SCALAR_{scalar}", *_length(p)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     by = p.tag or p.counts or p.counter
-    scalar = upper(item.scalar.name) if item.kind in ("scalar", "constant", "counter") else "U8"
-    length = {int: "FIXED", str: "REST" if p.fills else "COUNTED"}.get(type(p.length), "ONE")
     readings = () if union else p.readings
-    return [
-        literals.string(p.name),
-        literals.string(", ".join(m.unit_symbols(p.units))),
-        f"MIP_KIND_{_KINDS.get(item.kind, upper(item.kind))}",
-        f"MIP_SCALAR_{scalar}",
-        f"MIP_LENGTH_{length}",
-        str(p.capacity if p.length is not None else 1),
-        str(len(p.elements) or 1),
-        str(numbers.get(by or "", 0)),
-        str(0 if union else record.present_with.get(p.name, 0)),
-        literals.number(p.constant or 0, p.size if p.kind == "constant" else 1),
-        *_place(p, record, union),
-        f"&{names(item.named)}" if item.named else "NULL",
+    types = (
+        f"&{names_table(item.named)}" if item.named else "NULL",
         f"readings_{full}_{p.name}" if readings else "NULL",
         f"&record_{bare(item.struct)}" if item.struct else "NULL",
         f"cases_{full}_{p.name}" if p.cases else "NULL",
         str(len(readings or p.cases)),
+    )
+    # what most rows contain has a name, see reflection.c.j2
+    return [
+        literals.string(p.name),
+        literals.string(", ".join(m.unit_symbols(p.units))),
+        *([f"NUMBER({scalar})"] if item.kind == "scalar" and _length(p) == _ONE else kind),
+        str(numbers.get(by or "", 0)),
+        str(0 if union else record.present_with.get(p.name, 0)),
+        literals.number(p.constant or 0, p.size if p.kind == "constant" else 1),
+        *_place(p, record, model, union),
+        *(types if item.named or readings or item.struct or p.cases else ["NONE"]),
     ]
 
 
-def _place(p: m.Parameter, record: m.Record, union: m.Parameter | None) -> tuple[str, ...]:
+#: The length of a parameter that is no array: how it is stated, the capacity, and the number of elements of a union.
+_ONE = ("MIP_LENGTH_ONE", "1", "1")
+
+
+def _length(p: m.Parameter) -> tuple[str, str, str]:
+    length = {int: "FIXED", str: "REST" if p.fills else "COUNTED"}.get(type(p.length), "ONE")
+    return f"MIP_LENGTH_{length}", capacity(p) if p.length is not None else "1", str(len(p.elements) or 1)
+
+
+def _place(p: m.Parameter, record: m.Record, model: m.Model, union: m.Parameter | None) -> tuple[str, ...]:
     """Writes the offset and size of a member, and the offset of its item count."""
     if not union and p not in members(record):
         return "0", "0", "0"
-    within = f"union {union_name(union, record)}" if union else f"struct {symbol(record)}"
-    name = (home(p) if union else "") + member(p.name)
+    within = f"union {union_name(union, union_owner(union, record, model))}" if union else f"struct {symbol(record)}"
+    name = (union_prefix(p) if union else "") + member(p.name)
     size = "ONE" if p.length is None else "MANY"
     return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.fills else "0"
 
 
-def cases(p: m.Parameter, record: m.Record) -> Iterator[tuple[str, str]]:
+def _cases(p: m.Parameter, record: m.Record) -> Iterator[list[str]]:
     """Yields the members of struct mip_case: the value of the tag, and the parameter that it selects."""
     for case in p.cases:
         place = p.alternatives.index(case.parameter) if case.parameter else 0
         member = f"&members_{bare(record)}_{p.name}[{place}]" if case.parameter else "NULL"
-        yield literals.number(case.tag.value, 4), member
+        yield [literals.number(case.tag.value, 4), member]
 
 
 def reflection(f: m.Field) -> list[str]:
@@ -202,11 +196,11 @@ def reflection(f: m.Field) -> list[str]:
     ]
 
 
-def readings(p: m.Parameter, record: m.Record) -> Iterator[list[str]]:
+def _readings(p: m.Parameter, record: m.Record) -> Iterator[list[str]]:
     """Yields the members of struct mip_reading: device, or index and value of the selecting parameter; and the
     names."""
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     for v in p.readings:
         assert v.type is not None
         device = literals.string(v.key if v.by_device else None)
-        yield [device, str(numbers.get(v.by, 0)), str(v.value or 0), f"&{names(v.type)}"]
+        yield [device, str(numbers.get(v.by, 0)), str(v.value or 0), f"&{names_table(v.type)}"]

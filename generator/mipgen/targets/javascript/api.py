@@ -8,7 +8,7 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.emit.naming import upper
-from mipgen.emit.symbols import Symbols, constants, others, parts, things
+from mipgen.emit.symbols import Symbols, constant_names, named_parts, types_and_fields, unusual_names
 
 from . import names
 from .snippets import Programs
@@ -22,17 +22,17 @@ def symbol(thing: m.Type | m.Field) -> str:
 
 
 def symbols(model: m.Model) -> Iterator[Symbols]:
-    for x in things(model):
+    for x in types_and_fields(model):
         if isinstance(x, (m.Struct, m.Vector)):
             continue  # objects and arrays, which have a name in TypeScript only
         if isinstance(x, m.Field):
             others = [names.member(f.name) for f in x.functions]
         else:
-            others = [names.constant(part.name) for part in parts(x)]
-        of = names.class_name(x)
-        yield Symbols(x, symbol(x), tuple(f"{of}.{name}" for name in others))
+            others = [names.constant(part.name) for part in named_parts(x)]
+        name = names.class_name(x)
+        yield Symbols(x, symbol(x), tuple(f"{name}.{other}" for other in others))
 
 
 def writing(model: m.Model) -> dict[str, Any]:
     """Returns data for tools that write programs: names that differ between JavaScript and the specification."""
-    return {"constants": others(constants(model), names.constant, upper)}
+    return {"constants": unusual_names(constant_names(model), names.constant, upper)}

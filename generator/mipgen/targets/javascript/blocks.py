@@ -4,29 +4,35 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from mipgen import model as m
+from mipgen.lower import validity
 
-from .names import class_name, constant, home, namespace, reference
+from .names import class_name, home, member, namespace, reference
 
 #: Texts of JSON, which stay as they are, or whole numbers of at least 16 digits.
 _LARGE = re.compile(r'"(?:[^"\\]|\\.)*"|(?<![\d.eE+-])(-?\d{16,})(?![\d.eE])')
 
 
-def block(p: m.Parameter, record: m.Record) -> str:
-    """Writes the block that decodes and encodes a parameter."""
+def block(p: m.Parameter, where: str) -> str:
+    """Writes the block that decodes and encodes a parameter, in the module `where`."""
     match p.kind:
         case "constant":
-            return call("constant", _scalar(p), whole(p.constant or 0))
+            return call("constant", scalar(p.scalar), whole(p.constant or 0))
         case "counter":
-            return call("counter", _scalar(p), json.dumps(p.counts))
+            return call("counter", scalar(p.scalar), json.dumps(p.counts))
         case "switch":
-            cases = (f"[{whole(c.tag.value)}, {json.dumps(c.parameter.name)}, {block(c.parameter, record)}]"
+            cases = (f"[{whole(c.tag.value)}, {json.dumps(c.parameter.name)}, {block(c.parameter, where)}]"
                      for c in p.cases if c.parameter)  # fmt: skip
             return call("union", json.dumps(p.tag), f"[{', '.join(cases)}]")
-    way = _several(p, record) if p.several and not p.vector else _one(p, record)
-    return way if p.reserved is None else call("reserved", way, _initial(p))
+    if p.several and not p.vector:
+        expression = _several(p, where)
+    elif p.element is None or isinstance(p.element, m.Scalar):
+        expression = scalar(p.scalar)
+    else:
+        expression = reference(p.element, where)
+    return expression if p.reserved is None else call("reserved", expression, _initial(p))
 
 
 def call(function: str, *arguments: str) -> str:
@@ -34,9 +40,14 @@ def call(function: str, *arguments: str) -> str:
     return f"/* @__PURE__ */ codec.{function}({', '.join(arguments)})"
 
 
-def _several(p: m.Parameter, record: m.Record) -> str:
+def opening(function: str, *arguments: str) -> str:
+    """Writes such a call up to its last argument."""
+    return f"/* @__PURE__ */ codec.{function}({''.join(f'{x}, ' for x in arguments)}"
+
+
+def _several(p: m.Parameter, where: str) -> str:
     text = p.kind == "text"
-    item = [] if text else [block(p.item, record)]
+    item = [] if text else [block(p.item, where)]
     if p.count is not None:
         return call("text" if text else "array", *item, str(p.count))
     if p.counter is None:
@@ -44,15 +55,8 @@ def _several(p: m.Parameter, record: m.Record) -> str:
     return call("countedText" if text else "counted", json.dumps(p.counter), *item, str(p.capacity))
 
 
-def _one(p: m.Parameter, record: m.Record) -> str:
-    element = p.element
-    if element is None or isinstance(element, m.Scalar):
-        return _scalar(p)
-    return reference(element, home(record))
-
-
-def _scalar(p: m.Parameter) -> str:
-    return f"codec.{p.scalar.name}"
+def scalar(of: m.Scalar) -> str:
+    return f"codec.{of.name}"
 
 
 def whole(value: int) -> str:
@@ -83,33 +87,21 @@ def key(name: str) -> str:
     return json.dumps(name) if name[:1].isdigit() else name
 
 
-def scalar_of(t: m.Enum | m.Bitfield) -> str:
-    if isinstance(t, m.Bitfield) and t.scalar is None:
-        return call("octets", str(t.size))
-    assert t.scalar is not None
-    return f"codec.{t.scalar.name}"
-
-
-def bits(b: m.Bits) -> str:
-    return f"{key(constant(b.name))}: [{b.first}, {b.last}]"
-
-
 # --------------------------------------------------------------------------- further attributes
 
 
 def sets(f: m.Field) -> str:
     if f.everywhere:
         return f"/* @__PURE__ */ field.every(0x{f.everywhere.start:02x}, 0x{f.everywhere.stop - 1:02x})"
-    numbers = [f"0x{n:02x}" for n in f.sets]
-    return numbers[0] if len(numbers) == 1 else f"[{', '.join(numbers)}]"
+    return f"0x{f.sets[0]:02x}" if len(f.sets) == 1 else numbers(f.sets)
 
 
-def more(f: m.Field, model: m.Model) -> list[str]:
-    """Returns the attributes that only some classes of fields have."""
-    return list(_more(f, model))
+def numbers(sets: Iterable[int]) -> str:
+    return f"[{', '.join(f'0x{n:02x}' for n in sets)}]"
 
 
-def _more(f: m.Field, model: m.Model) -> Iterator[str]:
+def attributes(f: m.Field, model: m.Model) -> Iterator[str]:
+    """Yields the attributes that only some classes of fields have."""
     if f.groups and not f.selector:
         yield f"optional: {len(f.always)}"
     if len(model.layouts(f)) > 1:
@@ -119,6 +111,8 @@ def _more(f: m.Field, model: m.Model) -> Iterator[str]:
     if f.functions:
         calls = (f"{c.function.value}: {len(c.required)}" for c in f.calls if c.function)
         yield f"calls: {{ {', '.join(calls)} }}"
+    if valid := _validity(f):
+        yield f"VALID: {valid}"
     if f.role != m.COMMAND:
         return
     replies = [_reply(r, f) for r in model.replies(f)]
@@ -129,13 +123,49 @@ def _more(f: m.Field, model: m.Model) -> Iterator[str]:
         yield f"SILENT: [{silent}, {_conditions(f.silent_when)}]"
     if f.timeout:
         yield f"TIMEOUT: {f.timeout:g}"
-    settings = list(_silenced_by(f, model))
-    if settings:
-        silencers = (f"[() => {_elsewhere(s, f)}, {json.dumps(c.parameter)}, {whole(c.value)}]" for c, s in settings)
+    silencers = [
+        f"[() => {_elsewhere(setting, f)}, {json.dumps(c.parameter)}, {whole(c.value)}]"
+        for c, setting in silenced_by(f, model)
+    ]
+    if silencers:
         yield f"SILENCED_BY: [{', '.join(silencers)}]"
 
 
-def _silenced_by(f: m.Field, model: m.Model) -> Iterator[tuple[m.Condition, m.Field]]:
+def _validity(f: m.Field) -> str:
+    """Writes the flags that mark values as valid, and those of devices that have others; nothing without flags."""
+    usual: dict[str, validity.Reading] = {}
+    others: dict[tuple[tuple[str, ...], int, str], dict[str, validity.Reading]] = {}
+    for p in f.parameters:
+        readings = validity.readings([p], f)
+        usual |= {member(p.name): x for x in readings[-1:]}
+        for r in readings[:-1]:
+            holder = next(flag.parameter for x in readings for flag in x.flags)
+            others.setdefault((r.devices, r.fewer, member(holder)), {})[member(p.name)] = r
+    rows = [
+        f"\n        [{json.dumps(devices)}, 0x{fewer:x}, {json.dumps(holder)}, {_flags(flags, holder)}],"
+        for (devices, fewer, holder), flags in others.items()
+    ]
+    more = f", [{''.join(rows)}\n    ]" if rows else ""
+    return f"/* @__PURE__ */ field.validity({_flags(usual)}{more})" if usual else ""
+
+
+def _flags(of: dict[str, validity.Reading], usual: str = "") -> str:
+    """Writes masks by the parameter that contains the flags, and by the value; a list has one for each element, and
+    none for a value without flags, which is by the `usual` parameter."""
+    masks: dict[str, dict[str, str]] = {}
+    for name, reading in of.items():
+        for holder in dict.fromkeys([flag.parameter for flag in reading.flags] or filter(None, [usual])):
+            own = [f"0x{x.mask:x}" if x.parameter == holder else "null" for x in reading.flags]
+            masks.setdefault(member(holder), {})[name] = own[0] if len(own) == 1 else f"[{', '.join(own)}]"
+    return _mapping({holder: _mapping(own) for holder, own in masks.items()})
+
+
+def _mapping(entries: dict[str, str]) -> str:
+    return f"{{ {', '.join(f'{name}: {value}' for name, value in entries.items())} }}"
+
+
+def silenced_by(f: m.Field, model: m.Model) -> Iterator[tuple[m.Condition, m.Field]]:
+    """Yields the conditions under which a command gets no reply, with the setting that each concerns."""
     for c in f.silenced_by:
         setting = model.field(c.command or "")
         if setting is not None:
@@ -146,12 +176,6 @@ def _elsewhere(other: m.Field, f: m.Field) -> str:
     """Writes the name of a class, with its module if that belongs to another family."""
     name = class_name(other)
     return name if other.family == f.family else f"{namespace(other.family)}.{name}"
-
-
-def needs(family: m.Family, model: m.Model) -> list[str]:
-    """Returns the other families whose modules a family's module imports."""
-    families = {s.family for f in family.fields if f.role == m.COMMAND for _, s in _silenced_by(f, model)}
-    return sorted(families - {family.name})
 
 
 def _reply(r: m.Reply, f: m.Field) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from mipgen.base import resources
 from mipgen.emit.classes import Classes
 from mipgen.emit.naming import Escape, Grammar, upper
 from mipgen.emit.render import language
@@ -16,17 +17,49 @@ GRAMMAR = Grammar(r"[A-Za-z_$][\w$]*", _KEYWORDS)
 #: Scalar -> its type in TypeScript.
 SCALARS: dict[str, str] = _LANGUAGE["scalars"]
 
+#: The modules that are generated for every specification.
+GENERATED = ("model", "types", "protocol", "registry", "session", "time")
+
+#: The modules that programs import, except those of families: name -> path without extension.
+EXPORTS = {
+    ".": "mip/index",
+    "./protocol": "protocol",
+    "./types": "types",
+    "./registry": "registry",
+    "./time": "time",
+    "./tcp": "mip/tcp",
+    "./serial": "mip/serial",
+    "./websocket": "mip/websocket",
+    "./tools": "mip/tools",
+    "./rejected": "mip/rejected",
+    "./model": "model",
+}
+_MODULES = frozenset({"mip", "package", "quickstart", *GENERATED, *(name.removeprefix("./") for name in EXPORTS)})
+
+
+def _listed(path: str, list_: str) -> list[str]:
+    """Returns the names in the first text of a file that the regular expression finds."""
+    match = re.search(list_, (resources.root() / path).read_text("utf-8"))
+    assert match, path
+    return re.findall(r"\w+", match[1])
+
+
+#: Names that all objects have, and names that declarations import.
+_MEMBERS = _listed("runtime/javascript/mip/codec.mjs", r"const TAKEN = new Set\(\[(.*?)\]\)")
+_CLASSES = _listed("templates/javascript/set.d.mts.j2", r"import type \{(.*?)\}")
+
 _constant = Escape(frozenset(), digit_prefix="N")
-_member = Escape(frozenset(_LANGUAGE["members"]))
+_member = Escape(frozenset(_MEMBERS))
 
 #: A family -> the name of its module and of the module's file.
-module = Escape(frozenset(_LANGUAGE["modules"]), digit_prefix="")
+module = Escape(_MODULES, digit_prefix="")
 
-_classes = Classes(module, Escape(frozenset(_LANGUAGE["classes"]), digit_prefix="Mip"))
+legal_class = Escape(frozenset({"FunctionSelector", *_CLASSES}), digit_prefix="Mip")
+_classes = Classes(module, legal_class)
 class_name, home, reference, identifiers = _classes.name, _classes.home, _classes.reference, _classes.identifiers
 
 #: A family -> the name under which a program imports its whole module.
-namespace = Escape(_KEYWORDS | frozenset(_LANGUAGE["modules"]), digit_prefix="mip")
+namespace = Escape(_KEYWORDS | _MODULES, digit_prefix="mip")
 
 
 def camel(words: str) -> str:

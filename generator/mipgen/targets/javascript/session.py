@@ -34,6 +34,8 @@ class Session:
     idle: str
     resume: str
     identify: str
+    model_numbers: tuple[str, ...]  # paths in its response
+    descriptors: tuple[str, ...]
     identity: tuple[str, str]  # the device's response: its module and its class
     base_rate: Rate
     format: str
@@ -42,12 +44,12 @@ class Session:
     older: tuple[Older, ...]
 
 
-def of(model: m.Model) -> Session | None:
+def session_commands(model: m.Model) -> Session | None:
     """Returns the commands; None if the specification, or the selected part of it, lacks one of them."""
     start = lower.session(model)
     if start is None:
         return None
-    used = [*start.commands, *(f for x in start.older for f in (x.base_rate.command, x.format))]
+    used = [*start.commands, *start.descriptors, *(f for x in start.older for f in (x.base_rate.command, x.format))]
     modules = {names.namespace(f.family): names.module(f.family) for f in used}
     (identity,) = model.responses(start.identify)
     item = start.entries.item.struct
@@ -60,6 +62,8 @@ def of(model: m.Model) -> Session | None:
         idle=_call(start.idle),
         resume=_call(start.resume),
         identify=_call(start.identify),
+        model_numbers=tuple(".".join(map(names.member, path.split("."))) for path in start.model_numbers),
+        descriptors=tuple(map(_call, start.descriptors)),
         identity=(names.module(identity.family), names.class_name(identity)),
         base_rate=_rate(start.base_rate, "set"),
         format=_call(start.format, "set", "items"),

@@ -56,12 +56,12 @@ class _Program:
         ways = {way.function: way for way in constructors(f)}
         for shown in samples.shown(f):
             way, values = ways[shown.function], literals.record(f.parameters, samples.values(f, shown))
-            given = self.members({p.name: values[p.name] for p in way.values})
+            arguments = self.members({p.name: values[p.name] for p in way.values})
             made = f"{self.name(f)}.{member(way.function.name)}(" if way.function else f"new {self.name(f)}("
             asks = bool(samples.replies(f, shown))
             head, tail = ("console.log(", ")") if asks else ("", "")
-            call = replace(given, tail=f"{given.tail})){tail};").after(f"{head}await device.request({made}")
-            if way.function and not given.items:
+            call = replace(arguments, tail=f"{arguments.tail})){tail};").after(f"{head}await device.request({made}")
+            if way.function and not arguments.items:
                 call = Brackets(f"{head}await device.request({made}", [], f")){tail};")
             lines.append(laid_out(call, WIDTH))
         return lines
@@ -79,7 +79,7 @@ class _Program:
             case literals.Whole():
                 return f"{x.text}n" if x.size == 8 else x.text
             case literals.Choice():
-                return f"{self.name(x.type)}.{constant(x.known.name)}" if x.known else self.value(x.number)
+                return f"{self.name(x.type)}.{constant(x.value.name)}" if x.value else self.value(x.number)
             case literals.Flags():
                 return self.flags(x)
             case literals.Octets():
@@ -89,8 +89,8 @@ class _Program:
             case literals.Items():
                 return Brackets("[", [*map(self.value, x.items)], "]")
             case literals.Structure():
-                given = [p for p in members(x.type) if p.reserved is None]
-                return self.members({p.name: x.members[p.name] for p in given})
+                stored = [p for p in members(x.type) if p.reserved is None]
+                return self.members({p.name: x.members[p.name] for p in stored})
             case literals.Alternative():
                 assert x.case is not None
                 parameter = x.case.parameter

@@ -14,7 +14,7 @@ __all__ = ["identifiers", "text"]
 
 def text(model: m.Model) -> str:
     """Returns the document, with one line for each item of a list. Several targets include it in a file."""
-    return document.text(model)
+    return model.derived(document.Document).text
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:

@@ -9,6 +9,8 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
 from operator import attrgetter
 from typing import Any
 
@@ -16,6 +18,8 @@ from mipgen import model as m
 from mipgen.emit.target import Identifier
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
+from mipgen.lower import validity
+from mipgen.lower.lists import Listing, listings
 from mipgen.lower.session import Rate, session
 from mipgen.model import guides, simulation
 from mipgen.model.simulation import Quantity
@@ -27,7 +31,7 @@ FORMAT = "1.0"
 
 #: Attributes that are not written: positions in the sources, and those written in another place or form.
 LEFT_OUT: dict[type, tuple[str, ...]] = {
-    m.Parameter: ("element", "typical", "most"),  # typical values are with the calls of fields
+    m.Parameter: ("element", "typical", "most", "stated"),  # typical values are with the calls of fields
     Quantity: ("typical",),
     m.Field: ("family", "occurrences", "everywhere", "functions"),
     m.Struct: ("owner",),
@@ -35,24 +39,40 @@ LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Bitfield: ("owner",),
     m.Device: ("variants", "evidence", "supports", "refuses"),  # a variant is with its parameter
     m.Support: ("field", "set", "functions", "evidence"),
+    m.Word: ("equals",),
     simulation.Source: ("set",),
     m.Erratum: ("named",),  # in its texts
     m.Variant: ("only",),
     guides.Shown: ("data",),  # in the packet
+    guides.Guide: ("picture",),  # on its page only
 }
 
 #: Attributes that are written under another name: a union is represented by its tag.
 RENAMED = {"union": "tag"}
 
 
-def text(model: m.Model) -> str:
-    """Returns the document, with one line for each item of a list. Several targets include it in a file."""
-    return model.derived(_text)
+@dataclass(frozen=True)
+class Document:
+    """What the templates print."""
 
+    model: m.Model
+    format = FORMAT
 
-def _text(model: m.Model) -> str:
-    parts = ",\n".join(f"{json.dumps(key)}: {_laid_out(value)}" for key, value in _parts(model).items())
-    return f"{{\n{parts}\n}}"
+    @cached_property
+    def text(self) -> str:
+        """The document, with one line for each item of a list."""
+        parts = ",\n".join(f"{json.dumps(key)}: {_laid_out(value)}" for key, value in _parts(self.model).items())
+        return f"{{\n{parts}\n}}"
+
+    @cached_property
+    def example(self) -> str:
+        """A short field with a selector and an enumeration, with one line for each attribute."""
+        fields = self.model.fields
+        commands = [f for f in fields if f.functions and any(isinstance(p.element, m.Enum) for p in f.counted)]
+        attributes = _with_samples(
+            min(commands or fields, key=lambda f: len(f.parameters)), self.model.derived(SampleValues)
+        )
+        return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in attributes.items()) + "\n}"
 
 
 def _laid_out(value: Any) -> str:
@@ -61,12 +81,6 @@ def _laid_out(value: Any) -> str:
     if isinstance(value, dict) and value and all(isinstance(v, (dict, list)) for v in value.values()):
         return "{\n" + ",\n".join(f"{json.dumps(k)}: {_laid_out(v)}" for k, v in value.items()) + "\n}"
     return line(value)
-
-
-def lines(f: m.Field, samples: SampleValues) -> str:
-    """Writes a field, with one line for each attribute."""
-    attributes = _with_samples(f, samples)
-    return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in attributes.items()) + "\n}"
 
 
 #: Writes a value on one line.
@@ -88,6 +102,7 @@ def _parts(model: m.Model) -> dict[str, Any]:
         "ack_code": type_name(p.ack_code),
         "function_selector": type_name(p.function_selector),
         **_session(model),
+        "lists": [_list(x) for x in listings(model)],
         "scalars": {s.name: {"size": s.size, "kind": s.kind} for s in m.SCALARS.values()},
         "functions": [_attributes(f) for f in p.functions],
         "units": plain(p.units),
@@ -121,9 +136,22 @@ def _session(model: m.Model) -> dict[str, Any]:
     older = [
         {"set": x.set, **_rate(x.base_rate), "format": x.format.full_name, "stream": x.stream} for x in start.older
     ]
-    commands = {"format": start.format, "stream": start.stream, "resume": start.resume}
+    commands = {"identify": start.identify, "format": start.format, "stream": start.stream, "resume": start.resume}
     names = {key: f.full_name for key, f in commands.items()}
-    return {"session": {**_rate(start.base_rate), **names, "item": type_name(item), "older": older}}
+    more = {"descriptors": plain(start.descriptors), "item": type_name(item), "older": older}
+    return {"session": {**_rate(start.base_rate), **names, **more}}
+
+
+def _list(x: Listing) -> dict[str, Any]:
+    """Returns the places of the fields that a command lists; attributes that do not apply are omitted."""
+    values = {f.name: getattr(x, f.name) for f in dataclasses.fields(x)} | {"command": x.command.full_name}
+    if x.set is not None:
+        del values["set_at"]
+    if x.first is None or x.count_at is None:
+        del values["stride"]
+    if x.tag_at is None:
+        del values["tag"]
+    return {name: value for name, value in values.items() if value is not None}
 
 
 def _rate(r: Rate) -> dict[str, str]:
@@ -185,7 +213,7 @@ def _attributes(thing: Any) -> dict[str, Any]:
     attributes = {
         RENAMED.get(name, name): plain(v)
         for name, default in _written(type(thing))
-        if (v := getattr(thing, name)) is not default and _said(v, default)  # most are the default itself
+        if (v := getattr(thing, name)) is not default and _is_written(v, default)  # most are the default itself
     }
     more = _MORE.get(type(thing))
     return more(thing, attributes) if more else attributes
@@ -209,7 +237,7 @@ def _behind(attributes: dict[str, Any], place: str, name: str, value: Any) -> di
     return dict([*items[:at], (name, value), *items[at:]])
 
 
-def _said(value: Any, default: Any) -> bool:
+def _is_written(value: Any, default: Any) -> bool:
     return value is not None and not (type(value) is type(default) and value == default)
 
 
@@ -230,7 +258,21 @@ def _type(t: m.Enum | m.Bitfield | m.Struct, attributes: dict[str, Any]) -> dict
 
 
 def _struct(t: m.Struct, attributes: dict[str, Any]) -> dict[str, Any]:
-    return _type(t, _behind(attributes, "parameters", "operations", operations(t)))
+    return _type(t, _record(t, attributes))
+
+
+def _record(r: m.Record, attributes: dict[str, Any]) -> dict[str, Any]:
+    """Adds the codec's operations, and the valid flags of parameters that have others on some devices."""
+    for p, shown in zip(r.parameters, attributes["parameters"], strict=True):
+        readings = validity.readings([p], r)
+        if len(readings) > 1:
+            shown["readings"] = [_reading(x) for x in readings]
+    return _behind(attributes, "parameters", "operations", operations(r))
+
+
+def _reading(r: validity.Reading) -> dict[str, Any]:
+    flags = [dataclasses.asdict(flag) for flag in r.flags]
+    return {"devices": list(r.devices), "flags": flags, "fewer": r.fewer}
 
 
 def _parameter(p: m.Parameter, attributes: dict[str, Any]) -> dict[str, Any]:
@@ -241,7 +283,7 @@ def _parameter(p: m.Parameter, attributes: dict[str, Any]) -> dict[str, Any]:
 
 def _field(f: m.Field, attributes: dict[str, Any]) -> dict[str, Any]:
     """Adds the attributes of a field. Names of its responses or of its command become full names."""
-    attributes = _behind(attributes, "parameters", "operations", operations(f))
+    attributes = _record(f, attributes)
     attributes = {"set": f.set, **attributes, "name": f.full_name, "symbols": symbols(f)}
     if len(f.names) > 1:
         attributes["occurrences"] = [_occurrence(o, f) for o in f.occurrences]
@@ -313,14 +355,18 @@ def _device(d: m.Device, model: m.Model) -> dict[str, Any]:
     attributes = _attributes(d)
     if d.evidence:
         attributes["evidence"] = [
-            {"answer": e.answer, **_attributes(e), "why": describe.why(e, model)} for e in d.evidence
+            {"answer": e.answer, **_attributes(e), **_absence(e), "why": describe.why(e, model)} for e in d.evidence
         ]
     distinct = {id(s.evidence): s.evidence for s in (*d.supports, *d.refuses)}
     places = {key: d.evidence.index(evidence) for key, evidence in distinct.items()}
-    for name, said in (("supports", d.supports), ("refuses", d.refuses)):
-        if said:
-            attributes[name] = [_support(s, places[id(s.evidence)]) for s in said]
+    for name, statements in (("supports", d.supports), ("refuses", d.refuses)):
+        if statements:
+            attributes[name] = [_support(s, places[id(s.evidence)]) for s in statements]
     return attributes
+
+
+def _absence(e: m.Evidence) -> dict[str, str]:
+    return {"absence": e.absence} if e.absence else {}
 
 
 def _support(s: m.Support, evidence: int) -> dict[str, Any]:

@@ -161,6 +161,21 @@ def _whole(p: m.Parameter, at: Extent, peeks: list[Peek]) -> Iterator[str]:
 # --------------------------------------------------------------------------- layouts
 
 
+def kind(model: m.Model) -> str:
+    """Writes the number of a descriptor in `kinds`, where acknowledge and shared fields have one number for many
+    sets."""
+    ack = model.protocol.acknowledge.descriptor
+    numbers = {f.descriptor for f in model.fields if f.everywhere}
+    every = ((o.set, f.descriptor) for f in model.fields if not f.everywhere for o in f.occurrences)
+    own = sorted({(s, d) for s, d in every if s in m.DATA_SETS and d in numbers})
+    terms = [f"set < 0x80 and descriptor == {ack:#04x} ? {ack:#06x}"]
+    if numbers:
+        but = "".join(f" and not (set == {s:#04x} and descriptor == {d:#04x})" for s, d in own)
+        inside = f"descriptor >= {min(numbers):#04x} and descriptor <= {max(numbers):#04x}"
+        terms.append(f"set >= 0x80 and {inside}{but} ? {m.SHARED_SET << 8:#06x} | descriptor")
+    return " : ".join([*terms, "set << 8 | descriptor"])
+
+
 @dataclass(frozen=True, slots=True)
 class Layouts:
     """The expressions that distinguish the layouts of one descriptor."""
@@ -178,9 +193,9 @@ def layouts(fields: Sequence[m.Field]) -> Layouts:
     ]
     order = sorted(range(len(fields)), key=lambda i: fields[i].min_size)
     longest = sorted(range(len(fields)), key=lambda i: -fields[i].min_size)
-    held = [f"fits_{i} and _io.size >= {fields[i].min_size} ? {i}" for i in longest]
+    whole = [f"fits_{i} and _io.size >= {fields[i].min_size} ? {i}" for i in longest]
     part = [f"fits_{i} ? {i}" for i in order]
-    return Layouts(tuple(sorted({at for c in constants for at in c})), tuple(fits), " : ".join([*held, *part, "-1"]))
+    return Layouts(tuple(sorted({at for c in constants for at in c})), tuple(fits), " : ".join([*whole, *part, "-1"]))
 
 
 # --------------------------------------------------------------------------- bitfields
@@ -207,7 +222,7 @@ def segments(t: m.Bitfield) -> list[Segment]:
     for b in sorted((b for b in t.bits if not b.alias), key=lambda b: b.first):
         parts += [*_unused(at, b.first), Segment(member(b.name), b.first, b.width, b)]
         at = b.last + 1
-    parts += _unused(at, 8 * t.size)
+    parts += _unused(at, t.width)
     return parts if t.scalar is None else parts[::-1]
 
 
@@ -220,7 +235,7 @@ def _unused(first: int, end: int) -> Iterator[Segment]:
 
 def number(t: m.Bitfield) -> str:
     """Writes all bits of a bitfield as one number."""
-    return _together(t, 0, 8 * t.size - 1)
+    return _together(t, 0, t.width - 1)
 
 
 def alias(b: m.Bits, t: m.Bitfield) -> str:

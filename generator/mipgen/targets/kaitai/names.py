@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import re
+
 from mipgen import model as m
+from mipgen.base import resources
 from mipgen.emit.naming import Escape, Grammar
 from mipgen.emit.render import language
 
 _LANGUAGE = language("kaitai")
 RESERVED = frozenset(str(word) for word in _LANGUAGE["reserved"])
+
+#: Modules of Python's standard library.
+MODULES = frozenset(str(name) for name in _LANGUAGE["modules"])
 
 #: Scalar -> its type.
 SCALARS: dict[str, str] = _LANGUAGE["scalars"]
@@ -18,7 +24,11 @@ member = Escape(RESERVED | frozenset(_LANGUAGE["members"]), suffix="_value", dig
 #: A value of an enumeration.
 value = Escape(RESERVED | frozenset(_LANGUAGE["values"]), suffix="_value", digit_prefix="n")
 
-_type = Escape(RESERVED | frozenset(_LANGUAGE["types"]), suffix="_type", digit_prefix="mip_")
+#: The file, the enumeration of its fields, and the types of the framing.
+_TEMPLATE = (resources.root() / "templates/kaitai/mip.ksy.j2").read_text("utf-8")
+_TYPES = frozenset({"mip", "kind", *re.findall(r"^  (\w+):$", _TEMPLATE, re.MULTILINE)})
+
+_type = Escape(RESERVED | _TYPES, suffix="_type", digit_prefix="mip_")
 
 
 def type_name(thing: m.Type | m.Field) -> str:

@@ -1,12 +1,23 @@
 """The reference manual: Markdown that reads well on a plain Git host and builds into a searchable site.
 
-`places` determines the pages and anchors, each other module writes the Markdown for its subject, and templates arrange
-it.
+`places` determines the pages and anchors; `view` has a class for what each template shows, and templates arrange it.
+
+Where to change what, and its tests in `tests/docs`:
+
+- the page of a field: `view/fields`, field.md.j2; `test_reference_facts.py`; packets byte by byte, with the names and
+  colours in hooks.py, and drawings of frames: `ruler`, `view/frames`; `test_reference_things.py`
+- first steps: `start`, first.* and stream.* in `examples`; `test_reference_start.py` follows the page in an empty
+  folder
+- comparison and indexes: `view/comparison`, `view/indexes`, filter.js; `test_reference_comparison.py`,
+  `test_reference_indexes.py`, `test_reference_filter.py`
+- what the site adds, such as search, tabs and tools: runtime/markdown, docs/site.md; `test_reference_site.py`; what a
+  search finds: `keywords` in the specification, search.js, tools/workbench/find.mjs; `tests/searches.py`
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from jinja2 import pass_context
@@ -16,79 +27,102 @@ from mipgen import model as m
 from mipgen.emit import package
 from mipgen.emit.target import File, Identifier, Target
 
-from . import (
-    comparison,
-    devices,
-    examples,
-    fields,
-    frames,
-    guides,
-    indexes,
-    packets,
-    parameters,
-    places,
-    related,
-    snippets,
-    sources,
-    start,
-    text,
-    tools,
-    types,
-)
+from . import places, start, text
 from .index import Index
 from .places import Page, Thing
+from .tools import TOOLS
+from .view.base import View
+from .view.comparison import Comparison
+from .view.contents import Contents
+from .view.devices import Device
+from .view.examples import Example
+from .view.fields import Field
+from .view.frames import CENTRE, Units, drawings
+from .view.guides import Guide
+from .view.indexes import INDEXES
+from .view.manuals import Erratum, parts_of_errata, parts_of_examples
+from .view.packets import Packets
+from .view.sets import Set
+from .view.types import Type
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """What all pages share."""
+
+    index: Index
+    lists: dict[str, Any]  # of pages, and the first programs if there are any
+
+    def at(self, path: str) -> Page:
+        return Page(path, self.index)
+
+    def file(self, page: Page, template: str, of: Any = None, **views: Any) -> File:
+        return File(page.path, template, {"page": page, **self.lists, **views}, of)
 
 
 def files(model: m.Model) -> Iterator[File]:
-    index = Index(model)
-    comparisons = places.COMPARISON if model.devices else {}
-    starts = start.starts(model)
-    lists = {"comparison": comparisons, "indexes": places.INDEXES, "starts": starts}
-
-    def page(path: str, template: str, of: Any = None, **context: Any) -> File:
-        return File(path, template, {"page": Page(path, index), **lists, **context}, of)
-
-    printed, wrong = examples.parts(model), sources.parts(model)
-    navigation = {"page": Page(places.INDEX, index), **lists, "examples": printed, "errata": wrong}
-    yield File("mkdocs.yml", "mkdocs.yml.j2", navigation)  # its paths are relative to docs/
-    yield page(places.README, "index.md.j2")
-    yield page(places.INDEX, "index.md.j2")
-    if starts:
-        yield page(places.START, "start.md.j2")
-        yield page(places.PROGRAMS, "programs.md.j2", frames=start.frames(model))
-    yield page(places.PACKETS, "packets.md.j2")
-    yield page(places.UNITS, "units.md.j2")
-    for name, title, axes in frames.drawn(model):
-        yield File(frames.drawing(name), "frame.svg.j2", {"title": title, "axes": axes, "centre": frames.CENTRE})
-    yield page(places.ERRATA, "errata.md.j2", parts=wrong)
-    for part in wrong:
-        yield page(part.path, "errata_of_manual.md.j2", part=part)
-    yield page(places.EXAMPLES, "examples.md.j2", parts=printed)
-    for group in printed:
-        yield page(group.path, "examples_of_set.md.j2", part=group)
-    for name in comparisons:
-        yield page(places.comparison_page(name), f"compare/{name}.md.j2")
-    for name in places.INDEXES:
-        yield page(places.index_page(name), f"indexes/{name}.md.j2")
-    yield from _things(model, page)
+    compared = places.COMPARISON if model.devices else {}
+    lists = {"comparison": compared, "indexes": INDEXES, "starts": start.starts(model), "tools": TOOLS}
+    site = Site(Index(model), lists)
+    for drawing in drawings(model):
+        yield File(drawing.path, "frame.svg.j2", {"drawing": drawing, "centre": CENTRE})
+    yield from _lists(site, model)
+    yield from _things(site, model)
 
 
-def _things(model: m.Model, page: Callable[..., File]) -> Iterator[File]:
-    """Yields the pages that are each about one thing."""
-    for tool in tools.TOOLS:
-        yield page(places.tool_page(tool), "tool.md.j2", tool=tool)
-    for s in model.sets:
-        yield page(places.set_page(s.name), "set.md.j2", s, set=s, family=model.family(s.family))
-    yield page(places.TYPES, "types.md.j2", family=None)
-    for x in model.families:
-        if x.types:
-            yield page(places.types_page(x.name), "types.md.j2", x, family=x)
-        for f in fields.asked(x.fields):
-            yield page(places.field_page(f), "field.md.j2", f, field=f)
-    for d in model.devices:
-        yield page(places.device_page(d), "device.md.j2", d, device=d)
-    for g in model.guides:
-        yield page(places.guide_page(g), "guide.md.j2", g, guide=g)
+def _lists(site: Site, model: m.Model) -> Iterator[File]:
+    """Yields the pages that every specification has, and the navigation."""
+    at, file = site.at, site.file
+    for path in (places.README, places.INDEX):
+        yield file(p := at(path), "index.md.j2", contents=Contents(p))
+    if site.lists["starts"]:
+        yield file(at(places.START), "start.md.j2")
+        yield file(at(places.PROGRAMS), "programs.md.j2", frames=start.frames(model))
+    yield file(p := at(places.PACKETS), "packets.md.j2", packets=Packets(p))
+    yield file(p := at(places.UNITS), "units.md.j2", units=Units(p))
+    for path in site.lists["comparison"]:
+        yield file(p := at(path), path.removeprefix("docs/") + ".j2", devices=Comparison(p))
+    for x in INDEXES:
+        yield file(at(x.path), "index_page.md.j2", index=x)
+    for tool in TOOLS:
+        yield file(at(places.place(tool, model)[0]), "tool.md.j2", tool=tool)
+    errata, examples = parts_of_errata(model), parts_of_examples(model)
+    yield file(at(places.ERRATA), "errata.md.j2", parts=errata)
+    for e in errata:
+        yield file(p := at(e.path), "errata_of_manual.md.j2", part=e, errata=[Erratum(p, x) for x in e.entries])
+    yield file(at(places.EXAMPLES), "examples.md.j2", parts=examples)
+    for part in examples:
+        yield file(
+            p := at(part.path), "examples_of_set.md.j2", part=part, examples=[Example(p, x) for x in part.entries]
+        )
+    p = at(places.INDEX)  # paths in the navigation are relative to docs/
+    programs = [(f"Programs: {places.label(g)}", places.guide_programs(g)) for g in model.guides if g.sequences]
+    views = {"page": p, **site.lists, "contents": Contents(p), "examples": examples, "errata": errata}
+    views["guide_programs"] = programs
+    yield File("mkdocs.yml", "mkdocs.yml.j2", views)
+
+
+def _things(site: Site, model: m.Model) -> Iterator[File]:
+    """Yields the pages that are each about one thing of the specification; responses are on the pages of commands."""
+    fields = [f for f in model.fields if f.role != m.RESPONSE]
+    kinds: list[tuple[type[View[Any]], Sequence[Any]]] = [
+        (Set, model.sets), (Field, fields), (Device, model.devices), (Guide, model.guides),
+    ]  # fmt: skip
+    for guide in model.guides:
+        if guide.sequences:
+            page = site.at(places.guide_programs(guide))
+            yield site.file(page, "guide_programs.md.j2", guide, guide=Guide(page, guide))
+        if guide.picture:
+            yield File(places.guide_picture(guide), "picture.svg.j2", {"picture": guide.picture})
+    for view, things in kinds:
+        name = view.__name__.lower()
+        for x in things:
+            page = site.at(places.place(x, model)[0])
+            yield site.file(page, f"{name}.md.j2", x, **{name: view(page, x)})
+    for family in (None, *(x for x in model.families if x.types)):
+        page = site.at(places.types_page(family.name if family else None))
+        types = [Type(page, t) for t in (family or model).types]
+        yield site.file(page, "types.md.j2", family, family=family, types=types)
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
@@ -100,120 +134,6 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
         yield Identifier(page, anchor, getattr(thing, "name", anchor), getattr(thing, "position", None))
 
 
-# --------------------------------------------------------------------------- filters of the templates
-
-Filters = dict[str, Callable[..., Any]]
-
-FILTERS: Filters = {
-    "code": text.code,
-    "count": text.count,
-    "hex": text.hexadecimal,
-    "inline": text.inline,
-    "spaced": text.spaced,
-    "label": places.label,
-    "descriptors": places.descriptors,
-    "types_page": places.types_page,
-    "comparison_page": places.comparison_page,
-    "index_page": places.index_page,
-    "asked": fields.asked,
-    "field_length": fields.field_length,
-    "checksum_steps": fields.checksum_steps,
-    "directions": frames.directions,
-    "nature": types.nature,
-    "elements": types.elements,
-    "ports": devices.ports,
-    "base_rate": devices.base_rate,
-    "note_table": devices.note_table,
-    "of_manual": sources.of_manual,
-    "defined": sources.defined,
-    "heading": guides.heading,
-    "step_title": guides.title,
-    "bandwidth": guides.bandwidth,
-    "surely": guides.surely,
-    "read": guides.read,
-    "right_bytes": examples.right_bytes,
-    "misprints": examples.misprints,
-    "tools": lambda _: tools.TOOLS,
-}
-
-#: Filters that need the page where they are used: links are relative to it.
-FILTERS_OF_PAGE: Filters = {
-    "anchor": Page.anchor,
-    "link": Page.link,
-    "links": Page.links,
-    "prose": Page.prose,
-    "quotation": Page.quotation,
-    "facts": fields.facts,
-    "notes": fields.notes,
-    "relations": fields.relations,
-    "on_devices": fields.on_devices,
-    "conversions": frames.conversions,
-    "drawings": frames.drawings,
-    "changed": fields.changed,
-    "own_responses": fields.own_responses,
-    "forms": packets.forms,
-    "ruler": packets.ruler,
-    "replies": packets.replies,
-    "printed": examples.printed,
-    "as_command": parameters.as_command,
-    "programs": snippets.programs,
-    "related": related.related,
-    "field_values": parameters.field_values,
-    "contents": fields.contents,
-    "occurrences": sources.occurrences,
-    "named": fields.named,
-    "uncertain": fields.uncertain,
-    "parameter_list": parameters.parameter_list,
-    "parameter_values": parameters.parameter_values,
-    "values": types.values,
-    "bits": types.bits,
-    "supported": devices.supported,
-    "evident": devices.evident,
-    "witnesses": devices.witnesses,
-    "differing": devices.differing,
-    "deprecated": devices.deprecated,
-    "limits": devices.limits,
-    "remarks": devices.remarks,
-    "devices": lambda page, _: devices.listed(page),
-    "base_rates": devices.base_rates,
-    "rates_of_set": devices.rates_of_set,
-    "variants": devices.variants,
-    "generations": lambda page, _: comparison.generations(page),
-    "compared": comparison.fields,
-    "other_devices": lambda page, _: comparison.others(page.model),
-    "perhaps_of_others": comparison.perhaps,
-    "compared_rates": lambda page, _: comparison.rates(page),
-    "compared_meanings": lambda page, _: comparison.meanings(page),
-    "index_of": indexes.index,
-    "citations": sources.citations,
-    "field_lengths": sources.field_lengths,
-    "length_remarks": sources.length_remarks,
-    "subjects": sources.subjects,
-    "device": examples.device,
-    "packet_table": examples.packet_table,
-    "overview": guides.overview,
-    "streamed": guides.streamed,
-    "guide_programs": guides.programs,
-    "rates": guides.rates,
-    "doubts": guides.doubts,
-    "sent": guides.sent,
-    "answered": guides.answered,
-    "come": guides.come,
-    "changes": guides.changes,
-    "meanings": guides.meanings,
-    "refused": guides.refused,
-    "added": guides.added,
-    "fact_table": guides.fact_table,
-    "see": guides.named,
-    "start_program": lambda page, x: x.text(page.model),
-    "guides_with": guides.with_field,
-}
-
-
-def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
-    return {**FILTERS, **{name: _of_page(function) for name, function in FILTERS_OF_PAGE.items()}}
-
-
 def _of_page(function: Callable[..., Any]) -> Callable[..., Any]:
     @pass_context
     def on_page(context: Context, *arguments: Any) -> Any:
@@ -222,10 +142,17 @@ def _of_page(function: Callable[..., Any]) -> Callable[..., Any]:
     return on_page
 
 
+#: Text, and links and references, which are relative to the page.
+FILTERS = {
+    **{f.__name__: f for f in (text.code, text.count, text.inline, text.spaced, places.label)},
+    **{f.__name__: _of_page(f) for f in (Page.anchor, Page.link, Page.links, Page.prose, Page.quotation)},
+    "hex": text.hexadecimal,
+}
+
 TARGET = Target(
     title="Reference manual in Markdown, a site with MkDocs",
     files=files,
-    filters=filters,
+    filters=FILTERS,
     identifiers=identifiers,
     rename=package.in_source,
     slow=True,

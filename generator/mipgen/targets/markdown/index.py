@@ -25,6 +25,10 @@ class Index:
     def samples(self) -> SampleValues:
         return self.model.derived(SampleValues)
 
+    def typical(self, f: m.Field) -> m.Call:
+        """Returns the form whose typical values pages show: for a command, the first that a device accepts."""
+        return self.samples.sent(f)[0] if f.role == m.COMMAND else f.calls[0]
+
     # ----------------------------------------------------------------------- errata
 
     def errata(self, f: m.Field) -> list[m.Erratum]:

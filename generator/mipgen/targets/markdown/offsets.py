@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.lower.extent import Extent, Term, exact
+from mipgen.lower.extent import Extent, Term, exact, totals
+
+from .text import code
 
 #: The beginning of a record.
 BEGIN = Extent()
@@ -55,3 +57,9 @@ def _inside(row: Row, p: m.Parameter, depth: int) -> Iterator[Row]:
         yield member
         if q is not None:
             yield from _inside(member, q, depth)
+
+
+def length(parameters: Sequence[m.Parameter], head: int = 2) -> str:
+    """Writes the length of a field with these parameters after `head` bytes, as Markdown."""
+    lengths = [code(e) if e.terms else str(e) for e in totals(parameters, Extent(head))]
+    return " or ".join([", ".join(lengths[:-1]), lengths[-1]] if len(lengths) > 1 else lengths)

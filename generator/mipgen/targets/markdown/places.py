@@ -26,33 +26,17 @@ UNITS = "docs/units.md"
 TYPES = "docs/types.md"
 ERRATA = "docs/errata.md"
 EXAMPLES = "docs/examples.md"
-#: Names of the comparison pages, and of the indexes -> their titles.
+#: The pages of the comparison -> their titles; the first one lists all devices.
 COMPARISON = {
-    "overview": "Devices",
-    "commands": "Commands",
-    "data": "Data fields",
-    "rates": "Rates, ports and limits",
-    "meanings": "Meaning of values",
-}
-INDEXES = {
-    "descriptors": "By descriptor",
-    "names": "By name",
-    "types": "By type",
-    "units": "By unit",
-    "vendor": "By the vendor's names",
-    "c": "Symbols in C",
-    "cpp": "Symbols in C++",
-    "python": "Symbols in Python",
-    "rust": "Symbols in Rust",
-    "javascript": "Symbols in JavaScript",
+    "docs/compare/overview.md": "Devices",
+    "docs/compare/commands.md": "Commands",
+    "docs/compare/data.md": "Data fields",
+    "docs/compare/rates.md": "Rates, ports and limits",
+    "docs/compare/meanings.md": "Meaning of values",
 }
 
 #: Things with a location in the reference; a string is the path of a page, perhaps with an anchor.
 Thing = m.Set | m.Family | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Guide | Tool | str
-
-
-def set_page(name: str) -> str:
-    return f"docs/sets/{name}.md"
 
 
 def field_page(f: m.Field) -> str:
@@ -60,24 +44,13 @@ def field_page(f: m.Field) -> str:
     return f"docs/fields/{f.family}/{f.command if f.role == m.RESPONSE else f.name}.md"
 
 
+def on_page(f: m.Field, model: m.Model) -> list[m.Field]:
+    """Returns the fields on the page of a command or a data field: the field, and the responses that it defines."""
+    return [f, *(r for r in model.responses(f) if r.command == f.name)]
+
+
 def types_page(owner: str | None) -> str:
     return f"docs/types/{owner}.md" if owner else TYPES
-
-
-def comparison_page(name: str) -> str:
-    return f"docs/compare/{name}.md"
-
-
-def index_page(name: str) -> str:
-    return f"docs/indexes/{name}.md"
-
-
-def device_page(d: m.Device) -> str:
-    return f"docs/devices/{d.id}.md"
-
-
-def guide_page(g: Guide) -> str:
-    return f"docs/guides/{g.name}.md"
 
 
 def examples_page(x: m.Example, model: m.Model) -> str:
@@ -86,28 +59,18 @@ def examples_page(x: m.Example, model: m.Model) -> str:
     return f"docs/examples/{x.manual}/{s.family if s else hexadecimal(x.set)}.md"
 
 
+def guide_programs(guide: Guide) -> str:
+    """The page with the programs of a guide in all languages."""
+    return f"docs/guides/programs/{guide.name}.md"
+
+
+def guide_picture(guide: Guide) -> str:
+    return f"docs/assets/guides/{guide.name}.svg"
+
+
 def errata_page(e: m.Erratum) -> str:
     """Returns the page of an erratum: one for each manual and severity."""
     return f"docs/errata/{e.manual}/{e.severity}.md"
-
-
-def tool_page(tool: Tool) -> str:
-    return f"docs/tools/{tool.name}.md"
-
-
-def own_page(thing: m.Set | m.Family | m.Device | Guide | Tool) -> str:
-    """Returns the page that is about one thing."""
-    match thing:
-        case m.Set():
-            return set_page(thing.name)
-        case m.Family():
-            return types_page(thing.name)
-        case m.Device():
-            return device_page(thing)
-        case Guide():
-            return guide_page(thing)
-        case Tool():
-            return tool_page(thing)
 
 
 def place(thing: Thing, model: m.Model) -> tuple[str, str]:
@@ -116,8 +79,12 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
         case str():
             page, _, anchor = thing.partition("#")
             return page, anchor
-        case m.Set() | m.Family() | m.Device() | Guide() | Tool():
-            return own_page(thing), ""
+        case m.Set() | Guide() | Tool():
+            return f"docs/{type(thing).__name__.lower()}s/{thing.name}.md", ""
+        case m.Family():
+            return types_page(thing.name), ""
+        case m.Device():
+            return f"docs/devices/{thing.id}.md", ""
         case m.Field():
             page = PACKETS if thing.family == model.protocol.acknowledge.family else field_page(thing)
             return page, thing.full_name
@@ -200,6 +167,10 @@ class Page:
         """Writes a link to a thing; `words` are Markdown."""
         return f"[{label(thing) if words is None else words}]({self.url(thing)})"
 
+    def picture(self, path: str, words: str) -> str:
+        """Writes an image; `words` state what it shows."""
+        return f"![{words}]({_relative(path, self.path)})"
+
     def links(self, things: Iterable[Thing]) -> str:
         return ", ".join(self.link(t) for t in things)
 
@@ -207,13 +178,17 @@ class Page:
 
     def prose(self, text: str) -> str:
         """Writes a text of the specification; references to fields become links."""
-        return opening(self.say(describe.prose(text, self.model)))
+        return opening(self.markdown(describe.prose(text, self.model)))
 
     def quotation(self, text: str) -> str:
         """Writes a quotation of a manual; the descriptors in it become links."""
-        return opening(self.say(describe.quotation(text, self.model)))
+        return opening(self.markdown(describe.quotation(text, self.model)))
 
-    def say(self, text: describe.Text, ref: Callable[[Ref], str] | None = None) -> str:
+    def sentences(self, facts: Iterable[describe.Fact]) -> list[str]:
+        """Writes each fact as a line of its own."""
+        return [opening(self.markdown(fact.sentence)) for fact in facts]
+
+    def markdown(self, text: describe.Text, ref: Callable[[Ref], str] | None = None) -> str:
         return describe.say(text, ref or self.ref, inline)
 
     def ref(self, r: Ref) -> str:

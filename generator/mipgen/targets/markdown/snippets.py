@@ -14,8 +14,6 @@ from mipgen.targets.javascript import api as javascript
 from mipgen.targets.python import api as python
 from mipgen.targets.rust import api as rust
 
-from .places import Page
-
 
 class Programs(Protocol):
     """The programs of a language."""
@@ -31,16 +29,33 @@ class Language:
     name: str  # in paths, and of fenced blocks
     suffix: str  # of files
     programs: Callable[[SampleValues], Programs]
-    symbols: Callable[[m.Model], Iterator[Symbols]] | None = None  # what its index lists, if it has one
+    symbols: Callable[[m.Model], Iterator[Symbols]]
+    listed: str  # what its index of symbols lists
 
 
 LANGUAGES = (
-    Language("C", "c", "c", c.Programs, c.symbols),
-    Language("C++", "cpp", "cpp", c.CppPrograms, c.cpp_symbols),
-    Language("Python", "python", "py", python.Programs, python.symbols),
-    Language("Rust", "rust", "rs", rust.Programs, rust.symbols),
-    Language("JavaScript", "javascript", "mjs", javascript.Programs, javascript.symbols),
-)
+    Language(
+        "C", "c", "c", c.Programs, c.symbols,
+        "structures, types, functions and constants of the library `mip` for each field and type",
+    ),
+    Language(
+        "C++", "cpp", "cpp", c.CppPrograms, c.cpp_symbols,
+        "structures, enumerations and commands of the library `mip` in C++17 for each field and type",
+    ),
+    Language(
+        "Python", "python", "py", python.Programs, python.symbols,
+        "classes, constructors and constants of the package `mip_protocol` for each field and type",
+    ),
+    Language(
+        "Rust", "rust", "rs", rust.Programs, rust.symbols,
+        "types, constructors, methods and constants of the crate `mip-protocol` for each field and type",
+    ),
+    Language(
+        "JavaScript", "javascript", "mjs", javascript.Programs, javascript.symbols,
+        "classes, constructors and constants of the package `mip-protocol` for each field, enumeration and bitfield, "
+        "preceded\nby the module that exports them",
+    ),
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,14 +65,14 @@ class Program:
     lines: str
 
 
-def programs(page: Page, f: m.Field) -> list[Program]:
-    return _each(page, lambda of: of.command(f) if f.role == m.COMMAND else of.data(f))
+def programs(samples: SampleValues, f: m.Field) -> list[Program]:
+    return _each(samples, lambda of: of.command(f) if f.role == m.COMMAND else of.data(f))
 
 
-def sequences(page: Page, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> list[Program]:
+def sequences(samples: SampleValues, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> list[Program]:
     """Writes programs that send several commands."""
-    return _each(page, lambda of: of.sequence(name, steps))
+    return _each(samples, lambda of: of.sequence(name, steps))
 
 
-def _each(page: Page, write: Callable[[Programs], str]) -> list[Program]:
-    return [Program(x.title, x.name, write(x.programs(page.index.samples))) for x in LANGUAGES]
+def _each(samples: SampleValues, write: Callable[[Programs], str]) -> list[Program]:
+    return [Program(x.title, x.name, write(x.programs(samples))) for x in LANGUAGES]

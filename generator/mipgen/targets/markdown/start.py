@@ -21,7 +21,6 @@ class Start:
     install: str
     run: str
     needs: str
-    readme: str
 
     def text(self, model: m.Model) -> str:
         """Returns the program without the comment about the location of its file."""
@@ -34,29 +33,29 @@ STARTS = (
     Start(
         "Python", "python", "first.py", "first.py", "pip install ../mipgen/generated/python",
         "python first.py localhost:5005",
-        "Python 3.10 or later. A serial port also needs `pip install pyserial`.", "python",
+        "Python 3.10 or later. A serial port also needs `pip install pyserial`.",
     ),
     Start(
         "C", "c", "stream.c", "first.c", "cp -r ../mipgen/generated/c mip",
         "cc -Imip/src -Imip/ports first.c mip/src/mip/*.c mip/ports/*.c -o first\n./first localhost:5005",
-        "A C99 compiler. On Windows, link with `-lws2_32`.", "c",
+        "A C99 compiler. On Windows, link with `-lws2_32`.",
     ),
     Start(
         "C++", "cpp", "first.cpp", "first.cpp", "cp -r ../mipgen/generated/c mip",
         "cc -Imip/src -Imip/ports -c mip/src/mip/*.c mip/ports/*.c\n"
         "c++ -std=c++17 -Imip/src -Imip/ports first.cpp *.o -o first\n./first localhost:5005",
-        "A C++17 compiler; the headers are part of the C library.", "c",
+        "A C++17 compiler; the headers are part of the C library.",
     ),
     Start(
         "Rust", "rust", "stream.rs", "src/main.rs",
         "cargo init --name first .\ncargo add --path ../mipgen/generated/rust --features open",
         "cargo run -- tcp:localhost:5005",
-        "Rust 1.85 or later. A serial port is `serial:/dev/ttyACM0`.", "rust",
+        "Rust 1.85 or later. A serial port is `serial:/dev/ttyACM0`.",
     ),
     Start(
         "JavaScript", "javascript", "first.mjs", "first.mjs", "npm install ../mipgen/generated/javascript",
         "node first.mjs localhost:5005",
-        "Node 18 or later. In a browser, `mip-protocol/serial` opens a serial port.", "javascript",
+        "Node 18 or later. In a browser, `mip-protocol/serial` opens a serial port.",
     ),
 )  # fmt: skip
 
@@ -65,8 +64,8 @@ def starts(model: m.Model) -> list[Start]:
     """Returns the languages with a first program; none if a partial specification lacks a field that the programs
     use."""
     used = ("base.ping", "base.get_device_info", "sensor.scaled_accel", "3dm.message_format", "3dm.data_stream_control")
-    there = model.protocol.session is not None and all(map(model.field, used))
-    return [x for x in STARTS if there and model.program(x.program)]
+    complete = model.protocol.session is not None and all(map(model.field, used))
+    return [x for x in STARTS if complete and model.program(x.program)]
 
 
 @dataclass(frozen=True, slots=True)

@@ -54,8 +54,10 @@ def code(text: object) -> str:
 
 
 def table(rows: Iterable[Sequence[str]], headings: Sequence[str]) -> str:
-    """Writes a table of finished cells; empty columns are omitted."""
+    """Writes a table of finished cells; empty columns are omitted, and so is a table without rows."""
     whole = [list(row) for row in rows]
+    if not whole:
+        return ""
     kept = [i for i in range(len(headings)) if i == 0 or any(row[i] for row in whole)]
     lines = [[headings[i] for i in kept], ["---"] * len(kept), *([row[i] for i in kept] for row in whole)]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
@@ -80,12 +82,12 @@ def spaced(data: Iterable[int | None]) -> str:
     return " ".join("??" if b is None else f"{b:02X}" for b in data)
 
 
-def count(things: Sequence[object] | int, word: str, several: str = "") -> str:
+def count(things: Sequence[object], word: str, several: str = "") -> str:
     """
-    >>> count(1, "bit"), count([], "entry", "entries")
+    >>> count([7], "bit"), count([], "entry", "entries")
     ('1 bit', '0 entries')
     """
-    n = things if isinstance(things, int) else len(things)
+    n = len(things)
     return f"{n} {word if n == 1 else several or word + 's'}"
 
 

@@ -1,114 +1,89 @@
-"""Python: a package that needs only the standard library."""
+"""Python: a package that needs only the standard library.
+
+The runtime is in runtime/python; pyproject.toml of mipgen defines which of its modules may import which. Where to
+change what, and its tests in `tests/python`:
+
+- fast decoding: `codecs`, codec.py, checks.py, registry.py; `test_python_core.py` compares it with plain code
+- what is known about fields at run time: `info`, meaning.py.j2, described.py, info.py, ...; `test_python_meaning.py`
+- finding a device and starting its data: `session`, streaming.py; `device/test_start.py`
+- a lost port: device.py, aio.py; `tests/virtual/test_reopen.py`
+- what the virtual device is told, simulation.json: `simulation`; `tests/tools/simulator`
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
+from collections.abc import Iterator
 from typing import Any
 
 from mipgen import model as m
 from mipgen.emit import formatting, package
 from mipgen.emit.target import File, Identifier, Target
-from mipgen.facts import describe
-from mipgen.lower import calls
+from mipgen.lower import calls, validity
+from mipgen.lower.lists import by_command
 
-from . import docs, info, members, names, needs, session, simulation, tables
+from . import docs, info, names, needs, session, simulation
+from .view import Device, Family, Field, Type, blocks, types
 
 PACKAGE = "mip_protocol"
 
 
 def files(model: m.Model) -> Iterator[File]:
+    families = [Family(x, model) for x in model.families]
+    whole = {"families": families, "omitted": needs.omitted(model)}
     quickstart = model.program("quickstart.py")
     if quickstart:
         yield File("quickstart.py", "verbatim.j2", {"text": quickstart})
-    known = max(model.devices, key=lambda d: len(d.supports), default=None)
-    shown = {
+    programs = ("daily.md", "client.py", "device.py", "device_aio.py", "meaning.py")
+    readme = {name.partition(".")[0]: model.program(name).rstrip() for name in programs} | {
         "quickstart": quickstart.partition('"""\n\n')[2].rstrip(),
-        "daily": model.program("daily.md").rstrip(),
-        "client": model.program("client.py").rstrip(),
-        "at_port": model.program("device.py").rstrip(),
-        "at_port_aio": model.program("device_aio.py").rstrip(),
-        "meaning": model.program("meaning.py").rstrip(),
-        "device": known.id if known else "DEVICE",  # the device with the most fields
+        "functions": [names.member(f.name) for f in model.protocol.functions],
     }
-    without = {"without": needs.left_out(model)}
-    yield File("README.md", "README.md.j2", shown | without)
-    yield File("pyproject.toml", "pyproject.toml.j2")
-    yield File(f"{PACKAGE}/__init__.py", "__init__.py.j2", without)
-    for name in ("_clocks", "_index", "_sets", "types", "protocol", "devices"):
-        yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
-    scalars = [(s, names.SCALARS[s.name]) for s in m.SCALARS.values()]
-    yield File(f"{PACKAGE}/_scalars.py", "_scalars.py.j2", {"scalars": scalars})
-    yield File(f"{PACKAGE}/_session.py", "_session.py.j2", {"session": session.of(model)})
-    protocol = model.protocol
-    yield _meaning("types", model.types)
-    yield _meaning("protocol", [protocol.function_selector], [protocol.acknowledge])
+    yield File("README.md", "README.md.j2", whole | readme)
+    keywords = [model.protocol.name, *model.protocol.keywords, "protocol", "decoder", "serial"]
+    yield File("pyproject.toml", "pyproject.toml.j2", {"keywords": keywords})
+    for name, context in _modules(model).items():
+        yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2", whole | context)
     yield File(f"{PACKAGE}/simulation.json", "verbatim.j2", {"text": simulation.document(model)})
-    for x in model.families:
-        yield File(f"{PACKAGE}/{names.module(x.name)}.py", "set.py.j2", {"family": x}, x)
-        yield _meaning(names.module(x.name), x.types, x.fields, x)
+    for x in families:
+        yield File(f"{PACKAGE}/{x.module}.py", "set.py.j2", {"family": x}, x.of)
+    modules: dict[str, tuple[m.Type | m.Field, ...]] = {
+        "types": model.types,
+        "protocol": (model.protocol.function_selector, model.protocol.acknowledge),
+    }
+    for module, things in (modules | {x.module: (*x.of.types, *x.of.fields) for x in families}).items():
+        described = (info.describe_class(x, model) for x in things if not isinstance(x, m.Vector))
+        of = next((x.of for x in families if x.module == module), None)
+        context = whole | {"module": module, "described": described}
+        yield File(f"{PACKAGE}/_meaning/{module}.py", "meaning.py.j2", context, of)
 
 
-def _meaning(module: str, types: Sequence[m.Type], fields: Sequence[m.Field] = (), of: m.Family | None = None) -> File:
-    """Returns the file with the facts about a module's types and fields."""
-    known = {"module": module, "kinds": types, "fields": fields}
-    return File(f"{PACKAGE}/_meaning/{module}.py", "meaning.py.j2", known, of)
-
-
-def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+def _modules(model: m.Model) -> dict[str, dict[str, Any]]:
+    """Returns the modules that every package has, with what their templates print."""
+    kinds, acknowledge = types(model.types, model), Field(model.protocol.acknowledge, model)
+    protocol, rates = model.protocol, {rate for d in model.devices for port in d.ports for rate in port.baud_rates}
+    indexed = (*model.fields, protocol.acknowledge)
     return {
-        # identifiers
-        "module": names.module,
-        "class": names.class_name,
-        "constant": names.constant,
-        "member": names.member,
-        "element": names.element,
-        "property": names.prop,
-        "home": names.home,
-        "qualified": names.qualified,
-        "reference": names.reference,
-        "hides_builtin": names.hides_builtin,
-        # contents of objects
-        "members": calls.members,
-        "hint": members.hint,
-        "held": members.held,
-        "by_place": members.by_place,
-        "initial": members.initial,
-        "kept": members.kept,
-        "vectors": members.vector_members,
-        "layout": members.layout,
-        "always": members.always,
-        "columns": members.columns,
-        "is_shared": members.is_shared,
-        "sets": members.sets,
-        "constructors": calls.constructors,
-        "parameters": members.parameters,
-        "arguments": members.arguments,
-        "answered": members.answered,
-        "expected": lambda f: members.expected(f, model),
-        "answer": lambda way, f: members.answer(way.function, f, model),
-        "answers": lambda f: members.answers(f, model),
-        "silencers": lambda f: members.silencers(f, model),
-        "matches": lambda f: members.matches(f, model),
-        # docstrings and comments
-        **docs.filters(model),
-        "why": lambda e: describe.why(e, model),
-        # tables
-        "repr": repr,
-        "code": "`{}`".format,
-        "hex": "0x{:02X}".format,
-        "digits": "{:02X}".format,
-        "letters": m.letters,
-        "by_descriptor": tables.by_descriptor,
-        # for the description at run time
-        "field_info": partial(info.of_field, model=model),
-        "parameter_info": partial(info.of_parameter, model=model),
-        "enum_info": info.of_enumeration,
-        "bits_info": info.of_bitfield,
-        "quoted": info.code,
-        "every_field": info.fields,
-        "called": info.called,
-        "named": info.named,
+        "__init__": {},
+        "_clocks": {"timestamps": validity.timestamps(model), "device_clock": validity.device_clock(model)},
+        "_index": {
+            "fields": [(f.full_name, (names.home(f), names.class_name(f), f.role, f.title, f.also)) for f in indexed],
+            "baud_rates": tuple(sorted(rates, reverse=True)),
+        },
+        "_lists": {
+            "commands": [((f.set, f.descriptor), [x.row for x in rows]) for f, rows in by_command(model).items()],
+        },
+        "_scalars": {"scalars": [(s, names.SCALARS[s.name]) for s in m.SCALARS.values()]},
+        "_session": {"session": session.session_commands(model)},
+        "_sets": {"modules": [(s, names.module(s.family)) for s in model.sets]},
+        "_words": {"synonyms": (*protocol.synonyms, *((u.word, *u.instead_of) for u in protocol.vocabulary))},
+        "devices": {"devices": [Device(d, model) for d in model.devices]},
+        "protocol": {
+            "ack_code": names.class_name(protocol.ack_code),
+            "acknowledge": acknowledge,
+            "blocks": blocks([acknowledge]),
+            "function_selector": Type(protocol.function_selector, model),
+        },
+        "types": {"kinds": kinds, "blocks": blocks(kinds)},
     }
 
 
@@ -145,7 +120,13 @@ TARGET = Target(
     title="Python >= 3.10, package mip_protocol",
     files=files,
     runtime=needs.runtime,
-    filters=filters,
+    filters={
+        "comment": docs.comment,
+        "docstring": docs.docstring,
+        "hex": "0x{:02X}".format,
+        "quoted": info.quoted,
+        "repr": repr,
+    },
     identifiers=identifiers,
     rename=package.in_source,
     grammar=names.GRAMMAR,

@@ -8,7 +8,7 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.emit.naming import upper
-from mipgen.emit.symbols import Symbols, constants, others, parameters, things
+from mipgen.emit.symbols import Symbols, constant_names, parameter_names, types_and_fields, unusual_names
 
 from . import PACKAGE, attributes, names
 from .snippets import Programs, local
@@ -22,7 +22,7 @@ def symbol(thing: m.Type | m.Field) -> str:
 
 
 def symbols(model: m.Model) -> Iterator[Symbols]:
-    for x in things(model):
+    for x in types_and_fields(model):
         of = names.class_name(x)
         if isinstance(x, m.Field):
             others = [names.member(f.name) for f in x.functions]
@@ -37,6 +37,6 @@ def writing(model: m.Model) -> dict[str, Any]:
     modules = [names.module(x.name) for x in model.families]
     return {
         "modules": {module: local(module) for module in modules},
-        "members": others([*parameters(model), *functions], names.member),
-        "constants": others(constants(model), names.constant, upper),
+        "members": unusual_names([*parameter_names(model), *functions], names.member),
+        "constants": unusual_names(constant_names(model), names.constant, upper),
     }

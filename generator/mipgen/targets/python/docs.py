@@ -2,55 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 
 from mipgen import model as m
 from mipgen.emit.wrapping import wrapped
 from mipgen.facts.comments import Comments
 
 from . import names
-from .members import annotation
+from .members import Member
 
 WIDTH = 100  # of generated lines; the package's pyproject.toml sets the same for ruff
 
 
 def _alternative(p: m.Parameter | None, record: m.Record) -> str:
-    return annotation(p, record) if p else "None"
+    return Member(p, record).annotation if p else "None"
 
 
 COMMENTS = Comments(names, _alternative)
 
 
-def filters(model: m.Model) -> dict[str, Callable[..., str]]:
-    """Returns the filters that write docstrings, and comments for things without one."""
-
-    def documented(paragraphs: Callable[..., list[str]], indent: int) -> Callable[..., str]:
-        return lambda *thing: literal(paragraphs(*thing, model), indent)
-
-    return {
-        "family_doc": documented(COMMENTS.family, 0),
-        "field_doc": documented(COMMENTS.field, 4),
-        "type_doc": documented(COMMENTS.type, 4),
-        "vector_doc": documented(COMMENTS.type, 0),  # the elements of a matrix in one line
-        "value_doc": documented(COMMENTS.value, 4),
-        "bits_doc": documented(COMMENTS.bits, 4),
-        "member_doc": documented(COMMENTS.member, 4),
-        "function_doc": lambda f: literal([f.description], 8),
-        "device_doc": documented(COMMENTS.device, 0),
-        # a parameter without a member, because it follows from the others
-        "unheld_doc": lambda p, record: comment(" ".join(filter(None, COMMENTS.member(p, record, model))), 4),
-    }
-
-
-# --------------------------------------------------------------------------- layout
-
-
-def literal(paragraphs: Iterable[str], indent: int) -> str:
+def docstring(paragraphs: Iterable[str], indent: int = 0) -> str:
     """Writes an indented docstring of these paragraphs; nothing if they are empty.
 
-    >>> literal(["Short."], 4)
+    >>> docstring(["Short."], 4)
     '\"""Short.\"""'
-    >>> print(literal(["Short.", "- one\\n- two"], 4))
+    >>> print(docstring(["Short.", "- one\\n- two"], 4))
     \"""Short.
     <BLANKLINE>
         - one
@@ -66,9 +42,9 @@ def literal(paragraphs: Iterable[str], indent: int) -> str:
     return _indented([*lines, '"""'], indent)
 
 
-def comment(text: str, indent: int) -> str:
-    """Writes an indented comment."""
-    return _indented([f"# {line}" for line in _wrapped(text, WIDTH - indent - 2)], indent)
+def comment(paragraphs: Iterable[str], indent: int = 0) -> str:
+    """Writes an indented comment of these paragraphs."""
+    return _indented([f"# {line}" for line in _wrapped(" ".join(filter(None, paragraphs)), WIDTH - indent - 2)], indent)
 
 
 def _wrapped(text: str, width: int) -> list[str]:

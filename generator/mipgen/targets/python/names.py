@@ -18,7 +18,6 @@ NEEDS: dict[str, str] = dict(_LANGUAGE["needs"])
 
 GRAMMAR = Grammar(r"[A-Za-z_]\w*", _KEYWORDS)
 
-#: Scalar -> its letter in a `struct` format, and its type in Python.
 #: Scalar -> its letters for `struct`.
 SCALARS: dict[str, str] = _LANGUAGE["scalars"]
 #: Kind of scalar -> the type of its values.
@@ -36,10 +35,18 @@ def _taken() -> set[str]:
     return {"devices", "protocol", "types", *modules, *_LANGUAGE["devices"], *re.findall(r'"([a-z]\w*)"', exported)}
 
 
+def _imported() -> set[str]:
+    """Returns the classes that the modules of sets and types import."""
+    texts = ((resources.root() / f"templates/python/{name}.py.j2").read_text("utf-8") for name in ("set", "types"))
+    imports = re.findall(r"^from .* import (.*)$", "\n".join(texts), re.MULTILINE)
+    return set(re.findall(r"\b[A-Z]\w*", " ".join(imports)))
+
+
 #: A descriptor set -> its module.
 module = Escape(_KEYWORDS | _taken(), digit_prefix="mip_")
 
-_classes = Classes(module, Escape(_KEYWORDS | frozenset(_LANGUAGE["classes"]), digit_prefix="Mip"))
+legal_class = Escape(_KEYWORDS | _imported(), digit_prefix="Mip")
+_classes = Classes(module, legal_class)
 class_name, home, qualified, reference = _classes.name, _classes.home, _classes.qualified, _classes.reference
 identifiers = _classes.identifiers
 

@@ -34,37 +34,37 @@ def _changes_rate(model: m.Model) -> bool:
     return any(p.name == "baud" for f in model.fields if f.role == m.COMMAND for p in f.parameters)
 
 
-def left_out(model: m.Model) -> frozenset[str]:
+def omitted(model: m.Model) -> frozenset[str]:
     """Returns the modules that the package of a specification omits."""
-    known = _known(model)
-    return frozenset(module for module, fact in NEEDS.items() if fact not in known)
+    facts = _present(model)
+    return frozenset(module for module, fact in NEEDS.items() if fact not in facts)
 
 
 def runtime(files: Mapping[str, bytes], model: m.Model) -> dict[str, bytes]:
     """Returns the runtime's files without what needs facts that the specification lacks."""
-    without, known = left_out(model), _known(model)
-    if not without:
+    modules, facts = omitted(model), _present(model)
+    if not modules:
         return dict(files)
     return {
-        path: _reduced(data, without, known) if path.endswith(".py") else data
+        path: _reduced(data, modules, facts) if path.endswith(".py") else data
         for path, data in files.items()
-        if path.rpartition("/")[2].removesuffix(".py") not in without
+        if path.rpartition("/")[2].removesuffix(".py") not in modules
     }
 
 
-def _known(model: m.Model) -> frozenset[str]:
+def _present(model: m.Model) -> frozenset[str]:
     return frozenset(fact for fact, has in FACTS.items() if has(model))
 
 
-def _reduced(source: bytes, without: Container[str], known: Container[str]) -> bytes:
+def _reduced(source: bytes, modules: Container[str], facts: Container[str]) -> bytes:
     lines = source.decode("utf-8").splitlines(keepends=True)
-    for first, behind in reversed(list(_useless(ast.parse(source).body, lines, without, known))):
+    for first, behind in reversed(list(_useless(ast.parse(source).body, lines, modules, facts))):
         del lines[first:behind]
     return "".join(lines).encode("utf-8")
 
 
 def _useless(
-    body: list[ast.stmt], lines: list[str], without: Container[str], known: Container[str]
+    body: list[ast.stmt], lines: list[str], modules: Container[str], facts: Container[str]
 ) -> Iterator[tuple[int, int]]:
     """Yields the line ranges of omitted statements, in order, including the comments above them."""
     for node in body:
@@ -72,9 +72,9 @@ def _useless(
         while first and lines[first - 1].lstrip().startswith("#"):
             first -= 1
         needed = _NEEDED.search("".join(lines[first : node.lineno]))
-        imports = isinstance(node, ast.ImportFrom) and node.level > 0 and node.module in without
-        if imports or (needed and not any(fact in known for fact in needed[1].split(" or "))):
+        imports = isinstance(node, ast.ImportFrom) and node.level > 0 and node.module in modules
+        if imports or (needed and not any(fact in facts for fact in needed[1].split(" or "))):
             yield first, node.end_lineno or 0
         else:
             for inner in (getattr(node, name, []) for name in ("body", "orelse", "finalbody")):
-                yield from _useless(inner, lines, without, known)
+                yield from _useless(inner, lines, modules, facts)

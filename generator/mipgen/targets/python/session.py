@@ -14,7 +14,7 @@ from . import names
 class Older:
     """The commands of an older device for one set."""
 
-    set: int
+    descriptor_set: int
     base_rate: str
     rate: str
     format: str
@@ -30,10 +30,13 @@ class Session:
     item: str
     stream: str
     resume: str
+    identify: str
+    information: str  # the path from its response to the parameters with the model's number
+    descriptors: tuple[str, ...]
     older: tuple[Older, ...]
 
 
-def of(model: m.Model) -> Session | None:
+def session_commands(model: m.Model) -> Session | None:
     """Returns the commands; None if the specification, or the selected part of it, lacks one of them."""
     start = lower.session(model)
     if start is None:
@@ -41,22 +44,24 @@ def of(model: m.Model) -> Session | None:
     item = start.entries.item.struct
     assert item is not None
     used: list[m.Type | m.Field] = [start.base_rate.command, start.format, item, start.stream, start.resume]
+    used += [start.identify, *start.descriptors]
     used += [f for x in start.older for f in (x.base_rate.command, x.format)]
     return Session(
-        modules=tuple(sorted({names.home(thing) for thing in used})),
-        base_rate=_call(start.base_rate.command),
-        rate=names.member(start.base_rate.parameter.name),
-        format=_call(start.format),
-        item=names.qualified(item),
-        stream=_call(start.stream),
-        resume=_call(start.resume),
-        older=tuple(
-            Older(
-                x.set, _call(x.base_rate.command), names.member(x.base_rate.parameter.name), _call(x.format), x.stream
-            )
-            for x in start.older
-        ),
+        tuple(sorted({names.home(thing) for thing in used})),
+        *_data(start.base_rate, start.format),
+        names.qualified(item),
+        _call(start.stream),
+        _call(start.resume),
+        _call(start.identify),
+        ".".join(map(names.member, start.model_numbers[0].split(".")[:-1])),
+        tuple(map(_call, start.descriptors)),
+        tuple(Older(x.set, *_data(x.base_rate, x.format), x.stream) for x in start.older),
     )
+
+
+def _data(rate: lower.Rate, message_format: m.Field) -> tuple[str, str, str]:
+    """Returns the command that reads a base rate, the rate in its response, and the command for the format."""
+    return _call(rate.command), names.member(rate.parameter.name), _call(message_format)
 
 
 def _call(f: m.Field) -> str:

@@ -13,7 +13,7 @@ from mipgen.facts.sample_values import SampleValues
 from mipgen.facts.snippets import Statements
 from mipgen.lower.calls import constructors, members
 
-from .members import keyword_only
+from .members import Member
 from .names import class_name, constant, hides_builtin, home, member
 
 WIDTH = 84
@@ -29,8 +29,8 @@ class Programs(Statements):
         """Composes a program that reads the field from the data of a device."""
         program = self.program()
         read = [f"value.{member(p.name)}" for p in members(f)]
-        shown = laid_out(Brackets("print(", ["time", *read[:3]], ")"), WIDTH)
-        return program.text([f"for time, value in device.fields({program.name(f)}):", f"    {shown}"])
+        shown = laid_out(Brackets("print(", ["stamp.device", *read[:3]], ")"), WIDTH)
+        return program.text([f"for stamp, value in device.fields({program.name(f)}):", f"    {shown}"])
 
 
 @dataclass
@@ -52,14 +52,13 @@ class _Program:
     def sent(self, f: m.Field, samples: SampleValues) -> list[str]:
         """Returns the lines that send a command and print its response."""
         lines = []
-        ways = {way.function: way for way in constructors(f)}
+        calls = {call.function: call for call in constructors(f)}
         for shown in samples.shown(f):
-            way, values = ways[shown.function], literals.record(f.parameters, samples.values(f, shown))
-            given = [self.value(values[p.name]) for p in way.values]
-            made = f"{self.name(f)}.{member(way.function.name)}" if way.function else self.name(f)
-            asks = bool(samples.replies(f, shown))
-            head, tail = ("print(", ")") if asks else ("", "")
-            lines.append(laid_out(Brackets(f"{head}device.request({made}(", given, f")){tail}"), WIDTH))
+            call, values = calls[shown.function], literals.record(f.parameters, samples.values(f, shown))
+            arguments = [self.value(values[p.name]) for p in call.values]
+            command = f"{self.name(f)}.{member(call.function.name)}" if call.function else self.name(f)
+            head, tail = ("print(", ")") if samples.replies(f, shown) else ("", "")
+            lines.append(laid_out(Brackets(f"{head}device.request({command}(", arguments, f")){tail}"), WIDTH))
         return lines
 
     def value(self, x: Literal) -> Expression:
@@ -72,7 +71,7 @@ class _Program:
                 return x.text
             case literals.Choice():
                 name = self.name(x.type)
-                return f"{name}.{constant(x.known.name)}" if x.known else f"{name}({x.number.value})"
+                return f"{name}.{constant(x.value.name)}" if x.value else f"{name}({x.number.value})"
             case literals.Flags():
                 name = self.name(x.type)
                 return " | ".join(f"{name}.{constant(b.name)}" for b in x.names) or f"{name}({x.number.value:#x})"
@@ -89,11 +88,11 @@ class _Program:
 
     def arguments(self, x: literals.Structure) -> list[Expression]:
         """Writes the arguments of a structure's class; reserved ones are omitted, unless they are positional."""
-        held = [(p, keyword_only(p, x.type)) for p in members(x.type)]
+        own = [(p, Member(p, x.type).keyword_only) for p in members(x.type)]
         return [
-            after(f"{member(p.name)}=" if named else "", self.value(x.members[p.name]))
-            for p, named in held
-            if p.reserved is None or not named
+            after(f"{member(p.name)}=" if by_name else "", self.value(x.members[p.name]))
+            for p, by_name in own
+            if p.reserved is None or not by_name
         ]
 
 

@@ -9,7 +9,7 @@ from mipgen.emit.naming import Escape, Grammar, pascal, upper
 from mipgen.emit.render import language
 
 _LANGUAGE = language("ros2")
-_RESERVED = frozenset(str(word) for word in _LANGUAGE["reserved"])
+_RESERVED = frozenset({"header", *(str(word) for word in _LANGUAGE["reserved"])})  # messages of fields have a header
 _member = Escape(_RESERVED, suffix="_value", digit_prefix="n")
 
 #: Packages that ROS 2 has.

@@ -1,5 +1,4 @@
-"""Documentation comments: the texts of `describe`, as Markdown with links between the items of the
-crate."""
+"""Documentation comments: the texts of `describe`, as Markdown with links between the items of the crate."""
 
 from __future__ import annotations
 
@@ -10,8 +9,7 @@ from mipgen import model as m
 from mipgen.emit.wrapping import wrapped
 from mipgen.facts import describe
 
-from .names import constant, home, member, method, module, path, type_name
-from .records import Conversion, Reading, Union
+from .names import constant, home, member, method, module, path
 
 WIDTH = 100
 
@@ -30,77 +28,64 @@ class Docs:
     def family(self, family: m.Family) -> list[Block]:
         if len(family.sets) == 1:
             return self.set(family.sets[0])
-        return [f"{prose(family.title)} ({numbers(family)}): {self._prose(family.description, module(family.name))}",
-                self._unsure(family, module(family.name)), sources(family)]  # fmt: skip
+        return self._set(family, f"{prose(family.title)} ({numbers(family)})", module(family.name))
 
     def set(self, s: m.Set) -> list[Block]:
-        description = self._prose(s.description, module(s.family))
-        return [f"{prose(s.title)} (0x{s.number:02X}): {description}", self._unsure(s, module(s.family)), sources(s)]
+        return self._set(s, f"{prose(s.title)} (0x{s.number:02X})", module(s.family))
 
-    def _unsure(self, of: m.Set | m.Family, here: str) -> str:
-        return self._facts(describe.uncertain(of, self.model), here)[0]
+    def _set(self, thing: m.Set | m.Family, head: str, here: str) -> list[Block]:
+        uncertain, _ = self._facts(describe.uncertain(thing, self.model), here)
+        return [f"{head}: {self._prose(thing.description, here)}", uncertain, sources(thing)]
 
     def field(self, f: m.Field) -> list[Block]:
-        said, notes = self._facts(describe.in_code(f, self.model), home(f))
-        return [f"{title(f)}.", self._prose(f.description, home(f)), said, *self._unheld(f), notes, sources(f)]
+        facts, notes = self._facts(describe.in_code(f, self.model), home(f))
+        description = self._prose(f.description, home(f))
+        return [f"{title(f)}.", description, facts, *self._only_on_the_wire(f), notes, sources(f)]
 
     def parameter(self, p: m.Parameter, record: m.Record) -> tuple[str, str, list[str]]:
-        said, notes = self._facts(describe.parameter(p, record, self.model), home(record))
-        return self._prose(p.description, home(record)) or ("" if said else words(p.name)), said, notes
+        facts, notes = self._facts(describe.parameter(p, record, self.model), home(record))
+        return self._prose(p.description, home(record)) or ("" if facts else words(p.name)), facts, notes
 
-    def _unheld(self, record: m.Record) -> list[Block]:
-        """Describes the parameters on the wire that have no member."""
+    def _only_on_the_wire(self, record: m.Record) -> list[Block]:
+        """Describes the parameters that have no member."""
         blocks: list[Block] = []
         for p in record.parameters:
             if p.derived:
-                description, said, notes = self.parameter(p, record)
-                texts = " ".join(filter(None, (description, said, *notes)))
+                description, facts, notes = self.parameter(p, record)
+                texts = " ".join(filter(None, (description, facts, *notes)))
                 blocks.append(f"The wire format also contains `{p.name}`: {texts}")
         return blocks
 
     # ------------------------------------------------------------------ types and their parts
 
     def type(self, t: m.Type) -> list[Block]:
-        description = self._prose(t.description, home(t)) or words(t.name)
-        more, _ = self._facts(describe.type(t, self.model), home(t))
-        unheld = self._unheld(t) if isinstance(t, m.Struct) else []
-        return [description, more, *unheld, sources(t)]
+        facts, _ = self._facts(describe.type_facts(t, self.model), home(t))
+        parameters = self._only_on_the_wire(t) if isinstance(t, m.Struct) else []
+        return [self._prose(t.description, home(t)) or words(t.name), facts, *parameters, sources(t)]
 
-    def value(self, v: m.EnumValue, of: m.Enum) -> list[Block]:
-        said, _ = self._facts(describe.value(v, self.model), home(of))
-        return [f"{self._prose(v.description, home(of)) or words(v.name)} {said}".strip()]
+    def part(self, part: m.EnumValue | m.Bits, of: m.Enum | m.Bitfield) -> list[Block]:
+        model = self.model
+        composed = describe.value(part, model) if isinstance(part, m.EnumValue) else describe.bits(part, model)
+        facts, _ = self._facts(composed, home(of))
+        return [f"{self._prose(part.description, home(of)) or words(part.name)} {facts}".strip()]
 
-    def bits(self, b: m.Bits, of: m.Bitfield) -> list[Block]:
-        said, _ = self._facts(describe.bits(b, self.model), home(of))
-        return [f"{self._prose(b.description, home(of)) or words(b.name)} {said}"]
+    def case(self, case: m.Case, union: m.Parameter, record: m.Record) -> list[Block]:
+        composed = [describe.case(case, union, record)]
+        composed += describe.parameter(case.parameter, record, self.model) if case.parameter else []
+        facts, notes = self._facts(composed, home(record))
+        description = (case.parameter and case.parameter.description) or case.tag.description
+        return [self._prose(description, home(record)) or words(case.tag.name), facts, notes]
 
-    def union(self, u: Union) -> list[Block]:
-        return [f"The alternatives of `{u.parameter.name}` in [`{type_name(u.record.name)}`]."]
-
-    def case(self, c: m.Case, u: Union) -> list[Block]:
-        facts = [describe.case(c, u.parameter, u.record)]
-        facts += describe.parameter(c.parameter, u.record, self.model) if c.parameter else []
-        said, notes = self._facts(facts, home(u.record))
-        description = c.parameter.description if c.parameter else ""
-        return [self._prose(description or c.tag.description, home(u.record)) or words(c.tag.name), said, notes]
-
-    # ------------------------------------------------------------------ methods
-
-    def reading(self, r: Reading, record: m.Record) -> list[Block]:
-        return [f"Reads `{r.member.name}` as [`{r.type}`].", self._variants(r, record, home(record))]
-
-    def conversion(self, c: Conversion) -> list[Block]:
-        return [self._variants(c.reading, c.record, "types")]
-
-    def _variants(self, r: Reading, record: m.Record, here: str) -> str:
-        told = describe.variants(r.member.parameter, record, self.model)
-        return self._facts([fact for group, fact in told if any(v in r.variants for v in group)], here)[0]
+    def variants(self, p: m.Parameter, record: m.Record, variants: Iterable[m.Variant], here: str) -> str:
+        """Describes where these variants of a parameter apply."""
+        grouped = describe.variants(p, record, self.model)
+        return self._facts([fact for group, fact in grouped if any(v in variants for v in group)], here)[0]
 
     # ------------------------------------------------------------------ devices
 
     def device(self, d: m.Device) -> list[Block]:
-        said, _ = self._facts(describe.device(d, self.model), "devices")
-        blocks: list[Block] = [prose(d.title), self._prose(d.description, "devices"), said, sources(d)]
+        facts, _ = self._facts(describe.device(d, self.model), "devices")
+        blocks: list[Block] = [prose(d.title), self._prose(d.description, "devices"), facts, sources(d)]
         for n in d.notes:
             rows = [tuple(map(prose, row)) for row in n.rows]
             rule = [("---",) * len(rows[0])] if rows else []
@@ -109,8 +94,8 @@ class Docs:
 
     def difference(self, v: m.DeviceVariant) -> str:
         """Describes the difference on a device, as plain text."""
-        said = describe.difference(v.variant, v.parameter, v.field, self.model)
-        return describe.say(said, lambda r: r.words)
+        text = describe.difference(v.variant, v.parameter, v.field, self.model)
+        return describe.say(text, lambda r: r.words)
 
     # ------------------------------------------------------------------ texts of the specification
 
@@ -119,12 +104,12 @@ class Docs:
 
     def _facts(self, facts: Iterable[describe.Fact], here: str) -> tuple[str, list[str]]:
         """Returns the facts as one paragraph, and the notes."""
-        said: list[str] = []
+        sentences: list[str] = []
         notes: list[str] = []
         for fact in facts:
             sentence = describe.say(fact.sentence, lambda r: reference(r, here), prose)
-            (notes if fact.topic == "note" else said).append(sentence[:1].upper() + sentence[1:])
-        return " ".join(said), notes
+            (notes if fact.topic == "note" else sentences).append(sentence[:1].upper() + sentence[1:])
+        return " ".join(sentences), notes
 
 
 def title(f: m.Field) -> str:
@@ -191,13 +176,13 @@ def reference(r: describe.Ref, here: str) -> str:
     return prose(r.words)
 
 
-def link(target: str, shown: str = "") -> str:
+def link(target: str, text: str = "") -> str:
     """
     >>> link("Mode::FAST"), link("crate::gnss_data::Dop"), link("Flags::hot", "`flags.hot`")
     ('[`Mode::FAST`]', '[`gnss_data::Dop`](crate::gnss_data::Dop)', '[`flags.hot`](Flags::hot)')
     """
-    shown = shown or f"`{target.removeprefix('crate::')}`"
-    return f"[{shown}]" if shown == f"`{target}`" else f"[{shown}]({target})"
+    text = text or f"`{target.removeprefix('crate::')}`"
+    return f"[{text}]" if text == f"`{target}`" else f"[{text}]({target})"
 
 
 # --------------------------------------------------------------------------- layout

@@ -12,11 +12,18 @@ from mipgen.emit.render import language
 
 LANGUAGE = language("rust")
 KEYWORDS = frozenset(LANGUAGE["keywords"])
+
+
+def _in_runtime(path: str, pattern: str) -> list[str]:
+    """Returns the names that a file of the runtime defines."""
+    return re.findall(pattern, (resources.root() / "runtime/rust/src" / path).read_text("utf-8"), re.MULTILINE)
+
+
 GRAMMAR = Grammar(r"[A-Za-z]\w*|_\w+", KEYWORDS)
 
 module = Escape(KEYWORDS, digit_prefix="mip_")
 member = Escape(KEYWORDS)
-method = Escape(KEYWORDS | frozenset(LANGUAGE["bit_methods"]))
+method = Escape(KEYWORDS.union(_in_runtime("macros/bitfield.rs", r"pub (?:const )?fn (\w+)")))
 _constructor = Escape(KEYWORDS | frozenset(LANGUAGE["functions"]))
 _type = Escape(KEYWORDS | frozenset(LANGUAGE["types"]), digit_prefix="Mip")
 _variant = Escape(KEYWORDS, digit_prefix="Mip")
@@ -58,22 +65,23 @@ def constructor(function: m.Function) -> str:
 
 
 def call_type(function: m.Function) -> str:
-    """Returns the type of a command with this function."""
-    return _type(pascal(constructor(function)))
+    """Returns the type of a command with this function. `Read` and `Write` alone are traits of the standard library."""
+    return _type(pascal(f"{constructor(function)}_call"))
 
 
-def named(name: str, words: str) -> str:
+def with_words(escape: Escape, words: str) -> str:
     """Writes an identifier, followed by the name in the specification if that differs.
 
-    >>> named("mode", "mode"), named("type_", "type")
+    >>> with_words(member, "mode"), with_words(member, "type")
     ('mode', 'type_ "type"')
     """
-    return name if name == words else f'{name} "{words}"'
+    return words if escape(words) == words else f'{escape(words)} "{words}"'
 
 
-def responses_name(command: m.Field) -> str:
-    """Returns the type of the responses to a command that has several."""
-    return type_name(f"{command.name}_responses")
+def response_type(command: m.Field) -> str:
+    """Returns the type of the responses to a command; an enumeration, if it has several."""
+    several = len(command.responses) > 1
+    return type_name(f"{command.name}_responses" if several else command.responses[0]) if command.responses else "()"
 
 
 def response_variant(response: m.Field, command: m.Field) -> str:
@@ -86,8 +94,14 @@ def response_variant(response: m.Field, command: m.Field) -> str:
 
 def modules() -> list[str]:
     """Returns the modules that every crate has, also those that are private."""
-    root = (resources.root() / "runtime/rust/src/lib.rs").read_text("utf-8")
-    return sorted({"session", *re.findall(r"^(?:pub )?mod (\w+);", root, re.MULTILINE)})
+    return sorted({"session", *_in_runtime("lib.rs", r"^(?:pub )?mod (\w+);")})
+
+
+def features() -> list[str]:
+    """Returns the features that every crate has; each family is one more."""
+    template = (resources.root() / "templates/rust/Cargo.toml.j2").read_text("utf-8")
+    section = template.partition("[features]\n")[2].partition("[dependencies]\n")[0]
+    return re.findall(r"^([a-z-]+) = ", section, re.MULTILINE)
 
 
 def home(thing: m.Type | m.Record) -> str:
@@ -95,15 +109,11 @@ def home(thing: m.Type | m.Record) -> str:
     return module(thing.owner) if thing.owner else "types"
 
 
-def feature(family: m.Family) -> str:
-    """Returns the cargo feature of a family."""
-    return module(family.name)
-
-
 def set_constant(s: m.Set, family: m.Family) -> str:
-    """Returns the constant for the number of a descriptor set; empty if no packet uses it. Names are unique across
-    modules, so that programs can import several modules with `*`."""
-    return "" if family.kind == "shared" else f"{module(s.name).upper()}_SET"
+    """Returns the constant for the number of a descriptor set; empty if no packet uses it."""
+    if family.kind == "shared":
+        return ""
+    return "SET" if len(family.sets) == 1 else f"{module(s.name).upper()}_SET"
 
 
 def path(thing: m.Type | m.Record, here: str) -> str:
@@ -115,13 +125,15 @@ def path(thing: m.Type | m.Record, here: str) -> str:
 # --------------------------------------------------------------------------- scalars
 
 
-def scalar(of: m.Scalar | None) -> str:
-    assert of is not None
-    return str(LANGUAGE["scalars"][of.name])
+def scalar(number: m.Scalar | None) -> str:
+    assert number is not None
+    return str(LANGUAGE["scalars"][number.name])
 
 
-def inner(t: m.Enum | m.Bitfield) -> str:
-    """Returns the type inside a newtype."""
+def inner(t: m.Enum | m.Bitfield | m.Vector) -> str:
+    """Returns the type inside a newtype, or of the array of a vector."""
+    if isinstance(t, m.Vector):
+        return f"[{scalar(t.scalar)}; {len(t.elements)}]"
     return f"[u8; {t.size}]" if isinstance(t, m.Bitfield) and t.scalar is None else scalar(t.scalar)
 
 

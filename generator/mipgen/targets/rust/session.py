@@ -9,33 +9,17 @@ from mipgen import model as m
 from mipgen.lower import session as lower
 
 from . import names
-from .records import Records
+from .view import Crate
 
 
 @dataclass(frozen=True, slots=True)
-class BaseRate:
-    call: str
+class Start:
+    """How the data of a set is started."""
+
+    base_rate: str
     rate: str  # the member of its response
-
-
-@dataclass(frozen=True, slots=True)
-class Older:
-    """Like `Session`, for one data set of an older device."""
-
-    set: int
-    call: str
-    rate: str
-    format: str
-    list: str
+    format: str  # contains `fields`, an iterator
     stream: str
-
-
-@dataclass(frozen=True, slots=True)
-class BaudChange:
-    """A command that writes a baud rate."""
-
-    command: str
-    value: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,13 +29,13 @@ class Session:
     ping: str
     idle: str
     resume: str
-    base_rate: BaseRate
-    format: str  # without its arguments
-    list: str
-    item: str
-    stream: str
-    older: tuple[Older, ...]
-    baud_changes: tuple[BaudChange, ...]
+    identify: str
+    model_numbers: tuple[str, ...]  # members of its response
+    descriptors: tuple[tuple[str, str], ...]  # the commands that list what a device has, and their numbers in a list
+    item: str  # of a message format
+    start: Start
+    older: tuple[tuple[int, Start], ...]  # by set
+    baud_changes: tuple[tuple[str, str], ...]  # commands that write a baud rate, and the rate
 
     @property
     def needs(self) -> str:
@@ -59,68 +43,55 @@ class Session:
         return ", ".join(f'feature = "{name}"' for name in self.families)
 
 
-def of(model: m.Model) -> Session | None:
+def compose(model: m.Model) -> Session | None:
     """Returns the commands; None if the specification, or the selected part of it, lacks one of them."""
-    start = lower.session(model)
-    if start is None:
+    commands = lower.session(model)
+    if commands is None:
         return None
-    records = model.derived(Records)
+    crate = model.derived(Crate)
 
-    def called(f: m.Field, *arguments: str) -> str:
-        return f"{_way(f, records)}({', '.join(arguments)})"
+    def call(f: m.Field, *arguments: str) -> str:
+        """Calls the constructor for the first function of a command."""
+        return f"{names.path(f, '')}::{crate.record(f).constructors[0].name}({', '.join(arguments)})"
 
-    def listed(f: m.Field) -> str:
-        return records.rust(next(p for p in f.calls[0].required if p.kind == "array"), "")
+    def start(base_rate: lower.Rate, message_format: m.Field, stream: str, *arguments: str) -> Start:
+        entries = next(p for p in message_format.calls[0].required if p.kind == "array")
+        fields = f"fields.collect::<{crate.type_of(entries, '')}>()"
+        return Start(
+            call(base_rate.command, *arguments),
+            names.member(base_rate.parameter.name),
+            call(message_format, *arguments, fields),
+            call(commands.stream, stream, "true"),
+        )
 
-    item = start.entries.item.struct
+    item = commands.entries.item.struct
     assert item is not None
-    used = [*start.commands, *(f for x in start.older for f in (x.base_rate.command, x.format))]
+    older = (f for x in commands.older for f in (x.base_rate.command, x.format))
+    used = [*commands.commands, *commands.descriptors, *older]
     families = {f.family for f in used}
     return Session(
         families=tuple(sorted(map(names.module, families))),
-        bauds=start.bauds,
-        ping=called(start.ping),
-        idle=called(start.idle),
-        resume=called(start.resume),
-        base_rate=BaseRate(called(start.base_rate.command, "set"), names.member(start.base_rate.parameter.name)),
-        format=_way(start.format, records),
-        list=listed(start.format),
-        item=_path(item),
-        stream=called(start.stream, "set", "true"),
-        older=tuple(
-            Older(
-                set=x.set,
-                call=called(x.base_rate.command),
-                rate=names.member(x.base_rate.parameter.name),
-                format=_way(x.format, records),
-                list=listed(x.format),
-                stream=called(start.stream, f"{x.stream}", "true"),
-            )
-            for x in start.older
-        ),
-        baud_changes=tuple(_baud_changes(model, records, families)),
+        bauds=commands.bauds,
+        ping=call(commands.ping),
+        idle=call(commands.idle),
+        resume=call(commands.resume),
+        identify=call(commands.identify),
+        model_numbers=tuple(".".join(map(names.member, x.split("."))) for x in commands.model_numbers),
+        descriptors=tuple((call(f), f"0x{f.set:02X}{f.descriptor:02X}") for f in commands.descriptors),
+        item=names.path(item, ""),
+        start=start(commands.base_rate, commands.format, "set", "set"),
+        older=tuple((x.set, start(x.base_rate, x.format, str(x.stream))) for x in commands.older),
+        baud_changes=tuple(_baud_changes(crate, families)),
     )
 
 
-def _baud_changes(model: m.Model, records: Records, families: set[str]) -> Iterator[BaudChange]:
-    for f in model.fields:
-        if f.role != m.COMMAND or f.family not in families:
-            continue
-        for x in records.members(f):
-            if x.parameter.units != ("Bd",):
-                continue
-            if not f.selector:
-                yield BaudChange(_path(f), f"self.{x.name}" if x.may_be_absent else f"Some(self.{x.name})")
-            for function in (c.function for c in f.calls if x.parameter in c.required):
-                if function and function.sets and function.reply:
-                    call = f"crate::protocol::{names.call_type(function)}<{_path(f)}>"
-                    yield BaudChange(call, f"self.{x.name}")
-
-
-def _way(f: m.Field, records: Records) -> str:
-    """Returns the constructor for the first function of a command."""
-    return f"{_path(f)}::{records.constructors(f)[0].name}"
-
-
-def _path(thing: m.Type | m.Field) -> str:
-    return names.path(thing, "")
+def _baud_changes(crate: Crate, families: set[str]) -> Iterator[tuple[str, str]]:
+    commands = [f for f in crate.model.fields if f.role == m.COMMAND and f.family in families]
+    members = [(f, x) for f in commands for x in crate.record(f).members if x.parameter.units == ("Bd",)]
+    for f, x in members:
+        command = names.path(f, "")
+        if not f.selector:
+            yield command, f"self.{x.name}" if x.may_be_absent else f"Some(self.{x.name})"
+        for function in (c.function for c in f.calls if x.parameter in c.required):
+            if function and function.sets and function.reply:
+                yield f"crate::protocol::{names.call_type(function)}<{command}>", f"self.{x.name}"

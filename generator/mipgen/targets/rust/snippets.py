@@ -13,21 +13,21 @@ from mipgen.facts.sample_values import SampleValues
 from mipgen.facts.snippets import Statements
 
 from .names import constant, home, path, variant
-from .records import Constructor, Records
+from .view import Constructor, Crate
 
 WIDTH = 84
 
 
 class Programs(Statements):
     def program(self) -> _Program:
-        return _Program(self.samples.model.derived(Records))
+        return _Program(self.samples.model.derived(Crate))
 
     def data(self, f: m.Field) -> str:
         """Composes a program that reads the field from a packet."""
         program = self.program()
-        read = next((f"value.{x.name}" for x in program.records.members(f)), "value")
+        read = next((f"value.{x.name}" for x in program.crate.record(f).members), "value")
         # A field that cannot be decoded is an error, like a rejected command.
-        search = f"packet.find::<{program.name(f)}>().transpose()?"
+        search = f"packet.find::<{program.name(f)}>()?"
         return program.text([f"if let Some(value) = {search} {{", f'    println!("{{:?}}", {read});', "}"])
 
 
@@ -35,7 +35,7 @@ class Programs(Statements):
 class _Program:
     """One program, and the items of the crate that it needs."""
 
-    records: Records
+    crate: Crate
     uses: set[str] = field(default_factory=set)
 
     def text(self, lines: Sequence[str]) -> str:
@@ -54,17 +54,17 @@ class _Program:
 
     def sent(self, f: m.Field, samples: SampleValues) -> list[str]:
         lines = []
-        ways = {way.function: way for way in self.records.constructors(f)}
-        for shown in samples.shown(f):
-            way, asks = ways[shown.function], bool(samples.replies(f, shown))
-            arguments = self.arguments(way, literals.record(f.parameters, samples.values(f, shown)), f)
+        ways = {way.function: way for way in self.crate.record(f).constructors}
+        for call in samples.shown(f):
+            way, asks = ways[call.function], bool(samples.replies(f, call))
+            arguments = self.arguments(way, literals.record(f.parameters, samples.values(f, call)), f)
             before, behind = ('println!("{:?}", ', ")") if asks else ("", "")
             head = f"{before}device.request(&{self.name(f)}::{way.name}("
             lines.append(laid_out(Brackets(head, arguments, f"))?{behind};"), WIDTH))
         return lines
 
     def arguments(self, way: Constructor, values: dict[str, Literal], record: m.Record) -> list[Expression]:
-        return [self.value(values[x.parameter.name], record) for x in way.given]
+        return [self.value(values[x.parameter.name], record) for x in way.arguments]
 
     def value(self, x: Literal, record: m.Record) -> Expression:
         match x:
@@ -76,7 +76,7 @@ class _Program:
                 return x.text
             case literals.Choice():
                 name = self.name(x.type)
-                return f"{name}::{constant(x.known.name)}" if x.known else f"{name}({x.number.value})"
+                return f"{name}::{constant(x.value.name)}" if x.value else f"{name}({x.number.value})"
             case literals.Flags():
                 name = self.name(x.type)
                 return " | ".join(f"{name}::{constant(b.name)}" for b in x.names) or f"{name}({x.number.value:#x})"
@@ -89,7 +89,7 @@ class _Program:
                 array = Brackets("[", [self.inner(item, record) for item in x.items], "]")
                 return Brackets(f"{self.name(x.vector)}::from(", [array], ")") if x.vector else array
             case literals.Structure():
-                (way,) = self.records.constructors(x.type)
+                (way,) = self.crate.record(x.type).constructors
                 return Brackets(f"{self.name(x.type)}::{way.name}(", self.arguments(way, x.members, x.type), ")")
             case literals.Alternative():
                 return self.alternative(x, record)
@@ -98,10 +98,10 @@ class _Program:
         return Brackets(f"{self.item('Text')}(", [f'*b"{text}"'], ")")
 
     def alternative(self, x: literals.Alternative, record: m.Record) -> Expression:
-        name = self.item(f"{home(record)}::{self.records.union(x.union, home(record)).name}")
+        name = self.item(f"{home(record)}::{self.crate.union(x.union, home(record)).name}")
         assert x.case is not None
-        one = f"{name}::{variant(x.case.tag.name)}"
-        return Brackets(f"{one}(", [self.inner(x.value, record)], ")") if x.value else one
+        case = f"{name}::{variant(x.case.tag.name)}"
+        return Brackets(f"{case}(", [self.inner(x.value, record)], ")") if x.value else case
 
     def inner(self, x: Literal, record: m.Record) -> Expression:
         """Writes a nested value: a `Bool`, where constructors accept a `bool`."""

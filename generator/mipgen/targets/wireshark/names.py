@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from mipgen import model as m
+from mipgen.base import resources
 from mipgen.emit.naming import Grammar, Identifier
 from mipgen.emit.render import language
 
-LANGUAGE = language("wireshark")
-PREFIX: str = LANGUAGE["prefix"]
+#: The name of the protocol in display filters.
+PREFIX = "mip"
+#: The parts of the dissector in runtime/wireshark, each after those that it uses.
+PARTS = ("filters", "decode", "tree", "exchange", "packets", "transports", "files")
 GRAMMAR = Grammar(r"[a-z0-9_]+(\.[a-z0-9_]+)*")  # of display filters
 
 
@@ -18,9 +22,9 @@ def field_filter(f: m.Field, o: m.Occurrence | None = None) -> str:
     return f"{PREFIX}.{(o or f.occurrences[0]).set_name}.{f.name}"
 
 
-def plain(f: m.Field) -> bool:
+def is_plain(f: m.Field) -> bool:
     """Does a value use the filter name of the field, so that the line of the field itself has none?"""
-    return any(p.name == f.name and _leaf(p) for p in f.parameters)
+    return any(p.name == f.name and _is_leaf(p) for p in f.parameters)
 
 
 def filter_name(within: str, name: str) -> str:
@@ -50,15 +54,17 @@ def examples(model: m.Model) -> list[str]:
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
-    for name in LANGUAGE["protocols"]:
+    for name in language("wireshark")["protocols"]:
         yield Identifier("the protocols", name, f"{name} of Wireshark", None)
     yield Identifier("the protocols", PREFIX, "the package", model.protocol.position)
-    for name in LANGUAGE["fields"]:
-        yield _filter(f"{PREFIX}.{name}", f"{name} of the dissector", None)
+    text = (resources.root() / "runtime/wireshark/filters.lua").read_text("utf-8")
+    for kind, name in re.findall(r'(PREFIX \.\. "\.|= finding\(")([a-z_.]*[a-z])"', text):
+        own = f"expert.{name}" if "finding" in kind else name
+        yield _filter(f"{PREFIX}.{own}", f"{own} of the dissector", None)
     for f in (model.protocol.acknowledge, *model.fields):
         for o in f.occurrences:
             path = field_filter(f, o)
-            if not plain(f):
+            if not is_plain(f):
                 yield _filter(path, f.name_in(o.set), f.position)
             yield from _parts(f.parameters, path, f.position)
 
@@ -66,7 +72,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
 def _parts(parameters: tuple[m.Parameter, ...], path: str, place: m.Position | None) -> Iterator[Identifier]:
     for p in parameters:
         inner = filter_name(path, p.name)
-        if inner != path or _leaf(p):
+        if inner != path or _is_leaf(p):
             yield _filter(inner, f"{path}.{p.name}", p.position or place)
         match p.element:
             case m.Vector():
@@ -77,15 +83,15 @@ def _parts(parameters: tuple[m.Parameter, ...], path: str, place: m.Position | N
                     yield _filter(f"{inner}.{b.name}", f"{p.name}.{b.name}", p.position or place)
             case m.Struct():
                 yield from _parts(p.element.parameters, inner, p.position or place)
-        yield from _parts(members(p), inner, p.position or place)
+        yield from _parts(alternatives(p), inner, p.position or place)
 
 
-def members(union: m.Parameter) -> tuple[m.Parameter, ...]:
+def alternatives(union: m.Parameter) -> tuple[m.Parameter, ...]:
     """Returns the alternatives of a union that have data; several cases may share one."""
     return tuple({(p.name, p.element, p.length): p for p in union.alternatives}.values())
 
 
-def _leaf(p: m.Parameter) -> bool:
+def _is_leaf(p: m.Parameter) -> bool:
     """Does the name apply to single values? That of a vector, a structure or a union applies to all of its parts."""
     return not (p.elements or p.item.struct or p.cases)
 

@@ -40,8 +40,9 @@ void mip_client_wait(struct mip_client *client, struct mip_request *request, uin
     }
     request->deadline = now + timeout;
     request->behind = client->behind;
+    request->result.outcome = MIP_WAITING;
     if (request->asked != NULL && request->asked->descriptor == 0) {
-        request->state = MIP_REQUEST_SILENT;
+        request->result.outcome = MIP_SENT;
         return;
     }
     while (*end != NULL) {
@@ -54,7 +55,7 @@ mip_error mip_command_encode(const struct mip_command *command, const void *valu
                              struct mip_builder *packet) {
     const size_t before = packet->length;
     mip_error error = mip_encode(command->codec, value, packet);
-    if (error == MIP_OK && command->selects && packet->buffer[before + 2] == 0) {
+    if (error == MIP_OK && command->has_selector && packet->buffer[before + 2] == 0) {
         packet->length = before;
         packet->buffer[3] = (uint8_t)(before - MIP_HEADER_SIZE);
         error = mip_builder_note(packet, MIP_ERROR_MISSING);
@@ -74,7 +75,7 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
         request->asked = mip_requested(request->exchange, packet->buffer + start);
         mip_client_wait(client, request, now);
     } else {
-        request->state = MIP_REQUEST_CANCELLED;
+        request->result.error = (uint8_t)error;
     }
     return error;
 }
@@ -107,51 +108,53 @@ mip_error mip_client_send(struct mip_client *client, struct mip_request *request
     return error;
 }
 
-/** Returns the state of a request after a response to its command; it still waits if it has
+/** Returns the outcome of a request after a response to its command; it still waits if it has
  * requested another response. */
-static uint8_t respond(struct mip_request *request, const struct mip_field *field) {
+static enum mip_outcome respond(struct mip_request *request, const struct mip_field *field) {
     const struct mip_response *r = request->asked;
     while (r->descriptor != field->descriptor ||
            (r->layout != NULL && !mip_codec_matches(r->layout, field))) {
         if (!r->more) {
-            return MIP_REQUEST_WAITING;
+            return MIP_WAITING;
         }
         r++;
     }
     if (request->response != NULL) {
         const mip_error error = mip_decode(request->codec, request->response, field, NULL);
         if (error == MIP_ERROR_CONSTANT) {
-            return MIP_REQUEST_WAITING; /* it answers something else */
+            return MIP_WAITING; /* it answers something else */
         }
-        request->error = (uint8_t)error;
-        request->responded = error == MIP_OK;
+        request->result.error = (uint8_t)error;
+        request->result.responded = error == MIP_OK;
     }
-    if (r->layout != NULL && !request->responded) {
+    if (r->layout != NULL && !request->result.responded) {
         request->codec = r->layout;
     }
-    return request->error != MIP_OK ? MIP_REQUEST_UNDECODABLE : MIP_REQUEST_ACKNOWLEDGED;
+    return request->result.error != MIP_OK ? MIP_UNDECODABLE : MIP_ACKNOWLEDGED;
 }
 
-/** Returns the state of a request after an acknowledge of its command and the field after that. */
-static uint8_t judge(struct mip_request *request, uint8_t code, const struct mip_field *behind) {
+/** Returns the outcome of a request after an acknowledge of its command and the field after that.
+ */
+static enum mip_outcome judge(struct mip_request *request, uint8_t code,
+                              const struct mip_field *behind) {
     const struct mip_response *r = request->exchange->responses;
     if (code != 0) {
-        return MIP_REQUEST_REFUSED;
+        return MIP_REFUSED;
     }
     for (size_t left = request->exchange->response_count; left > 0; left--) {
         if (r->descriptor == behind->descriptor) {
-            return request->asked != NULL ? respond(request, behind) : MIP_REQUEST_WAITING;
+            return request->asked != NULL ? respond(request, behind) : MIP_WAITING;
         }
         r++;
     }
-    return request->asked != NULL ? MIP_REQUEST_MISSING_RESPONSE : MIP_REQUEST_ACKNOWLEDGED;
+    return request->asked != NULL ? MIP_MISSING_RESPONSE : MIP_ACKNOWLEDGED;
 }
 
 /** Removes a request from the waiting list. */
-static void leave(struct mip_request **at, uint8_t state) {
+static void leave(struct mip_request **at, enum mip_outcome outcome) {
     struct mip_request *request = *at;
     *at = request->next;
-    request->state = state;
+    request->result.outcome = outcome;
 }
 
 /*
@@ -160,19 +163,15 @@ static void leave(struct mip_request **at, uint8_t state) {
  * reply to another one. An acknowledge without a response is matched first to requests that expect
  * none.
  */
-bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
-                     struct mip_request **answered, struct mip_field *field) {
+struct mip_request *mip_client_match(struct mip_client *client, struct mip_walk *walk,
+                                     struct mip_field *field) {
     struct mip_request **found = NULL;
     struct mip_request *r;
-    uint8_t state = MIP_REQUEST_WAITING;
-    *answered = NULL;
-    if (!mip_walk_next(walk, field)) {
-        return false;
-    }
-    if (field->descriptor != MIP_ACKNOWLEDGE_DESCRIPTOR || field->size < 2) {
-        return true;
-    }
+    enum mip_outcome outcome = MIP_WAITING;
     struct mip_walk ahead = *walk;
+    if (field->size < 2) {
+        return NULL;
+    }
     struct mip_field behind = *field; /* without a field, there is no response */
     mip_walk_next(&ahead, &behind);
     for (struct mip_request **at = &client->waiting; (r = *at) != NULL; at = &r->next) {
@@ -180,28 +179,27 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
             r->exchange->descriptor_set != field->descriptor_set) {
             continue;
         }
-        const uint8_t judged = judge(r, field->data[1], &behind);
-        if (judged == MIP_REQUEST_WAITING || judged == state) {
+        const enum mip_outcome judged = judge(r, field->data[1], &behind);
+        if (judged == MIP_WAITING || judged == outcome) {
             continue; /* if several lack their response, the first counts */
         }
         found = at;
-        state = judged;
-        if (state != MIP_REQUEST_MISSING_RESPONSE) {
+        outcome = judged;
+        if (outcome != MIP_MISSING_RESPONSE) {
             break;
         }
     }
-    if (state != MIP_REQUEST_WAITING) {
-        r = *found;
-        leave(found, state);
-        r->code = field->data[1];
-        *answered = r;
-        if (r->asked != NULL && state != MIP_REQUEST_REFUSED &&
-            state != MIP_REQUEST_MISSING_RESPONSE) { /* its response */
-            *walk = ahead;
-            *field = behind;
-        }
+    if (found == NULL) {
+        return NULL;
     }
-    return true;
+    r = *found;
+    r->result.code = field->data[1];
+    leave(found, outcome);
+    if (r->asked != NULL && outcome != MIP_REFUSED && outcome != MIP_MISSING_RESPONSE) {
+        *walk = ahead; /* its response */
+        *field = behind;
+    }
+    return r;
 }
 
 /** The payload size of the reply to the shortest barrier; a single command is not a barrier. */
@@ -248,7 +246,7 @@ bool mip_client_passes(struct mip_client *client, const struct mip_packet *packe
     }
     for (struct mip_request **at = &client->waiting; *at != NULL;) {
         if ((*at)->behind != size) {
-            leave(at, MIP_REQUEST_TIMED_OUT); /* replies are in order, so it has none */
+            leave(at, MIP_TIMED_OUT); /* replies are in order, so it has none */
         } else {
             (*at)->behind = 0;
             at = &(*at)->next;
@@ -257,18 +255,39 @@ bool mip_client_passes(struct mip_client *client, const struct mip_packet *packe
     return true;
 }
 
-bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet) {
+size_t mip_client_start(struct mip_client *client, struct mip_builder *packet, uint8_t *bytes,
+                        uint8_t descriptor_set) {
+    const size_t size = mip_client_barrier(client, bytes);
+    (void)mip_builder_start(packet, bytes + size, MIP_MAX_PACKET, descriptor_set);
+    return size;
+}
+
+/** Matches the fields of a packet to requests. */
+static bool receive(struct mip_client *client, const struct mip_packet *packet) {
     struct mip_walk walk = mip_walk_packet(packet);
     struct mip_request *request;
     struct mip_field field;
     bool answered = false;
-    if (mip_client_passes(client, packet)) {
-        return false;
-    }
-    while (mip_client_next(client, &walk, &request, &field)) {
+    while (client->waiting != NULL && mip_client_next(client, &walk, &request, &field)) {
         answered = answered || request != NULL;
     }
     return answered;
+}
+
+bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet) {
+    return !mip_client_passes(client, packet) && receive(client, packet);
+}
+
+bool mip_client_step(struct mip_client *client, struct mip_parser *parser, uint32_t now,
+                     const uint8_t **data, size_t *size, struct mip_packet *packet) {
+    while (mip_parser_next(parser, data, size, packet) ||
+           mip_client_poll(client, parser, now, packet)) {
+        if (!mip_client_passes(client, packet)) {
+            receive(client, packet);
+            return true;
+        }
+    }
+    return false;
 }
 
 static bool is_late(const struct mip_request *request, uint32_t now) {
@@ -283,8 +302,11 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
         } else if (parser != NULL && mip_parser_look_behind(parser, packet)) {
             return true; /* noise may hide a reply; the part of the next packet is kept */
         } else {
-            leave(at, MIP_REQUEST_TIMED_OUT);
+            leave(at, MIP_TIMED_OUT);
             mip_client_miss(client);
+#ifdef MIP_DIAGNOSTICS
+            client->timeouts++;
+#endif
         }
     }
     return false;
@@ -296,7 +318,7 @@ void mip_client_cancel(struct mip_client *client, struct mip_request *request) {
         at = &(*at)->next;
     }
     if (*at != NULL) {
-        leave(at, MIP_REQUEST_CANCELLED);
+        leave(at, MIP_CLOSED);
         mip_client_miss(client);
     }
 }

@@ -5,16 +5,15 @@
  * The caller builds a packet, sends it, and passes received packets and the time to the client. The
  * caller also owns the requests: each must stay at its address until it is no longer waiting.
  *
- *     ... send mip_client_barrier(&client, bytes) bytes ...
- *     mip_builder_start(&builder, buffer, sizeof(buffer), MIP_..._SET);
- *     mip_client_add(&client, &request, &builder, &mip_..._command, &command, now);
- *     mip_client_expect(&request, &mip_..._response_codec, &response);
- *     ... send mip_builder_finish(&builder) ...
- *     while (request.state == MIP_REQUEST_WAITING) {
+ *     uint8_t bytes[MIP_MAX_SENT];
+ *     size_t size = mip_client_start(&client, &builder, bytes, MIP_..._SET);
+ *     mip_send_..._...(&client, &request, &builder, &command, &response, now);
+ *     size += mip_builder_finish(&builder).size;
+ *     ... send these bytes ...
+ *     while (request.result.outcome == MIP_WAITING) {
  *         ... read up to `size` bytes into `data` ...
- *         while (mip_parser_next(&parser, &data, &size, &packet) ||
- *                mip_client_poll(&client, &parser, now, &packet)) {
- *             mip_client_receive(&client, &packet);
+ *         while (mip_client_step(&client, &parser, now, &data, &size, &packet)) {
+ *             ... handle the data in the packet ...
  *         }
  *     }
  */
@@ -33,6 +32,8 @@ extern "C" {
 #define MIP_MAX_TIMEOUT UINT32_C(0x7FFFFFFF)
 /** The bytes of the longest barrier: 63 commands. */
 #define MIP_MAX_BARRIER (6 + 2 * 63)
+/** The most bytes that mip_client_start begins: a barrier and a packet. */
+#define MIP_MAX_SENT (MIP_MAX_BARRIER + MIP_MAX_PACKET)
 
 /** A response's `value`: any value except 0. */
 #define MIP_NOT_ZERO 0xFF
@@ -76,25 +77,66 @@ struct mip_command {
     /** The replies to it. */
     const struct mip_exchange *exchange;
     /** Does the command begin with a function selector? */
-    bool selects;
+    bool has_selector;
 };
 
-/** The device has not answered yet. */
-#define MIP_REQUEST_WAITING 0
-/** The device has carried out the command, and sent its response, if it has one. */
-#define MIP_REQUEST_ACKNOWLEDGED 1
-/** The device has rejected the command; `code` is the reason. */
-#define MIP_REQUEST_REFUSED 3
-/** The device did not answer in time. */
-#define MIP_REQUEST_TIMED_OUT 4
-/** The device does not answer this command: it is complete once it is sent. */
-#define MIP_REQUEST_SILENT 2
-/** The caller has cancelled the request. */
-#define MIP_REQUEST_CANCELLED 7
-/** The device has acknowledged the command without its response. */
-#define MIP_REQUEST_MISSING_RESPONSE 5
-/** The device has sent a response that cannot be decoded; `error` is the reason. */
-#define MIP_REQUEST_UNDECODABLE 6
+/** Declares the description of a command, `name_command`, and of its replies, `name_exchange`. */
+#define MIP_COMMAND_REPLIES(name)                             \
+    extern MIP_API const struct mip_exchange name##_exchange; \
+    extern MIP_API const struct mip_command name##_command
+
+/** The outcome of a command. */
+enum mip_outcome {
+    /** It was not sent: its values cannot be encoded (`error` is the reason), or, if `error` is
+     * MIP_OK, the port could not write. */
+    MIP_NOT_SENT = 0,
+    /** The device has carried it out, and its response has been stored, if it has one. */
+    MIP_ACKNOWLEDGED,
+    /** It was sent; devices do not answer it. */
+    MIP_SENT,
+    /** The device has rejected it: `code` is the reason. */
+    MIP_REFUSED,
+    /** No reply arrived in time. If it arrives later, it is handled as data. */
+    MIP_TIMED_OUT,
+    /** The device has acknowledged it without its response. */
+    MIP_MISSING_RESPONSE,
+    /** The device has sent a response that cannot be decoded: `error` is the reason. */
+    MIP_UNDECODABLE,
+    /** It was cancelled, or the port was lost, before the reply arrived. */
+    MIP_CLOSED,
+    /** It was sent, and its reply has not arrived. */
+    MIP_WAITING,
+    /** It was not sent, because the call was made in a handler of the same device. */
+    MIP_BUSY,
+    /** The stream was not changed, because the device does not support one of the rates. See
+     * mip_device_stream. */
+    MIP_NO_SUCH_RATE
+};
+
+/** The outcome of a command, with the reason. */
+struct MIP_WORD mip_result {
+    /** The outcome. */
+    enum mip_outcome outcome;
+    /** The acknowledge code of the answer, if there was one: a value of enum mip_ack_code. */
+    uint8_t code;
+    /** A mip_error: the reason for MIP_NOT_SENT and MIP_UNDECODABLE. */
+    uint8_t error;
+    /** Has the response been stored? */
+    bool responded;
+};
+
+/** Has the command been carried out, as far as is known? */
+static inline bool mip_succeeded(struct mip_result result) {
+    return result.outcome == MIP_ACKNOWLEDGED || result.outcome == MIP_SENT;
+}
+
+/** Returns the outcome in words: "timed out". */
+MIP_API const char *mip_outcome_name(enum mip_outcome outcome);
+
+/** Returns why a command was rejected or not sent, or why its response could not be decoded: the
+ * name of the acknowledge code or the error; "unknown" for a code without a name, whose number is
+ * in `code`; "" if there is no reason. */
+MIP_API const char *mip_result_reason(struct mip_result result);
 
 /** One command that was sent. */
 struct mip_request {
@@ -111,14 +153,8 @@ struct mip_request {
     void *response;
     /** When the request times out, in the caller's milliseconds. */
     uint32_t deadline;
-    /** A MIP_REQUEST_... value. */
-    uint8_t state;
-    /** The acknowledge code of the answer, if there is one: a value of enum mip_ack_code. */
-    uint8_t code;
-    /** A mip_error: why the response cannot be decoded; its structure is then zeroed. */
-    uint8_t error;
-    /** Has the response been stored? */
-    bool responded;
+    /** The outcome: MIP_WAITING until the reply has arrived or is overdue. */
+    struct mip_result result;
     /** The barrier that must be answered first, identified by its reply's payload size. 0: none. */
     uint8_t behind;
 };
@@ -134,6 +170,10 @@ struct mip_client {
     uint8_t missed;
     /** The barrier that was sent, in the same form, until it is answered. 0: none. */
     uint8_t behind;
+#ifdef MIP_DIAGNOSTICS
+    /** The number of requests that have timed out. */
+    uint32_t timeouts;
+#endif
 };
 
 /** Initializes a client: no request is waiting, and the time-out is MIP_DEFAULT_TIMEOUT. */
@@ -146,7 +186,7 @@ MIP_CHECKED MIP_API mip_error mip_command_encode(const struct mip_command *comma
 
 /**
  * Adds a command to a packet and waits for its reply. `now` is the time in milliseconds, which may
- * wrap around. On an error the packet is unchanged and the request is cancelled. `value` is the
+ * wrap around. On an error the packet is unchanged and the outcome is MIP_NOT_SENT. `value` is the
  * command's structure, or NULL if it has no parameters. A request that still waits in this client
  * is cancelled first; if it waits in another client, cancel it there before.
  */
@@ -170,7 +210,7 @@ MIP_API void mip_client_wait(struct mip_client *client, struct mip_request *requ
  * values does not request this response, returns false, and nothing will be stored.
  *
  * If devices answer in different layouts, pass the codec of your device's layout; if the device
- * sends another one, the state is MIP_REQUEST_UNDECODABLE with MIP_ERROR_LAYOUT. If you do not know
+ * sends another one, the outcome is MIP_UNDECODABLE with MIP_ERROR_LAYOUT. If you do not know
  * the layout, get the field from mip_client_next, and decode it by the request's `codec`, which is
  * then the layout received.
  */
@@ -188,6 +228,35 @@ MIP_CHECKED MIP_API mip_error mip_client_send(struct mip_client *client,
                                               const struct mip_command *command, const void *value,
                                               const struct mip_codec *codec, void *response,
                                               uint32_t now);
+
+/**
+ * Starts a packet of commands in `bytes`, which has MIP_MAX_SENT, after a barrier if one must
+ * precede it. Returns the barrier's size, to which you add that of the packet: send both. First
+ * take in what has already arrived, with mip_client_step, so that a reply that came twice or out of
+ * order is not matched to the next command.
+ */
+MIP_API size_t mip_client_start(struct mip_client *client, struct mip_builder *packet,
+                                uint8_t *bytes, uint8_t descriptor_set);
+
+/**
+ * Does all that received bytes and the time require, in order: finds the next packet, takes it as
+ * the reply to a barrier or to requests, and ends overdue requests after a look at the bytes that
+ * the parser holds back. Returns true for each packet except replies to barriers, for the data in
+ * it. Call it until it returns false, as often as you read; `size` may be 0.
+ */
+MIP_API bool mip_client_step(struct mip_client *client, struct mip_parser *parser, uint32_t now,
+                             const uint8_t **data, size_t *size, struct mip_packet *packet);
+
+/** Defines a function that adds a command to a packet: mip_client_send with the types of the
+ * command and of its response. */
+#define MIP_SEND(send, name, answer)                                                               \
+    static inline mip_error send(struct mip_client *client, struct mip_request *request,           \
+                                 struct mip_builder *packet, const struct name *command,           \
+                                 struct answer *response, uint32_t now) {                          \
+        return mip_client_send(client, request, packet, &name##_command, command, &answer##_codec, \
+                               response, now);                                                     \
+    }                                                                                              \
+    struct mip_client
 
 /**
  * Processes a received packet. Returns true if it answered any request; such requests no longer
@@ -228,6 +297,11 @@ MIP_API bool mip_client_passes(struct mip_client *client, const struct mip_packe
  * barrier precedes the next packet. */
 MIP_API void mip_client_miss(struct mip_client *client);
 
+/** Matches an acknowledge field that mip_walk_next has found to a request, and returns that, or
+ * NULL. If the response follows, advances the walk, and stores it in `field`. */
+MIP_API struct mip_request *mip_client_match(struct mip_client *client, struct mip_walk *walk,
+                                             struct mip_field *field);
+
 /**
  * Does the same as mip_client_receive field by field, for callers that also use the other fields of
  * the packet: continues a walk, from its start or any other point. Returns false at the end.
@@ -239,8 +313,14 @@ MIP_API void mip_client_miss(struct mip_client *client);
  *
  * If you send barriers, call mip_client_passes first.
  */
-MIP_API bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
-                             struct mip_request **answered, struct mip_field *field);
+static inline bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
+                                   struct mip_request **answered, struct mip_field *field) {
+    const bool more = mip_walk_next(walk, field);
+    *answered = more && client->waiting != NULL && field->descriptor == MIP_ACKNOWLEDGE_DESCRIPTOR
+                    ? mip_client_match(client, walk, field)
+                    : NULL;
+    return more;
+}
 
 /**
  * Updates the time. Call this when mip_parser_next has returned false, until both return false;
@@ -252,7 +332,7 @@ MIP_API bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
 MIP_API bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
                              struct mip_packet *packet);
 
-/** Cancels a request, so that its memory may be reused. */
+/** Cancels a request, so that its memory may be reused. A deferred one: mip_device_cancel. */
 MIP_API void mip_client_cancel(struct mip_client *client, struct mip_request *request);
 
 #ifdef __cplusplus

@@ -229,9 +229,8 @@ MIP_QUICK bool decode_shape(const struct mip_codec *codec, void *value,
 
 mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mip_field *field,
                      size_t *trailing) {
-    if (trailing == NULL && field->descriptor == codec->descriptor &&
-        decode_shape(codec, value, field)) {
-        return MIP_OK;
+    if (!SMALL && trailing == NULL && field->descriptor == codec->descriptor) {
+        return mip_decode_same(codec, value, field);
     }
     const mip_error error = check(field, codec);
     size_t left = field->size;
@@ -254,7 +253,8 @@ mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mi
 
 mip_error mip_decode_same(const struct mip_codec *codec, void *value,
                           const struct mip_field *field) {
-    return decode_shape(codec, value, field) ? MIP_OK : mip_decode(codec, value, field, NULL);
+    size_t trailing; /* not used */
+    return decode_shape(codec, value, field) ? MIP_OK : mip_decode(codec, value, field, &trailing);
 }
 
 mip_error mip_encode(const struct mip_codec *codec, const void *value,
@@ -262,6 +262,7 @@ mip_error mip_encode(const struct mip_codec *codec, const void *value,
     const size_t start = builder->length + 2;
     size_t size = codec->numbers;
     uint8_t *data;
+    MIP_ASSERT(value != NULL || (codec->interpreter == NULL && size == 0));
     if (start + size + MIP_CHECKSUM_SIZE > builder->capacity) {
         return mip_builder_note(builder, MIP_ERROR_LENGTH);
     }

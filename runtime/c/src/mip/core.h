@@ -85,6 +85,15 @@ MIP_API const char *mip_error_name(mip_error error);
 /** A Boolean: zero is false, anything else is true. Bytes other than 0 and 1 are preserved. */
 typedef uint8_t mip_bool;
 
+#ifdef MIP_WHOLE_ARRAYS
+/** The elements of an array: all that fit into a field. */
+#define MIP_ROOM(documented, fitting) (fitting)
+#else
+/** The elements of an array: its documented range, if that needs fewer than fit into a field. For
+ * all that fit, compile the library and the program with -DMIP_WHOLE_ARRAYS. */
+#define MIP_ROOM(documented, fitting) (documented)
+#endif
+
 /* --------------------------------------------------------------------------- packets and fields */
 
 /** A complete, valid packet, anywhere in memory. */
@@ -269,12 +278,15 @@ MIP_API size_t mip_packet_seal(uint8_t *bytes, uint8_t descriptor_set, size_t si
 struct mip_parser {
     /** The number of bytes so far that are not part of a packet. */
     uint32_t skipped;
+#ifdef MIP_DIAGNOSTICS
+    /** The number of packets with a bad checksum, and of noise that looks like one. */
+    uint32_t bad_checksums;
+#endif
     /** Bytes in the buffer. */
     uint16_t length;
     /** The number of these that have been processed: the last packet, and the bytes before it. */
     uint16_t done;
-    /** The number of missing bytes of the packet that begins the buffer, if the library is compiled
-     * for speed; 0 if that is not known. */
+    /** The number of missing bytes of the packet that begins the buffer; 0 if that is not known. */
     uint16_t missing;
     /** The beginning of a packet whose end has not arrived yet. */
     uint8_t buffer[MIP_MAX_PACKET];
@@ -289,9 +301,8 @@ MIP_API void mip_parser_init(struct mip_parser *parser);
  *
  *     while (mip_parser_next(&parser, &data, &size, &packet)) { ... }
  *
- * The packet is in the caller's bytes, or in the parser if it spans calls or the library was
- * compiled for size. It is valid until the parser is called again, and while these bytes are
- * unchanged.
+ * The packet is in the caller's bytes, or in the parser if it spans calls. It is valid until the
+ * parser is called again, and while these bytes are unchanged.
  */
 MIP_API bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                              struct mip_packet *packet);
@@ -390,6 +401,41 @@ MIP_API mip_error mip_decode(const struct mip_codec *codec, void *value,
 /** Like mip_decode, for a field whose descriptor is known to be the type's. */
 MIP_API mip_error mip_decode_same(const struct mip_codec *codec, void *value,
                                   const struct mip_field *field);
+
+/** Zeroes a structure that has gaps or whose field cannot be decoded; returns whether it cannot. */
+static inline bool mip_cleared(mip_error error, void *value, size_t size, size_t wire) {
+    if (error != MIP_OK || size != wire) {
+        memset(value, 0, size);
+    }
+    return error != MIP_OK;
+}
+
+/** Defines `name_how(&command)`, which fills the structure for a function without parameters, and
+ * returns it. */
+#define MIP_FILL(name, how, selector)                               \
+    static inline struct name *name##_##how(struct name *command) { \
+        memset(command, 0, sizeof(*command));                       \
+        command->function = selector;                               \
+        return command;                                             \
+    }                                                               \
+    struct mip_builder
+
+/**
+ * Declares what each field has: its wire format, `name_codec`; `name_decode(&value, &field)`, which
+ * zeroes the structure on an error; and `name_encode(&value, &builder)`, which adds the field to a
+ * packet, or leaves the packet unchanged on an error. Its constants are its descriptor, and, as
+ * mip_field_key returns them, descriptor set and descriptor.
+ */
+#define MIP_FIELD(name, number)                                                                \
+    extern MIP_API const struct mip_codec name##_codec;                                        \
+    static inline mip_error name##_decode(struct name *value, const struct mip_field *field) { \
+        return mip_decode_only(&name##_codec, number, value, sizeof(*value), field);           \
+    }                                                                                          \
+    MIP_CHECKED static inline mip_error name##_encode(const struct name *value,                \
+                                                      struct mip_builder *builder) {           \
+        return mip_encode(&name##_codec, value, builder);                                      \
+    }                                                                                          \
+    struct mip_builder
 
 /** Decodes a field if it has this descriptor; each ..._decode calls this. Most fields of a packet
  * are of other types. They are rejected without a call, unless size matters more than speed. */

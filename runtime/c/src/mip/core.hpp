@@ -43,12 +43,12 @@ template <class T>
 struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {};
 
 /** Marks a C structure as a layout. */
-#define MIP_LAYOUT(type, constant, number)                                \
+#define MIP_LAYOUT(type, constant, number, words)                         \
     template <> struct traits<::type> {                                   \
         using c_type = ::type;                                            \
         static constexpr std::uint16_t key = number;                      \
         static constexpr std::uint8_t descriptor = constant##_DESCRIPTOR; \
-        static constexpr std::string_view name = constant##_NAME;         \
+        static constexpr std::string_view name = words;                   \
         static const mip_codec &codec() {                                 \
             return ::type##_codec;                                        \
         }                                                                 \
@@ -377,7 +377,7 @@ struct packet : mip_packet {
         return {};
     }
     /** Returns the packet if the bytes are exactly one. `why` receives the error. */
-    static std::optional<packet> check(mip::bytes of, mip_error *why = nullptr) {
+    static std::optional<packet> from(mip::bytes of, mip_error *why = nullptr) {
         packet checked;
         const mip_error error = mip_packet_check(of.data(), of.size(), &checked);
         if (why != nullptr) {

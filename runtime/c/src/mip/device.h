@@ -36,11 +36,12 @@ struct mip_port {
      * before. It may wait for a while if there are none, but must then return, because a waiting
      * command checks its time-out only between reads. Returns false if the port is lost and no more
      * bytes will arrive; bytes that it has stored are still handled. A terminal that was hung up
-     * has no bytes, just like a silent one; only poll() detects it, by POLLHUP (see
-     * examples/posix.c).
+     * has no bytes, just like a silent one; only poll() detects it, by POLLHUP (see ports/posix.c).
      */
     bool (*read)(void *user, uint8_t *bytes, size_t size, size_t *count);
-    /** Sends all of these bytes. Returns false if that failed. */
+    /** Sends all of these bytes. Returns false if that failed. On a line where replies can come
+     * twice or out of order, such as UDP, first pass what waits to mip_device_step, as data: a late
+     * reply then does not answer the next command. Serial ports and TCP keep the order. */
     bool (*write)(void *user, const uint8_t *bytes, size_t size);
     /** Returns a time in milliseconds that only increases and is never set; it may wrap around. */
     uint32_t (*now)(void *user);
@@ -91,6 +92,35 @@ struct mip_observer {
     void *user;
 };
 
+#ifdef MIP_HOOKS
+/** What a program may add to a device; each function may be NULL. */
+struct mip_hooks {
+    /** Locks (true) or unlocks a recursive mutex, for a device that several threads use. It is not
+     * locked while the port is read. */
+    void (*lock)(void *user, bool locks);
+    /** Called with all bytes that were received, or are about to be sent, for example to record
+     * them. */
+    void (*bytes)(void *user, const uint8_t *bytes, size_t size, bool sent);
+    /** The first argument of these functions. */
+    void *user;
+};
+#endif
+
+#ifdef MIP_DIAGNOSTICS
+/** The number of descriptor sets whose packets a device counts. */
+#define MIP_COUNTED_SETS 8
+
+/** The packets of a descriptor set, and their bytes. */
+struct mip_set_count {
+    /** The descriptor set; 0 if this entry is not used. */
+    uint8_t descriptor_set;
+    /** The number of packets. */
+    uint32_t packets;
+    /** The size of these packets. */
+    uint32_t bytes;
+};
+#endif
+
 /** A device and the state of its stream. Several can be used at the same time. */
 struct mip_device {
     /** The connection to it. */
@@ -110,6 +140,17 @@ struct mip_device {
     /** Called where each packet begins and ends; NULL unless your program sets it. It must stay at
      * its address, and may be constant. */
     const struct mip_observer *observer;
+#ifdef MIP_HOOKS
+    /** What your program adds; NULL unless it sets it. Must stay at its address. */
+    const struct mip_hooks *hooks;
+#endif
+    /** The request of the next call, which then does not wait: see mip_defer. */
+    struct mip_request *deferred;
+#ifdef MIP_DIAGNOSTICS
+    /** What has been received, by set. `parser` counts the bytes outside packets and the bad
+     * checksums, `client` the time-outs. */
+    struct mip_set_count sets[MIP_COUNTED_SETS];
+#endif
     /** The command client; its `timeout` is the time that the device may take to reply. */
     struct mip_client client;
     /** The parser, which holds the bytes of an incomplete packet. */
@@ -122,49 +163,6 @@ static inline uint32_t mip_gap(const struct mip_device *device, uint32_t *seen) 
     const uint32_t gap = device->parser.skipped - *seen;
     *seen = device->parser.skipped;
     return gap;
-}
-
-/** The outcome of a command. */
-enum mip_outcome {
-    /** It was not sent: its values cannot be encoded (`error` is the reason), or, if `error` is
-     * MIP_OK, the port could not write. */
-    MIP_NOT_SENT = 0,
-    /** The device has carried it out, and its response has been stored, if it has one. */
-    MIP_ACKNOWLEDGED,
-    /** It was sent; devices do not answer it. */
-    MIP_SENT,
-    /** The device has rejected it: `code` is the reason. */
-    MIP_REFUSED,
-    /** No reply arrived in time. If it arrives later, it is handled as data. */
-    MIP_TIMED_OUT,
-    /** The device has acknowledged it without its response. */
-    MIP_MISSING_RESPONSE,
-    /** The device has sent a response that cannot be decoded: `error` is the reason. */
-    MIP_UNDECODABLE,
-    /** The port was lost before the reply arrived. */
-    MIP_CLOSED,
-    /** It was not sent, because the call was made in a handler of the same device. */
-    MIP_BUSY,
-    /** The stream was not changed, because the device does not support one of the rates. See
-     * mip_device_stream. */
-    MIP_NO_SUCH_RATE
-};
-
-/** The outcome of a command, with the reason. */
-struct MIP_WORD mip_result {
-    /** The outcome. */
-    enum mip_outcome outcome;
-    /** The acknowledge code of the answer, if there was one: a value of enum mip_ack_code. */
-    uint8_t code;
-    /** A mip_error: the reason for MIP_NOT_SENT and MIP_UNDECODABLE. */
-    uint8_t error;
-    /** Has the response been stored? */
-    bool responded;
-};
-
-/** Has the command been carried out, as far as is known? */
-static inline bool mip_succeeded(struct mip_result result) {
-    return result.outcome == MIP_ACKNOWLEDGED || result.outcome == MIP_SENT;
 }
 
 /**
@@ -194,14 +192,6 @@ static inline bool mip_again(struct mip_retry *retry, struct mip_result result) 
     return retry->attempts > 0 && (retry->outcomes >> result.outcome & 1u) != 0;
 }
 
-/** Returns the outcome in words: "timed out". */
-MIP_API const char *mip_outcome_name(enum mip_outcome outcome);
-
-/** Returns why a command was rejected or not sent, or why its response could not be decoded: the
- * name of the acknowledge code or the error; "unknown" for a code without a name, whose number is
- * in `code`; "" if there is no reason. */
-MIP_API const char *mip_result_reason(struct mip_result result);
-
 /**
  * Initializes a device. The port is copied. The handlers must stay at their address; they may be
  * constant, or NULL if there are none. Nothing is sent or read.
@@ -215,6 +205,61 @@ MIP_API void mip_device_init(struct mip_device *device, const struct mip_port *p
  * for its reply. Returns false if the port is lost, or if it is called in a handler.
  */
 MIP_API bool mip_device_poll(struct mip_device *device);
+
+/**
+ * Like mip_device_poll, but with bytes that your program has received, in any pieces; without any,
+ * it only updates the time. The port's `read` is not called, and may be NULL. Returns false, and
+ * uses none of the bytes, if it is called in a handler.
+ */
+MIP_API bool mip_device_step(struct mip_device *device, const uint8_t *data, size_t size);
+
+/** Locks (true) or unlocks a device by the function of its hooks. Does nothing without MIP_HOOKS.
+ */
+static inline void mip_device_lock(const struct mip_device *device, bool locks) {
+    (void)device, (void)locks;
+#ifdef MIP_HOOKS
+    if (device->hooks != NULL && device->hooks->lock != NULL) {
+        device->hooks->lock(device->hooks->user, locks);
+    }
+#endif
+}
+
+/**
+ * Lets the next call send its command and return at once, with the outcome MIP_WAITING:
+ *
+ *     mip_call_..._read(mip_defer(&device, &request), &response);
+ *     ... mip_device_step(&device, bytes, size) or mip_device_poll(&device), until
+ *         request.result.outcome is another ...
+ *
+ * The request and the response must stay at their addresses until then. A request that still waits
+ * is cancelled first. Several may wait, and a handler may do this, too. Before its memory goes,
+ * cancel a request that may still wait: mip_device_cancel. With MIP_HOOKS, this locks the device,
+ * and the call unlocks it: use it only as the argument of a function mip_call_..., and not of
+ * mip_device_connect or mip_device_stream, which call several.
+ */
+static inline struct mip_device *mip_defer(struct mip_device *device, struct mip_request *request) {
+    mip_device_lock(device, true);
+    device->deferred = request;
+    return device;
+}
+
+/** Returns `request->result` while the device is locked, for a thread that does not receive. */
+static inline struct mip_result mip_request_result(const struct mip_device *device,
+                                                   const struct mip_request *request) {
+    mip_device_lock(device, true);
+    const struct mip_result result = request->result;
+    mip_device_lock(device, false);
+    return result;
+}
+
+/** Cancels a deferred request while the device is locked: its outcome is then MIP_CLOSED, unless it
+ * was just answered. A task that gives up a request calls this before the memory of the request and
+ * of its response goes. */
+static inline void mip_device_cancel(struct mip_device *device, struct mip_request *request) {
+    mip_device_lock(device, true);
+    mip_client_cancel(&device->client, request);
+    mip_device_lock(device, false);
+}
 
 /**
  * Sends a command, and waits for its reply. The functions mip_call_... call this with the types of
@@ -253,6 +298,31 @@ MIP_API struct mip_result mip_device_request(struct mip_device *device,
                                              const struct mip_exchange *exchange,
                                              const uint8_t *data, size_t size,
                                              const struct mip_codec *codec, void *response);
+
+/** Defines a call of a command with all of its values, including optional parameters. */
+#define MIP_CALL_WITH(call, name, answer)                                                       \
+    static inline struct mip_result call(struct mip_device *device, const struct name *command, \
+                                         struct answer *response) {                             \
+        return mip_device_call(device, &name##_command, command, &answer##_codec, response);    \
+    }                                                                                           \
+    struct mip_device
+
+/** Defines a call of a function without parameters, which is only acknowledged. */
+#define MIP_CALL(call, name, selector)                                        \
+    static inline struct mip_result call(struct mip_device *device) {         \
+        const uint8_t data[] = {selector};                                    \
+        return mip_device_send(device, &name##_exchange, data, sizeof(data)); \
+    }                                                                         \
+    struct mip_device
+
+/** Defines a call of a function without parameters, which requests this response. */
+#define MIP_CALL_FOR(call, name, selector, answer)                                               \
+    static inline struct mip_result call(struct mip_device *device, struct answer *response) {   \
+        const uint8_t data[] = {selector};                                                       \
+        return mip_device_request(device, &name##_exchange, data, sizeof(data), &answer##_codec, \
+                                  response);                                                     \
+    }                                                                                            \
+    struct mip_device
 
 #ifdef __cplusplus
 }

@@ -30,13 +30,24 @@
 /** Before a function whose result shows whether it has done anything: compilers warn if the result
  * is ignored. */
 #define MIP_CHECKED __attribute__((warn_unused_result))
-/** Marks a structure of four bytes, which functions then return in a register. */
+/** Aligns a structure to four bytes; if enumerations have one byte, functions then return it in a
+ * register. */
 #define MIP_WORD __attribute__((aligned(4)))
 #else
 /** Before a function whose result shows whether it has done anything. */
 #define MIP_CHECKED
-/** Marks a structure of four bytes; without effect here. */
+/** Aligns a structure to four bytes; without effect here. */
 #define MIP_WORD
+#endif
+
+#ifndef MIP_ASSERT
+#if defined(MIP_DEBUG) && defined(__GNUC__)
+/** Stops a program that breaks a rule of a function, in builds with -DMIP_DEBUG. */
+#define MIP_ASSERT(condition) ((condition) ? (void)0 : __builtin_trap())
+#else
+/** Checks a rule of a function in builds with -DMIP_DEBUG, or whatever you define it as. */
+#define MIP_ASSERT(condition) ((void)0)
+#endif
 #endif
 
 #if defined(__has_attribute) && defined(__OPTIMIZE__)
@@ -58,12 +69,16 @@
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 /** A static function that is inlined into its callers. */
 #define MIP_QUICK MIP_INLINE
-/** A static function that is not inlined. */
-#define MIP_APART static __attribute__((noinline))
 #else
 /** A static function that is inlined into its callers. */
 #define MIP_QUICK static inline
-/** A static function that is not inlined. */
+#endif
+
+#if defined(__GNUC__)
+/** A static function that is not inlined, so that its callers stay small. */
+#define MIP_APART static __attribute__((noinline))
+#else
+/** A static function that is not inlined, so that its callers stay small. */
 #define MIP_APART static
 #endif
 

@@ -31,13 +31,15 @@
     }
 
     /** Adds columns for devices without one: with the entries of the list at the end of the page, else "?". */
-    function addColumn(link, probable, refused) {
+    function addColumn(link, likely, assumed, refused) {
+        const lists = { likely, assumed, no: refused };
+        const answer = (field) => Object.keys(lists).find((word) => lists[word].includes(field)) ?? "?";
         for (const table of withColumns) {
             for (const row of table.rows) {
                 const head = row.parentElement === table.tHead;
                 const field = row.querySelector("td a[href]")?.getAttribute("href");
                 const cell = made(head ? "th" : "td", { hidden: true });
-                cell.append(head ? link.cloneNode(true) : probable.includes(field) ? "probable" : refused.includes(field) ? "no" : "?");
+                cell.append(head ? link.cloneNode(true) : answer(field));
                 row.append(cell);
             }
         }
@@ -51,7 +53,7 @@
                 if (found.has(id)) continue;
                 const fields = (cell) =>
                     [...(link.closest("tr")?.cells[cell]?.querySelectorAll("a[href]") ?? [])].map((a) => a.getAttribute("href"));
-                addColumn(link, fields(2), fields(3));
+                addColumn(link, fields(2), fields(3), fields(4));
                 found.set(id, { title: link.textContent, own: false });
             }
         } else {

@@ -95,6 +95,7 @@
 
     /** Breaks content that is too wide for the window; if that is not enough, it scrolls by itself, also by the keyboard. */
     function fit() {
+        for (const nav of document.querySelectorAll("nav.md-code__nav")) nav.role = "group"; // no landmarks, of which there are many
         const boxes = [...document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)")];
         const isWide = (box) => box.scrollWidth > box.clientWidth;
         for (const box of boxes.filter(isWide)) for (const table of box.querySelectorAll("table:not([data-narrow])")) breakNames(table);
@@ -180,16 +181,6 @@
         }
     }
 
-    /** Moves the programs of a field beside its text on wide screens. */
-    function beside() {
-        const heading = document.getElementById("programs");
-        if (!heading || !matchMedia("screen and (min-width: 1640px)").matches) return;
-        const section = sectionOf(heading);
-        const box = element("div", { class: "mip-beside" });
-        document.querySelector("article h2").before(box);
-        box.append(...section);
-    }
-
     // ------------------------------------------------------------------------------------------------ my device
 
     const MINE = "mip-device";
@@ -203,16 +194,22 @@
         }
     }
 
-    /** Returns whether a device supports a field, by the index of fields: yes, probable, no, or undefined if unknown. */
+    /** Returns whether a device supports a field, by the index of fields: yes, likely, assumed, no, or undefined if unknown. */
     function answerOf(device, name) {
         const { devices, fields } = mipFields.model;
         const of = devices.find(({ id }) => id === device.id);
         const asked = fields.find((field) => field.name === name)?.command ?? name; // a device supports a response with its command
         const number = fields.findIndex((field) => field.name === asked);
-        return ["yes", "probable", "no"].find((answer) => of?.[answer]?.includes(number));
+        return ["yes", "likely", "assumed", "no"].find((answer) => of?.[answer]?.includes(number));
     }
 
-    const SAID = { yes: "supported", probable: "probably supported", no: "rejected", undefined: "not known to be supported" };
+    const SAID = {
+        yes: "supported",
+        likely: "likely to be supported",
+        assumed: "assumed to be supported",
+        no: "rejected",
+        undefined: "not known to be supported",
+    };
 
     /** Creates a remark on whether the reader's device supports a field. */
     function remarkOn(device, name) {
@@ -235,7 +232,7 @@
             const answer = link ? answerOf(device, link.hash.slice(1)) : "yes";
             if (!answer || answer === "no") row.classList.add("mip-other");
         }
-        const words = `Only what the ${device.title}, my device, has or probably has.`;
+        const words = `Only what the ${device.title}, my device, has or is believed to have.`;
         title.after(element("p", { class: "mip-mine" }, words), ...hiding(document.querySelectorAll(".mip-other")));
     }
 
@@ -300,12 +297,12 @@
         return item;
     }
 
-    function passageItem(passage) {
+    function passageItem(passage, text) {
         const words = passage.heading ? `${passage.title}: ${passage.heading}` : passage.title;
-        return element("li", {}, element("a", { href: site + passage.href }, words), element("div", {}, mipSearch.excerpt(passage)));
+        return element("li", {}, element("a", { href: site + passage.href }, words), element("div", {}, mipSearch.excerpt(passage, text)));
     }
 
-    function codeItem({ href, value, name, description }) {
+    function codeItem({ href, code: { value, name, description } }) {
         const title = element("strong", {}, `0x${value.toString(16).padStart(2, "0")}`);
         return element("li", {}, element("a", { href: site + href }, title, " ", name), element("div", {}, description));
     }
@@ -314,12 +311,14 @@
         return element("li", {}, openIn("inspector", "Packet: open in the inspector", packet));
     }
 
-    function count(number, word) {
-        return number ? `${number} ${word}${number === 1 ? "" : "s"}` : "";
+    function resultItem(item, text) {
+        if (item.packet) return packetItem(item.packet);
+        if (item.code) return codeItem(item);
+        return item.field ? fieldItem(item) : passageItem(item, text);
     }
 
     function list(title, items) {
-        return items.length ? [element("h2", {}, title), element("ul", {}, ...items)] : [];
+        return [element("h2", {}, title), element("ul", {}, ...items)];
     }
 
     function search(header) {
@@ -347,15 +346,18 @@
             }
             const { groups, instead } = mipSearch.search(index, globalThis.mipText ?? [], text);
             results.replaceChildren(
-                ...groups.flatMap(({ title, packets = [], codes = [], fields = [], pages = [] }) =>
-                    list(title, [...packets.map(packetItem), ...codes.map(codeItem), ...fields.map(fieldItem), ...pages.map(passageItem)]),
+                ...groups.flatMap(({ title, items }) =>
+                    list(
+                        title,
+                        items.map((item) => resultItem(item, text)),
+                    ),
                 ),
             );
-            const sum = (kind) => groups.reduce((all, group) => all + (group[kind]?.length ?? 0), 0);
-            const counts = [count(sum("packets"), "packet"), count(sum("codes"), "code"), count(sum("fields"), "field")];
-            const found = [...counts, count(sum("pages"), "passage")].filter(Boolean);
-            const asked = instead ? `Nothing has these words; searched for “${instead}”. ` : "";
-            status.textContent = found.length ? `${asked}${found.join(" and ")} found, the best first.` : "Nothing found.";
+            const total = groups.reduce((sum, { items }) => sum + items.length, 0);
+            const asked = instead.map(([word, other]) => `Nothing has “${word}”; searched for “${other}”. `).join("");
+            status.textContent = total
+                ? `${asked}${total} ${total === 1 ? "result" : "results"} found, the best first.`
+                : "Nothing found. Try fewer or other words, the guides, or the field finder.";
         };
         const begin = async () => {
             if (index !== undefined) return;
@@ -424,7 +426,6 @@
         document.querySelectorAll("[data-tool]").forEach(fill);
         linkTools();
         offerPrograms();
-        beside();
         myDevice();
         unfoldOnPaper();
         new ResizeObserver(fit).observe(document.querySelector("article") ?? document.body);

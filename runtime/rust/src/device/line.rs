@@ -8,25 +8,27 @@ use std::{borrow::ToOwned, boxed::Box, format, string::String};
 
 use serialport::SerialPort;
 
-use super::{Device, DeviceError, Port};
+use super::{closed, Device, DeviceError, Port};
 
 /// A read without data returns after this time, so that commands can time out.
 const READ: Duration = Duration::from_millis(10);
 /// The time-out for connecting and for writing.
-const WRITE: Duration = Duration::from_secs(5);
+pub(super) const WRITE: Duration = Duration::from_secs(5);
 /// The baud rate of a port whose address contains none.
-const USUAL: u32 = 115_200;
+pub(super) const USUAL: u32 = 115_200;
 /// The pause between attempts to open a lost port.
-const PAUSE: Duration = Duration::from_millis(100);
+pub(super) const PAUSE: Duration = Duration::from_millis(100);
 /// A log's clock advances by this at its end, so that nothing waits for more.
 const END: u32 = 1 << 30;
 
 /// A serial port, a TCP connection or a log, opened by its address:
 ///
-/// - `serial:/dev/ttyACM0`, `serial:COM3:460800`: a serial port, optionally with its baud rate;
-/// - `tcp:192.168.1.20:9000`: a host and a port;
-/// - `file:log.bin`: recorded bytes. A log accepts no commands. After its last packet,
+/// - `/dev/ttyACM0`, `COM3:460800`: a serial port, optionally with its baud rate;
+/// - `192.168.1.20:9000`: a host and a port;
+/// - `log.bin`: recorded bytes. A log accepts no commands. After its last packet,
 ///   [`Device::next_packet`](super::Device::next_packet) returns `None` at once.
+///
+/// The prefixes `serial:`, `tcp:` and `file:` state the kind.
 pub struct Line {
     way: Way,
     place: String,
@@ -65,22 +67,24 @@ impl Line {
     ///
     /// # Errors
     ///
-    /// The address is of no known kind ([`ErrorKind::InvalidInput`]), or the port cannot be opened.
+    /// The port cannot be opened.
     pub fn open(place: &str) -> io::Result<Self> {
         let (way, baud) = Self::way(place)?;
         Ok(Self { way, place: place.to_owned(), baud, start: Instant::now(), log_ms: 0 })
     }
 
     fn way(place: &str) -> io::Result<(Way, Option<u32>)> {
-        let named = |error: io::Error| io::Error::new(error.kind(), format!("{place}: {error}"));
+        Self::opened(place).map_err(|error| named(place, &error))
+    }
+
+    fn opened(place: &str) -> io::Result<(Way, Option<u32>)> {
         Ok(match place.split_once(':') {
-            Some(("serial", rest)) => serial(rest).map_err(named)?,
-            Some(("tcp", rest)) => (Way::Tcp(connected(rest).map_err(named)?), None),
-            Some(("file", path)) => (Way::Log(File::open(path).map_err(named)?), None),
-            _ => {
-                let known = "expected serial:NAME, serial:NAME:BAUD, tcp:HOST:PORT or file:PATH";
-                return Err(io::Error::new(ErrorKind::InvalidInput, format!("{place}: {known}")));
-            }
+            Some(("serial", rest)) => serial(rest)?,
+            Some(("tcp", rest)) => (Way::Tcp(connected(rest)?), None),
+            Some(("file", path)) => (Way::Log(File::open(path)?), None),
+            _ if std::path::Path::new(place).is_file() => (Way::Log(File::open(place)?), None),
+            _ if is_host(place) => (Way::Tcp(connected(place)?), None),
+            _ => serial(place)?,
         })
     }
 
@@ -94,14 +98,19 @@ impl Line {
         let (began, rate) = (Instant::now(), self.baud());
         self.way = Way::Lost; // it is closed first
         loop {
-            match Self::way(&self.place) {
-                Ok((way, _)) => {
-                    self.way = way;
-                    return rate.map_or(Ok(()), |rate| self.set_baud(rate).map(drop));
+            let opened = Self::way(&self.place).and_then(|(way, _)| {
+                self.way = way;
+                match rate {
+                    Some(rate) if !self.set_baud(rate)? => Err(refused(rate)),
+                    _ => Ok(()),
                 }
-                Err(error) if began.elapsed() >= within => return Err(error),
-                Err(_) => std::thread::sleep(PAUSE),
+            });
+            let Err(error) = opened else { return Ok(()) };
+            self.way = Way::Lost;
+            if began.elapsed() >= within {
+                return Err(error);
             }
+            std::thread::sleep(PAUSE);
         }
     }
 
@@ -129,9 +138,34 @@ impl core::fmt::Debug for Line {
     }
 }
 
+/// Adds the address to an error.
+pub(super) fn named(place: &str, error: &io::Error) -> io::Error {
+    io::Error::new(error.kind(), format!("{place}: {error}"))
+}
+
+/// The error of a port that is open again, but not at its last baud rate.
+pub(super) fn refused(rate: u32) -> io::Error {
+    io::Error::new(ErrorKind::Unsupported, format!("the port does not support {rate} baud"))
+}
+
+/// Is it a host and a port, and not a serial port and its baud rate?
+pub(super) fn is_host(place: &str) -> bool {
+    let Some((host, port)) = place.rsplit_once(':') else { return false };
+    let is_com = host.get(..3).map_or(false, |name| name.eq_ignore_ascii_case("COM"))
+        && host.len() > 3
+        && host.bytes().skip(3).all(|byte| byte.is_ascii_digit());
+    let is_serial = is_com || host.contains(['/', '\\']);
+    !is_serial && !host.is_empty() && port.parse::<u16>().is_ok()
+}
+
+/// Returns the name of a serial port and its baud rate.
+pub(super) fn serial_name(text: &str) -> (&str, Option<u32>) {
+    let numbered = text.rsplit_once(':').and_then(|(name, rate)| Some((name, rate.parse().ok()?)));
+    numbered.map_or((text, None), |(name, rate)| (name, Some(rate)))
+}
+
 fn serial(rest: &str) -> io::Result<(Way, Option<u32>)> {
-    let numbered = rest.rsplit_once(':').and_then(|(name, rate)| Some((name, rate.parse().ok()?)));
-    let (name, baud) = numbered.map_or((rest, None), |(name, rate)| (name, Some(rate)));
+    let (name, baud) = serial_name(rest);
     let port = serialport::new(name, baud.unwrap_or(USUAL)).timeout(READ).open()?;
     Ok((Way::Serial(port), baud))
 }
@@ -158,10 +192,6 @@ fn none_yet(error: io::Error) -> io::Result<usize> {
         ErrorKind::TimedOut | ErrorKind::WouldBlock | ErrorKind::Interrupted => Ok(0),
         _ => Err(error),
     }
-}
-
-fn closed() -> io::Error {
-    io::Error::new(ErrorKind::UnexpectedEof, "the other end has closed the connection")
 }
 
 impl Port for Line {

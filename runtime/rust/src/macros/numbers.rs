@@ -30,6 +30,17 @@ macro_rules! open_enum {
             }
         }
 
+        /// Finds the value with this name in the specification.
+        impl ::core::str::FromStr for $name {
+            type Err = $crate::error::UnknownName;
+
+            fn from_str(name: &str) -> ::core::result::Result<Self, $crate::error::UnknownName> {
+                let mut values = Self::VALUES.iter().copied();
+                let called = |value: &Self| value.name() == ::core::option::Option::Some(name);
+                values.find(called).ok_or($crate::error::UnknownName)
+            }
+        }
+
         newtype!($name: $number);
 
         #[cfg(feature = "serde")]
@@ -45,8 +56,7 @@ macro_rules! open_enum {
             }
 
             fn of_text(text: &str) -> ::core::option::Option<Self> {
-                let mut known = Self::VALUES.iter().copied();
-                known.find(|value| value.name() == ::core::option::Option::Some(text))
+                text.parse().ok()
             }
 
             fn of_number(number: $number) -> Self {
@@ -137,6 +147,8 @@ macro_rules! vector {
             }
         }
 
+        mint!($name $number: $($element)*);
+
         impl $crate::list::Item for $name {
             const BLANK: Self = Self { $($element: 0 as $number),* };
         }
@@ -209,6 +221,55 @@ macro_rules! vector {
             ) -> ::core::result::Result<Self, $crate::dynamic::ValueError> {
                 <[$number; $count]>::from_value(value).map(Self::from)
             }
+        }
+    };
+}
+
+/// Conversions from and to the type of `mint`, by the names of the elements; the part of a quaternion
+/// that is no vector comes first here, and last in some other crates.
+macro_rules! mint {
+    ($name:ident $number:ty: x y z) => {
+        mint!($name, mint::Vector3<$number>, x y z, v, mint::Vector3 { x, y, z }, v.x v.y v.z);
+    };
+    ($name:ident $number:ty: w x y z) => {
+        mint!(
+            $name, mint::Quaternion<$number>, w x y z, q,
+            mint::Quaternion { s: w, v: mint::Vector3 { x, y, z } }, q.s q.v.x q.v.y q.v.z
+        );
+    };
+    ($name:ident $number:ty: m11 m12 m13 m21 m22 m23 m31 m32 m33) => {
+        mint!(
+            $name, mint::RowMatrix3<$number>, m11 m12 m13 m21 m22 m23 m31 m32 m33, m,
+            mint::RowMatrix3 {
+                x: mint::Vector3 { x: m11, y: m12, z: m13 },
+                y: mint::Vector3 { x: m21, y: m22, z: m23 },
+                z: mint::Vector3 { x: m31, y: m32, z: m33 },
+            },
+            m.x.x m.x.y m.x.z m.y.x m.y.y m.y.z m.z.x m.z.y m.z.z
+        );
+    };
+    ($name:ident $number:ty: $($element:ident)*) => {};
+    (
+        $name:ident, $other:ty, $($element:ident)*, $value:ident, $made:expr,
+        $($part:ident $(. $inner:ident)+)*
+    ) => {
+        #[cfg(feature = "mint")]
+        impl ::core::convert::From<$name> for $other {
+            fn from($name { $($element),* }: $name) -> Self {
+                $made
+            }
+        }
+
+        #[cfg(feature = "mint")]
+        impl ::core::convert::From<$other> for $name {
+            fn from($value: $other) -> Self {
+                [$($part $(. $inner)+),*].into()
+            }
+        }
+
+        #[cfg(feature = "mint")]
+        impl mint::IntoMint for $name {
+            type MintType = $other;
         }
     };
 }

@@ -33,17 +33,46 @@ macro_rules! registry {
         ///
         /// It is as large as the largest field, several hundred bytes, so borrow it rather than
         /// move it. A [`Visitor`] avoids this, because it is called with each field's own type.
+        ///
+        /// With `serde`, it is its name and value in human-readable formats. In others it is a set,
+        /// a descriptor and bytes, which later versions of this crate read, too.
         #[derive(Clone, Debug, PartialEq)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[non_exhaustive]
         pub enum AnyField {
             $($(
                 #[cfg($when)]
                 $(#[$meta])*
-                #[cfg_attr(feature = "serde", serde(rename = $name))]
                 $variant($type),
             )*)*
+        }
+
+        #[cfg(feature = "serde")]
+        impl AnyField {
+            pub(crate) fn write_named<S: serde::Serializer>(
+                &self,
+                serializer: S,
+            ) -> Result<S::Ok, S::Error> {
+                match self {$($(
+                    #[cfg($when)]
+                    Self::$variant(value) => {
+                        serializer.serialize_newtype_variant("AnyField", 0, $name, value)
+                    }
+                )*)*}
+            }
+
+            pub(crate) fn read_named<'de, A: serde::de::VariantAccess<'de>>(
+                name: &str,
+                value: A,
+            ) -> Result<Self, A::Error> {
+                match name {
+                    $($(
+                        #[cfg($when)]
+                        $name => value.newtype_variant().map(Self::$variant),
+                    )*)*
+                    _ => Err(serde::de::Error::custom("unknown field")),
+                }
+            }
         }
 
         $($(

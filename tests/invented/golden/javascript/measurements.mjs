@@ -8,6 +8,12 @@ import * as types from "./types.mjs";
 export const Accel = /* @__PURE__ */ field.data("measurements.accel", [0x80, 0x81, 0x92], 0x01, {
     scaled_accel: types.Vector3f,
     valid_flags: types.StateFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { scaledAccel: [0x1, 0x2, 0x1] } }, [
+        [["model-a"], 0xfffa, "validFlags", { validFlags: { scaledAccel: [0x4, 0x1, 0x4] } }],
+        [["model-b"], 0x0, "validFlags", { validFlags: { scaledAccel: [0x2, 0x1, 0x2] } }],
+        [["model-c"], 0x0, "validFlags", { validFlags: { scaledAccel: [] } }],
+    ]),
 });
 
 export const Numbers = /* @__PURE__ */ field.data("measurements.numbers", [0x80, 0x92], 0x02, {
@@ -60,6 +66,8 @@ export const Radio = /* @__PURE__ */ field.data("measurements.radio", [0x80, 0x9
     noise: codec.float,
     gap: /* @__PURE__ */ codec.reserved(codec.float, 0.0),
     gaps: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.double, 0.0), 2), Array(2).fill(0.0)),
+}, {
+    VALID: /* @__PURE__ */ field.validity({ connected: { strength: 0x0, noise: 0x0 } }),
 });
 
 export const Own = /* @__PURE__ */ field.data("measurements.own", 0x81, 0x07, {
@@ -79,6 +87,8 @@ export const Gust = /* @__PURE__ */ field.data("measurements.gust", [0x80, 0x92]
     speed: types.Vector3f,
     gap: /* @__PURE__ */ codec.constant(codec.u8, 7),
     valid_flags: types.StateFlags,
+}, {
+    VALID: /* @__PURE__ */ field.validity({ validFlags: { place: 0x1, height: 0x1, speed: 0x1 } }),
 });
 
 export const Breeze = /* @__PURE__ */ field.data("measurements.breeze", [0x80, 0x92], 0x0a, {

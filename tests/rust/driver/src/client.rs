@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use mip_protocol::dynamic::Value;
 use mip_protocol::{
-    AnyField, Client, Event, Outcome, Packet, Parser, RawField, RequestError, Role, Ticket,
+    AnyField, Client, Event, Packet, Parser, RawField, Reason, RequestError, Role, Ticket,
 };
 
 use crate::json::Json;
@@ -38,7 +38,7 @@ pub fn play_live(request: &Json) -> Answer {
 
 fn play_steps(request: &Json, port: Option<Port>) -> Answer {
     let mut parser = Parser::new();
-    let (client, sent, events) = (Client::new(), Vec::new(), Vec::new());
+    let (client, sent, events) = (Client::default(), Vec::new(), Vec::new());
     let now = u32::MAX - 1500; // it wraps around soon
     let mut session = Session { client, now, sent, events, port, told: false };
     for step in request.get("steps").and_then(Json::array).ok_or("request")? {
@@ -210,20 +210,20 @@ impl Session {
     fn answer(&mut self, event: &Event) {
         let at = self.sent.iter().position(|t| t.id() == event.id).expect("it was sent");
         let command = ("command", number(at));
-        match (event.outcome, event.response()) {
-            (Outcome::Acknowledged, None) => self.happens("acknowledged", [command]),
-            (Outcome::Acknowledged, Some(field)) => {
+        match (event.outcome(), event.response()) {
+            (Ok(()), None) => self.happens("acknowledged", [command]),
+            (Ok(()), Some(field)) => {
                 self.happens("acknowledged", [command, ("response", decode_field(&field))]);
             }
-            (Outcome::Refused(code), _) => {
+            (Err(Reason::Refused(code)), _) => {
                 self.happens("refused", [command, ("code", Json::Integer(code.0.into()))]);
             }
-            (Outcome::TimedOut, _) => self.happens("timed_out", [command]),
-            (Outcome::MissingResponse, _) => self.happens("missing_response", [command]),
-            (Outcome::Undecodable, field) => {
+            (Err(Reason::TimedOut), _) => self.happens("timed_out", [command]),
+            (Err(Reason::MissingResponse), _) => self.happens("missing_response", [command]),
+            (Err(Reason::Undecodable(_)), field) => {
                 let field = field.expect("there is one");
                 let RawField { descriptor, data, .. } = field;
-                let Some(Err(error)) = AnyField::decode(&field) else { panic!("it is decodable") };
+                let Err(error) = AnyField::decode(&field) else { panic!("it is decodable") };
                 let response = object([
                     ("descriptor", Json::Integer(descriptor.into())),
                     ("error", string(decode_error(error))),

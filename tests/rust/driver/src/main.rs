@@ -85,11 +85,11 @@ fn decode(request: &Json) -> Answer {
 fn decode_field(field: &RawField<'_>) -> Json {
     let descriptor = ("descriptor", Json::Integer(field.descriptor.into()));
     match &AnyField::decode_with_trailing(field) {
-        None => object([descriptor, ("raw", hex(field.data))]),
-        Some(Err(error)) => {
+        Ok(None) => object([descriptor, ("raw", hex(field.data))]),
+        Err(error) => {
             object([descriptor, ("error", string(decode_error(*error))), ("raw", hex(field.data))])
         }
-        Some(Ok(found)) => object([
+        Ok(Some(found)) => object([
             descriptor,
             ("name", string(found.name())),
             ("role", string(found.field.info().role.name())),

@@ -15,9 +15,9 @@ use core::task::Waker;
 use embassy_executor::Spawner;
 use embassy_time::Timer;
 use embedded_io_async::{ErrorType, Read, Write};
-use mip_protocol::device::{AsyncDevice, DeviceError};
-use mip_protocol::types::DescriptorRate;
-use mip_protocol::{base, mip_3dm, sensor, Field};
+use mip_protocol::device::AsyncDevice;
+use mip_protocol::sensor::{self, ScaledAccel};
+use mip_protocol::session::{Rate, StreamError};
 
 #[embassy_executor::main]
 async fn main(_spawner: Spawner) {
@@ -29,21 +29,16 @@ async fn main(_spawner: Spawner) {
 
 async fn measure(
     port: impl Read<Error = Infallible> + Write,
-) -> Result<(), DeviceError<Infallible>> {
+) -> Result<(), StreamError<Infallible>> {
     // One command at a time, and room for a few packets that arrive meanwhile.
-    let client = mip_protocol::Client::<1>::new();
+    let client = mip_protocol::Client::<1>::default();
     let wait = |milliseconds: u32| Timer::after_millis(milliseconds.into());
     let mut device: AsyncDevice<_, _, 1, 1024> = AsyncDevice::with_client(port, wait, client);
 
-    device.request(&base::SetIdle::new()).await?;
-    let rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SENSOR_SET)).await?.rate;
-    let accel = DescriptorRate::new(sensor::ScaledAccel::DESCRIPTOR, (rate / 100).max(1));
-    device.request(&mip_3dm::MessageFormat::write(sensor::SENSOR_SET, [accel])).await?;
-    device.request(&mip_3dm::DataStreamControl::write(sensor::SENSOR_SET, true)).await?;
-    device.request(&base::Resume::new()).await?;
-
+    device.connect(&[]).await?; // at the port's baud rate; sets the device to idle
+    device.stream(sensor::SET, &[Rate::of::<ScaledAccel>(100.0)]).await?;
     while let Some(packet) = device.next_packet(1000).await? {
-        if let Some(Ok(accel)) = packet.find::<sensor::ScaledAccel>() {
+        if let Ok(Some(accel)) = packet.find::<ScaledAccel>() {
             SHOWN.store(accel.scaled_accel.z.to_bits(), Relaxed);
         }
     }

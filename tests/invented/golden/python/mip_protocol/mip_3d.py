@@ -5,7 +5,13 @@ Names that are keywords or begin with a digit.
 
 from __future__ import annotations
 
+from typing import Any
+
+from . import codec
 from .field import Command, Field
+
+# Numbers that are read and written together, by their letters for `struct`.
+_5B = codec.Block("5B")
 
 
 class Default(Command[None]):
@@ -22,18 +28,10 @@ class Default(Command[None]):
     __match_args__ = ("class_", "type", "register", "self_", "present")
 
     SET = 0x0C
-    SETS = (0x0C,)
     DESCRIPTOR = 0x10
     NAME = "3d.default"
-    ROLE = "command"
     SILENCED_BY = ((0x01, 0x02, "mode", 1),)
-    _LAYOUT = (
-        ("class_", "B", None),
-        ("type", "B", None),
-        ("register", "B", None),
-        ("self_", "B", None),
-        ("present", "B", None),
-    )
+    _SIZE = 5
 
     class_: int
     """A keyword."""
@@ -52,6 +50,20 @@ class Default(Command[None]):
         self.register = register
         self.self_ = self_
         self.present = present
+
+    def _read(self: Any, raw: bytes, at: int) -> int:
+        self.class_, self.type, self.register, self.self_, self.present = _5B.unpack(raw, at)
+        return at + 5
+
+    def _write(self) -> bytes:
+        return _5B.write(
+            "class_ type register self_ present",
+            self.class_,
+            self.type,
+            self.register,
+            self.self_,
+            self.present,
+        )
 
 
 #: Descriptor -> its types; several if constants or the size of the data distinguish layouts.

@@ -1,1 +1,0 @@
-"""Compares the specification with manuals and other sources."""

@@ -1,0 +1,165 @@
+"""Which field a device rejected a command for, and why: the rule of "Rejected fields" in the
+specification's README."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ._lists import LISTS
+from ._session import session
+from ._sets import SETS
+from .conversation import Dialog, Step, T, Ticket, responses
+from .errors import Cause, Refused
+from .exceptions import MipError
+from .field import Command, Response
+from .profile import Device, Support
+from .registry import types
+
+SHARED_SET = 0xFF
+
+#: Why a device rejects a field, in the order of their authority.
+ABSENT = "absent"  # the device does not send it
+DECIMATION = "decimation"  # its decimation is 0
+TOO_MANY = "too_many"  # the list is longer than permitted
+UNDEFINED = "undefined"  # it is not data of the set
+UNLISTED = "unlisted"  # no source states that this model sends it
+
+
+class Listing(NamedTuple):
+    """A list of fields in a command. Offsets count from the beginning of its data; -1: none."""
+
+    set: int  # of all fields
+    set_at: int  # else, where its number is
+    count_at: int  # the number of entries; without it, there is one
+    first: int  # the descriptor in the first entry; without it, the command names only a set
+    stride: int
+    most: int  # entries
+    decimation_at: int  # in an entry: a u16 that must not be 0
+    tag_at: int
+    tag: int  # which the list requires there
+
+
+@dataclass
+class Known:
+    """What is known about the connected device."""
+
+    profile: Device | None = None
+    descriptors: Collection[tuple[int, int]] = ()  # set and descriptor of all that it lists
+    asked: bool = False
+
+    def sends(self, set: int, descriptor: int) -> bool | None:
+        """Does the device send this data, or with descriptor 0, any of the set? None if unknown."""
+        fields = self.descriptors or (self.profile.fields if self.profile else ())
+        if any(s == set and d == descriptor or not descriptor and s == set for s, d in fields):
+            return True
+        if self.descriptors:
+            return (SHARED_SET, descriptor) in self.descriptors
+        if self.profile is None or self.profile.support(set, descriptor) is Support.UNKNOWN:
+            return None
+        return self.profile.has(set, descriptor)
+
+
+def listed(command: Command) -> Iterator[tuple[Listing, int, int, int | None]]:
+    """Yields the data that a command lists: the list, the set, the descriptor, and the decimation.
+
+    If the list is empty or the command names only a set, the descriptor is 0.
+    """
+    data = command.encode()
+
+    def number(at: int) -> int:
+        return data[at] if 0 <= at < len(data) else 0
+
+    for row in LISTS.get((command.SET, command.DESCRIPTOR), ()):
+        place = Listing(*row)
+        set = place.set if place.set >= 0 else number(place.set_at)
+        if set < 0x80 or (place.tag_at >= 0 and number(place.tag_at) != place.tag):
+            continue
+        count = number(place.count_at) if place.count_at >= 0 else 1
+        entries = range(place.first, place.first + count * place.stride, place.stride)
+        for at in entries if place.first >= 0 and count else (-1,):
+            by = at + place.decimation_at
+            known = at >= 0 and place.decimation_at >= 0
+            yield place, set, number(at), number(by) << 8 | number(by + 1) if known else None
+
+
+def find_cause(command: Command, known: Known) -> Cause | None:
+    """Returns the field for which a device has rejected a command; None if nothing shows it."""
+    found = list(listed(command))
+    for index, (_, set, descriptor, _) in enumerate(found):
+        if known.sends(set, descriptor) is False:
+            return Cause(index, set, descriptor, ABSENT, _absent(known, set, descriptor))
+    for index, (place, set, descriptor, decimation) in enumerate(found):
+        if decimation == 0:
+            text = f"the decimation of {data_name(set, descriptor)} is 0"
+            return Cause(index, set, descriptor, DECIMATION, text)
+        if 0 <= place.most <= index:
+            text = f"{len(found)} fields are listed, at most {place.most} are possible"
+            return Cause(index, set, descriptor, TOO_MANY, text)
+    unknown = [(i, s, d) for i, (_, s, d, _) in enumerate(found) if known.sends(s, d) is None]
+    for index, set, descriptor in unknown:
+        if descriptor and not types(set, descriptor) and not types(SHARED_SET, descriptor):
+            text = f"0x{descriptor:02X} is not a field of {data_name(set, 0)}"
+            return Cause(index, set, descriptor, UNDEFINED, text)
+    for index, set, descriptor in unknown if known.profile else ():
+        text = f"{_title(known)} is not known to send {data_name(set, descriptor)}"
+        return Cause(index, set, descriptor, UNLISTED, text)
+    return None
+
+
+def _absent(known: Known, set: int, descriptor: int) -> str:
+    why = known.profile.why(set, descriptor) if known.profile else None
+    absence = why.absence if why else ""
+    return f"{_title(known)} {absence or f'does not send {data_name(set, descriptor)}'}"
+
+
+def _title(known: Known) -> str:
+    return known.profile.title if known.profile else "the device"
+
+
+def data_name(set: int, descriptor: int) -> str:
+    """Returns the name of data, or with descriptor 0, of a set; numbers if it has none."""
+    of = SETS[set][0] if set in SETS else f"set 0x{set:02X}"
+    if not descriptor:
+        return of
+    kinds = types(set, descriptor)
+    return kinds[0].name_in(set) if kinds else f"{of} 0x{descriptor:02X}"
+
+
+def ask_and_find_cause(command: Command, known: Known) -> Dialog[Cause | None]:
+    """Asks the device what it is and what it sends, once, and returns the cause of a rejection."""
+    if not any(True for _ in listed(command)):
+        return None
+    start = session()
+    if start is not None and not known.asked:
+        from .devices import identify  # imports most sets
+
+        known.asked = True
+        try:
+            information = start.information((yield Step(start.identify())))
+            known.profile = known.profile or identify(information)
+            found: set[tuple[int, int]] = set()
+            for kind in (make() for make in start.descriptors):
+                if not found or (kind.SET, kind.DESCRIPTOR) in found:
+                    reply = yield Step(kind)
+                    found |= {divmod(number, 0x100) for number in reply.descriptors}
+            known.descriptors = found
+        except MipError:  # the profile helps alone; a list of which a part is missing shows nothing
+            pass
+    return find_cause(command, known)
+
+
+def with_cause(dialog: Dialog[T], known: Known) -> Dialog[T]:
+    """Does what a dialog does, and adds the cause to its error if the device rejects a command."""
+    try:
+        return (yield from dialog)
+    except Refused as refused:
+        why = yield from ask_and_find_cause(refused.command, known)
+        raise Refused(refused.command, refused.code, refused.outcomes, why) from None
+
+
+def received(tickets: Sequence[Ticket]) -> Dialog[tuple[Response | None, ...]]:
+    """Like `responses`, for `with_cause`."""
+    yield from ()
+    return responses(tickets)

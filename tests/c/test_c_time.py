@@ -1,0 +1,147 @@
+"""Times of packets, conversion to UTC, and validity in C, compared with the Python package and its datetime."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import random_values
+from c_build import SANITIZED, compiled, run
+from mipgen import model as m
+from mipgen.lower import codec
+from mipgen.targets.c import names, validity
+from mipgen.targets.python import names as python
+from packages import mip, real
+from random_values import chance
+from support import heavy, model, rounds
+from timed_packets import cases_of_devices, leap_seconds, random_packets
+
+PACKAGES: dict[str, Any] = {"real": real, "invented": mip}
+
+TIMES = """
+#include "check.h"
+#include "mip/timestamps.h"
+
+/* Reads "DEVICE PACKET" or "utc CLOCK NANOSECONDS", and prints the time of every clock. */
+int main(void) {
+    char device[64], text[1024];
+    long long number;
+    while (scanf("%63s %1023s", device, text) == 2) {
+        uint8_t bytes[MIP_MAX_PACKET];
+        struct mip_packet packet = {bytes, strlen(text) / 2, 0};
+        if (strcmp(device, "utc") == 0) {
+            CHECK(scanf("%lld", &number) == 1);
+            printf("%lld\\n", (long long)mip_time_utc((uint8_t)atoi(text), number));
+            continue;
+        }
+        for (size_t i = 0; i < packet.size; i++) {
+            unsigned value;
+            CHECK(sscanf(text + 2 * i, "%2x", &value) == 1);
+            bytes[i] = (uint8_t)value;
+        }
+        packet.descriptor_set = bytes[2];
+        const uint8_t reading = mip_reading_of(device[0] == '-' ? NULL : device);
+        for (unsigned clock = 0; clock < CLOCKS; clock++) {
+            int64_t time = -1;
+            const enum mip_time_state state = mip_time(&packet, (uint8_t)clock, reading, &time);
+            CHECK((state == MIP_TIME_VALID) || time == -1);
+            printf(state == MIP_TIME_VALID ? "%lld " : state == MIP_TIME_ABSENT ? "- " : "None ", (long long)time);
+        }
+        int64_t none = -1;
+        CHECK(mip_time(&packet, 0xFF, reading, &none) == MIP_TIME_ABSENT && none == -1);
+        (void)mip_time(&packet, 0, 0xFE, &none);
+        printf("\\n");
+    }
+    return 0;
+}
+"""
+
+
+def program(tmp: Path, spec: str, source: str) -> Path:
+    (tmp / "program.c").write_text(source)
+    return compiled(tmp / "program", spec, "cc", tmp / "program.c", *SANITIZED)
+
+
+def answers(path: Path, lines: list[str]) -> list[str]:
+    given = path.with_suffix(".in")
+    given.write_text("\n".join(lines) + "\n")
+    return [line.rstrip() for line in run("sh", "-c", f"{path} <{given}").splitlines()]
+
+
+def times(tmp: Path, spec: str) -> Path:
+    return program(tmp, spec, f"#define CLOCKS {len(model(spec).protocol.clocks)}U\n{TIMES}")
+
+
+@pytest.mark.parametrize("spec", ["invented", "real"])
+def test_times_are_those_of_python(spec: str, tmp_path: Path) -> None:
+    """For all clocks, kinds of timestamps, flags and devices."""
+    of, package, luck = model(spec), PACKAGES[spec], chance("times in C", spec)
+    lines, wanted = [], []
+    for device, data in random_packets(luck, of, rounds(3000, 100000)):
+        known = package.timestamps.moments(package.packet.Packet(data), None if device == "-" else device)
+        lines.append(f"{device} {data.hex()}")
+        wanted.append(" ".join(str(known.get(clock.name, "-")) for clock in of.protocol.clocks))
+    assert {"-", "None"} < {word for line in wanted for word in line.split()}
+    assert list(zip(lines, answers(times(tmp_path, spec), lines), strict=True)) == list(zip(lines, wanted, strict=True))
+
+
+def test_times_of_devices(tmp_path: Path) -> None:
+    cases = cases_of_devices()
+    lines = [f"{device or '-'} {data.hex()}" for device, data, *_ in cases]
+    found = [line.split() for line in answers(times(tmp_path, "real"), lines)]
+    read = [tuple(None if word in ("-", "None") else int(word) for word in (line[0], line[3])) for line in found]
+    assert list(zip(lines, read)) == [(line, case[2:]) for line, case in zip(lines, cases)]
+
+
+def test_gps_time_to_utc_across_every_leap_second(tmp_path: Path) -> None:
+    leaps = leap_seconds()
+    assert model("real").protocol.clocks[0].name == "gps"
+    lines = [*(f"utc 0 {time}" for time, _ in leaps), "utc 2 12345", f"utc 0 {2**63 - 1}"]
+    wanted = [*(str(utc) for _, utc in leaps), "12345", str(2**63 - 1)]
+    assert answers(times(tmp_path, "real"), lines) == wanted
+
+
+# --------------------------------------------------------------------------- validity
+
+
+def validities(of: m.Model) -> list[tuple[m.Field, list[m.Parameter], str, bool]]:
+    """Each function with the values whose validity it returns: its name, and whether it has a reading."""
+    found = []
+    for f in of.fields:
+        flagged = [p for p in f.parameters if p.valid or any(v.valid for v in p.variants)]
+        for function in validity.functions(f, of):
+            own = [p for p in flagged if function.name == f"{names.field_name(f)}_{names.member(p.name)}_valid"]
+            found.append((f, own or flagged, function.name, len(function.declarations) > 1))
+    return found
+
+
+@pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=heavy("programs of the real C library"))])
+def test_validity_is_that_of_python(spec: str, tmp_path: Path) -> None:
+    of, package, luck = model(spec), PACKAGES[spec], chance("validity in C", spec)
+    body, count, seen = [], 0, set()
+    for f, values, name, has_reading in validities(of) * rounds(10, 100):
+        device = luck.choice(["-", *(d.id for d in of.devices)])
+        data = codec.encode(f, random_values.record(luck, f.parameters, 120))
+        kind = getattr(getattr(package, python.home(f)), python.class_name(f))
+        decoded = kind.decode(data)
+        wanted = all(decoded.is_valid(p.name, None if device == "-" else device) for p in values)
+        seen.add(wanted)
+        structure = names.field_name(f)
+        reading = (
+            f", mip_reading_of({'NULL' if device == '-' else f'{chr(34)}{device}{chr(34)}'})" if has_reading else ""
+        )
+        body.append(f"""static void check_{count}(void) {{
+    struct {structure} x;
+    struct mip_field field = field_of(0x{f.set % 255 or 128:02X}, 0x{f.descriptor:02X}, "{data.hex()}");
+    CHECK({structure}_decode(&x, &field) == MIP_OK);
+    CHECK({name}(&x{reading}) == {str(wanted).lower()});
+}}
+""")
+        count += 1
+    headers = {names.module(f.family) for f, *_ in validities(of)}
+    assert count > 10 and seen == {True, False}
+    includes = "".join(f'#include "mip/{h}_valid.h"\n' for h in sorted(headers))
+    calls = "".join(f"    check_{i}();\n" for i in range(count))
+    source = f'#include "check.h"\n#include "mip/timestamps.h"\n{includes}{"".join(body)}'
+    run(program(tmp_path, spec, f"{source}int main(void) {{\n{calls}    return 0;\n}}\n"))

@@ -1,7 +1,0 @@
-"""The tests here import the real package as `mip_protocol`."""
-
-import sys
-
-from support import SPECS
-
-sys.path.insert(0, str(SPECS["real"][1] / "python"))

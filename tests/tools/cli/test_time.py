@@ -1,0 +1,567 @@
+"""Devices with and without a date: each made-up log gives the same times in all commands.
+
+What is right follows from how a log is made: its packets have instants, and their timestamps say what the device knew.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import re
+import struct
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mip_protocol import base, sensor
+from mip_tools import read_log
+from mip_tools.columns.raw_times import raw
+from mip_tools.columns.stamps import NONE
+from mip_tools.simulator import VirtualDevice
+from program import mip, simulated
+from support import heavy, later
+from timed_packets import cases_of_devices, packet
+
+np, mcap = later("numpy"), later("mcap.reader")
+
+WEEK, TOW = 2300, 345_600.0
+#: UTC at that time of week, in seconds since 1970.
+DATE = 1_707_350_382.0
+COUNT, STEP = 60, 0.01
+TIMES = [i * STEP for i in range(COUNT)]
+Field = tuple[int, bytes]
+
+
+def stamp(descriptor: int, tow: float, week: int, flags: int) -> Field:
+    return descriptor, struct.pack(">dHH", tow, week, flags)
+
+
+def reference(seconds: float) -> Field:
+    return 0xD5, struct.pack(">Q", round(seconds * 1e9))
+
+
+def external(seconds: float, flags: int) -> Field:
+    return 0xD7, struct.pack(">QH", round(seconds * 1e9), flags)
+
+
+@dataclass
+class Case:
+    """A log with an acceleration per packet of the set 0x80, and what is right for each."""
+
+    packets: list[bytes]
+    dates: list[float | None] = field(default_factory=lambda: [None] * COUNT)  # UTC in s since 1970
+    device: list[float | None] = field(default_factory=lambda: [None] * COUNT)  # by the clock without a date
+    clock: str = "device"
+    rate: float | None = 100.0
+    info: tuple[str, ...] = ()  # parts of the text
+    doctor: tuple[str, ...] = ()  # causes
+    dated_only: bool = False  # all times are dates, so there is no other column
+
+
+def sensed(stamps: Iterable[list[Field]]) -> list[bytes]:
+    return [
+        packet(0x80, *own, (0x04, struct.pack(">3f", i, i * 7 % 11 / 1e3, -1 + i * 5 % 13 / 1e3)))
+        for i, own in enumerate(stamps)
+    ]
+
+
+def dates(begin: float = DATE) -> list[float | None]:
+    return [begin + t for t in TIMES]
+
+
+def cases() -> dict[str, Case]:
+    on = [12.5 + t for t in TIMES]  # since power-on
+    week = [TOW + t for t in TIMES]
+    third = COUNT // 3
+    late = [i >= third for i in range(COUNT)]
+    lost = [third <= i < 2 * third for i in range(COUNT)]
+    restarted = [5 + t if t < 0.3 else 0.7 + t - 0.3 for t in TIMES]
+    unsynchronized = ("no date: not synchronized",)
+    angles = (0x05, struct.pack(">3fH", 0, 0, 0, 0))
+    return {
+        "three flags": Case(sensed([stamp(0x12, t, WEEK, 7)] for t in week), dates(), dated_only=True),
+        "five flags": Case(sensed([stamp(0x12, t, WEEK, 0x1D)] for t in week), dates(), dated_only=True),
+        "five flags, first with three set": Case(
+            sensed([stamp(0x12, t, WEEK, 0x1D if i else 7)] for i, t in enumerate(week)),
+            [None, *dates()[1:]],
+            week,
+            doctor=("not synchronized",),
+        ),
+        "never synchronized": Case(
+            sensed([stamp(0x12, t, 0, 0)] for t in on), device=on, info=unsynchronized, doctor=("not synchronized",)
+        ),
+        "time of week without a week": Case(
+            sensed([stamp(0xD3, t, 0, 1)] for t in on), device=on, info=unsynchronized, doctor=("not synchronized",)
+        ),
+        "week without a time of week": Case(
+            sensed([stamp(0xD3, t, WEEK, 2)] for t in on), device=on, info=unsynchronized, doctor=("not synchronized",)
+        ),
+        "week 0 with flags set": Case(
+            sensed([stamp(0xD3, t, 0, 3)] for t in on), device=on, info=unsynchronized, doctor=("not synchronized",)
+        ),
+        "no timestamps": Case(
+            sensed([] for _ in TIMES), clock="", rate=None, info=("no date: no timestamps",), doctor=("no timestamps",)
+        ),
+        "only intervals": Case(
+            sensed([(0xD6, struct.pack(">Q", 10_000_000))] for _ in TIMES),
+            clock="",
+            rate=None,
+            info=("no date: no timestamps",),
+            doctor=("no timestamps",),
+        ),
+        "only the reference clock": Case(
+            sensed([reference(t)] for t in on),
+            device=on,
+            clock="reference",
+            info=("no date: no timestamp with a date is in the packets",),
+        ),
+        "reference clock and no date": Case(
+            sensed([stamp(0xD3, 0, 0, 0), reference(t)] for t in on),
+            device=on,
+            clock="reference",
+            info=("no date: not synchronized",),
+            doctor=("not synchronized", "stuck"),
+        ),
+        "not a number": Case(
+            sensed([stamp(0xD3, math.nan, 0, 0)] for _ in TIMES),
+            clock="",
+            rate=None,
+            info=("no date: 60 timestamps of which none is valid",),
+            doctor=("no valid time",),
+        ),
+        "time of week that is in no week": Case(
+            sensed([stamp(0xD3, 604_801 + t, WEEK, 3)] for t in TIMES),
+            clock="",
+            rate=None,
+            info=("no date: 60 timestamps of which none is valid",),
+            doctor=("no valid time",),
+        ),
+        "week far in the future": Case(
+            sensed([stamp(0xD3, w, 0xFFFF, 3)] for w in week),
+            device=week,
+            info=unsynchronized,
+            doctor=("not synchronized",),
+        ),
+        "only the external clock": Case(
+            sensed([external(t, 1)] for t in on),
+            device=on,
+            clock="external",
+            info=("no date: no timestamp with a date is in the packets",),
+        ),
+        "external clock without pulses": Case(
+            sensed([external(t, 0)] for t in on),
+            clock="",
+            rate=None,
+            info=("no date: ",),
+            doctor=("no valid time",),
+        ),
+        "receiver without a fix": Case(
+            [
+                one
+                for i, made in enumerate(sensed([reference(t)] for t in on))
+                for one in (made, *([packet(0x91, stamp(0x09, 99.0, 0, 0))] if i % 10 == 0 else []))
+            ],
+            device=on,
+            clock="reference",
+            info=("no date: ",),
+            doctor=("no valid time",),
+        ),
+        "timestamps in another set only": Case(
+            [
+                one
+                for t, made in zip(on, sensed([] for _ in TIMES))
+                for one in (packet(0x82, stamp(0x11, t, 0, 0), angles), made)
+            ],
+            clock="",
+            rate=None,
+            info=("no date: not synchronized", "(device clock)"),
+            doctor=("not synchronized", "no timestamps", "not valid"),
+        ),
+        "dates in one set, the reference clock in another": Case(
+            [
+                one
+                for i, (w, made) in enumerate(zip(week, sensed([stamp(0xD3, w, WEEK, 3)] for w in week)))
+                for one in (made, *[packet(0x82, reference(12.5 + TIMES[i]), angles)] * (i % 10 == 0))
+            ],
+            dates(),
+            clock="",
+            doctor=("not valid",),
+            dated_only=True,
+        ),
+        "synchronized in the middle": Case(
+            sensed([stamp(0x12, w if ok else t, WEEK * ok, 7 * ok)] for ok, w, t in zip(late, week, on)),
+            [date if ok else None for ok, date in zip(late, dates())],
+            on,
+            info=("(device clock)", "date: 2024-02-07T23:59:42.200Z to "),
+            doctor=("not synchronized",),
+        ),
+        "synchronization lost, time of week goes on": Case(
+            sensed([stamp(0x12, w, WEEK, 1 if gone else 7)] for gone, w in zip(lost, week)),
+            [None if gone else date for gone, date in zip(lost, dates())],
+            week,
+            info=("synchronization lost for 0.2 s",),
+            doctor=("synchronization lost",),
+        ),
+        "synchronization lost, time since power-on": Case(
+            sensed(
+                [stamp(0x12, t if i < 9 or gone else w, WEEK, 1 if i < 9 or gone else 7)]
+                for i, (gone, w, t) in enumerate(zip(lost, week, on))
+            ),
+            [None if i < 9 or gone else date for i, (gone, date) in enumerate(zip(lost, dates()))],
+            on,
+            info=("synchronization lost for 0.2 s",),
+            doctor=("synchronization lost",),
+        ),
+        "synchronization lost, time since power-on, after dates only": Case(
+            sensed([stamp(0x12, t if gone else w, WEEK, 1 if gone else 7)] for gone, w, t in zip(lost, week, on)),
+            [None if gone else date for gone, date in zip(lost, dates())],
+            week,
+            info=("synchronization lost for 0.2 s",),
+            doctor=("synchronization lost",),
+        ),
+        "stuck with a date": Case(
+            sensed([stamp(0xD3, TOW, WEEK, 3)] for _ in TIMES),
+            [DATE] * COUNT,
+            rate=None,
+            info=("the gps clock of sensor is stuck at 2024-02-07",),
+            doctor=("stuck",),
+            dated_only=True,
+        ),
+        "stuck": Case(
+            sensed([stamp(0xD3, 12.5, 0, 0)] for _ in TIMES),
+            device=[12.5] * COUNT,
+            rate=None,
+            info=("the device clock of sensor is stuck at 12.500",),
+            doctor=("not synchronized", "stuck"),
+        ),
+        "restarted": Case(
+            sensed([stamp(0xD3, t, 0, 0)] for t in restarted),
+            device=restarted,
+            info=("time: 5.000 to 5.290, then 0.700 to 0.990, 0.580 s (device clock, which restarts 1 time)",),
+            doctor=("not synchronized", "reset"),
+        ),
+        "reference clock restarted": Case(
+            sensed([reference(t)] for t in restarted),
+            device=restarted,
+            clock="reference",
+            info=("time: 5.000 to 5.290, then 0.700 to 0.990, 0.580 s (reference clock, which restarts 1 time)",),
+            doctor=("reset",),
+        ),
+        "next week": Case(
+            sensed([stamp(0xD3, (604_799.8 + t) % 604_800, WEEK + (t > 0.195), 3)] for t in TIMES),
+            dates(DATE - TOW + 604_799.8),
+            dated_only=True,
+        ),
+        "next week without a date": Case(
+            sensed([stamp(0xD3, (604_799.8 + t) % 604_800, 0, 1)] for t in TIMES),
+            device=[604_799.8 + t for t in TIMES],
+            doctor=("not synchronized",),
+        ),
+    }
+
+
+CASES = cases()
+
+
+@pytest.fixture(params=CASES)
+def case(request: pytest.FixtureRequest) -> Case:
+    return CASES[request.param]
+
+
+@pytest.fixture
+def path(case: Case, tmp_path: Path) -> Path:
+    (tmp_path / "log.bin").write_bytes(b"".join(case.packets))
+    return tmp_path / "log.bin"
+
+
+def near(found: Iterable[Any], wanted: Iterable[float | None], unit: float = 1) -> None:
+    """Are these the same times? NaN and None are none."""
+    numbers = [None if x is None or x != x else float(x) / unit for x in found]
+    expected = list(wanted)
+    assert [x is None for x in numbers] == [x is None for x in expected]
+    there = [x for x in numbers if x is not None]
+    assert there == pytest.approx([x for x in expected if x is not None], abs=2e-6)
+
+
+def seconds(text: str) -> float | None:
+    return float(np.datetime64(text.removesuffix("Z"), "ns").astype(np.int64)) / 1e9 if text else None
+
+
+def of_rows(case: Case, rows: list[dict[str, str]]) -> None:
+    assert len(rows) == COUNT
+    assert ("time" in rows[0]) == any(date is not None for date in case.dates)
+    assert ("time_device [s]" in rows[0]) == any(time is not None for time in case.device)
+    near([seconds(row.get("time", "")) for row in rows], case.dates)
+    near([float(row.get("time_device [s]") or math.nan) for row in rows], case.device)
+
+
+def test_info(case: Case, path: Path) -> None:
+    code, out, _ = mip("info", path, "--json")
+    found = json.loads(out)
+    own = next(one for one in found["sets"] if one["set"] == 0x80)
+    assert code == 0 and (own["rate"] is None) == (case.rate is None)
+    assert case.rate is None or own["rate"] == pytest.approx(case.rate, rel=1e-3)
+    assert own["gaps"]["count"] == 0
+    no_dates = all(date is None for date in case.dates)
+    assert (found["clock"] == "gps") != no_dates and (found["no_date"] is None) != no_dates
+    text = mip("info", path)[1]
+    assert all(part in text for part in case.info), text
+
+
+def test_export(case: Case, path: Path) -> None:
+    words = ("export", path, "sensor.scaled_accel", "-o", "-")
+    code, out, error = mip(*words)
+    assert code == 0 and ("no date: " in error) == all(date is None for date in case.dates)
+    of_rows(case, list(csv.DictReader(io.StringIO(out))))
+    piped = mip("export", "-", *words[2:], "--format", "jsonl", data=path.read_bytes())[1]
+    rows = [json.loads(line) for line in piped.splitlines()]
+    near([seconds(row.get("time", "")) for row in rows], case.dates)
+    near([row.get("time_device") for row in rows], case.device)
+
+
+def test_stream(case: Case, path: Path) -> None:
+    code, out, _ = mip("stream", path, "sensor.scaled_accel", "--format", "csv")
+    assert code == 0
+    rows = list(csv.DictReader(io.StringIO(out)))
+    near([seconds(row.get("time", "")) for row in rows], case.dates)
+    near([float(row.get("time_device [s]") or math.nan) for row in rows], case.device)
+
+
+@pytest.mark.parametrize("size", [1 << 30, 300])
+def test_read_log_and_its_parts(case: Case, size: int) -> None:
+    log = read_log(b"".join(case.packets))
+    clock = case.clock if any(time is not None for time in case.device) else None
+    found: list[Any] = []
+    others: list[Any] = []
+    for part in log.parts(size):
+        column = part[sensor.ScaledAccel]
+        values = column.time("gps").values
+        found += np.where(np.isnat(values), np.nan, values.astype(np.int64) / 1e9).tolist()
+        if clock:
+            values = column.time(clock).values
+            others += np.where(np.isnat(values), np.nan, values.astype(np.int64) / 1e9).tolist()
+    near(found, case.dates)
+    assert not clock or near(others, case.device) is None
+    (rate,) = (one.rate for one in log.types() if one.type is sensor.ScaledAccel)
+    assert (rate is None) == (case.rate is None) and (rate is None or rate == pytest.approx(case.rate, rel=1e-3))
+
+
+def test_times_of_devices() -> None:
+    for device, data, *wanted in cases_of_devices():
+        log = read_log(data, device=device)
+        stamps = [raw(log, data[2], clock).value for clock in ("gps", "device")]
+        found = [None if not len(own) or own[0] == NONE else int(own[0]) for own in stamps]
+        assert found == wanted, (device, data.hex())
+
+
+@heavy("mcap")
+def test_mcap(case: Case, path: Path) -> None:
+    steady = case.dates if case.dated_only else case.device
+    out = path.with_suffix(".mcap")
+    code = mip("export", path, "sensor.scaled_accel", "-o", out)[0]
+    assert code == (not (case.clock or case.dated_only) and "(device clock)" not in case.info)
+    if code or not any(time is not None for time in steady):
+        return
+    with open(out, "rb") as file:
+        messages = mcap.make_reader(file).iter_messages(log_time_order=False)
+        near([message.log_time for *_, message in messages], steady, 1e9)
+
+
+def test_equal_steps(case: Case, path: Path) -> None:
+    code, out, _ = mip("export", path, "sensor.scaled_accel", "--rate", "100", "-o", "-")
+    times = case.dates if case.dated_only else case.device
+    if not any(time is not None for time in times):
+        assert code == 1
+        return
+    rows = list(csv.DictReader(io.StringIO(out)))
+    if case.rate:
+        assert len(rows) == pytest.approx(COUNT, abs=2)
+        assert sum(bool([*row.values()][-1]) for row in rows) == pytest.approx(COUNT, abs=4)
+        with_date = sum(bool(row.get("time")) for row in rows)
+        assert with_date == pytest.approx(sum(date is not None for date in case.dates), abs=4)
+
+
+def test_cut(case: Case, path: Path) -> None:
+    code, _, error = mip("cut", path, "-o", path.with_suffix(".cut"), "--only", "0x80", "--end", "0.255")
+    assert code == 0 or "has no valid times" in error
+    if case.rate:
+        size = sum(len(one) for one in case.packets if one[2] == 0x80)
+        assert len(path.with_suffix(".cut").read_bytes()) * COUNT == pytest.approx(26 * size)
+
+
+def test_doctor(case: Case, path: Path) -> None:
+    _, out, _ = mip("doctor", path, "--json")
+    assert sorted(one["cause"] for one in json.loads(out)["findings"]) == sorted(case.doctor)
+
+
+@pytest.mark.parametrize("words", [("info",), ("export", "-o", "-"), ("stream", "--format", "csv")])
+def test_a_named_device_reads_flags_as_its_own(words: tuple[str, ...], tmp_path: Path) -> None:
+    """A 3DM-CV7 has five flags, of which these three do not mark a date."""
+    (tmp_path / "log.bin").write_bytes(b"".join(CASES["three flags"].packets))
+    for device, date in (("3dm-cv7-ahrs", False), ("3dm-gx5-25", True)):
+        code, out, _ = mip(words[0], tmp_path / "log.bin", *words[1:], "--device", device)
+        assert code == 0 and ("2024-02-07T23:59:42" in out) == date
+
+
+def reply(device: str) -> bytes:
+    link = (virtual := VirtualDevice(device)).connect()
+    link.write(bytes(base.GetDeviceInfo().packet()))
+    virtual.advance(0.05)
+    return bytes(link.read())
+
+
+def written(tmp_path: Path, *packets: bytes) -> Path:
+    (tmp_path / "log.bin").write_bytes(b"".join(packets))
+    return tmp_path / "log.bin"
+
+
+def test_a_cut_keeps_the_reply_of_the_device(tmp_path: Path) -> None:
+    """Flags 7 mark no date on a 3DM-CV7."""
+    path = written(tmp_path, reply("3dm-cv7-ahrs"), *CASES["three flags"].packets)
+    for words in (["--begin", "0.2"], ["--only", "0x80"], ["--only", "sensor.scaled_accel", "--packets", "9:"]):
+        assert mip("cut", path, "-o", tmp_path / "part.bin", *words)[0] == 0
+        assert read_log(tmp_path / "part.bin").device == "3dm-cv7-ahrs", words
+    code, _, error = mip("cut", path, "-o", tmp_path / "none.bin", "--begin", "99")
+    assert code == 1 and "the part has no packets" in error
+
+
+@pytest.mark.parametrize("more", [(), ("--tree",), ("--raw",), ("--count", "99")])
+def test_dump_reads_flags_by_the_device_in_the_log(more: tuple[str, ...], tmp_path: Path) -> None:
+    """Flags 7 mark a date on a 3DM-GX5, but not on a 3DM-CV7."""
+    for device, valid in (("3dm-gx5-25", True), ("3dm-cv7-ahrs", False)):
+        path = written(tmp_path, reply(device), *CASES["three flags"].packets)
+        for where, data in ((path, b""), ("-", path.read_bytes())):
+            code, out, error = mip("dump", where, "--only", "sensor.gps_timestamp", *more, data=data)
+            assert code == 0 and ("invalid" not in out) == valid, (where, out)
+            assert "(from the log)" in error
+
+
+_RECOGNIZED = "flags read as those of generations 4 and 5 (recognized)"
+
+
+def test_what_is_assumed_is_known_from_the_beginning(tmp_path: Path) -> None:
+    assumed = {name: read_log(b"".join(CASES[name].packets)).assumed() for name in ("three flags", "five flags")}
+    assert [text.partition(": ")[2] for text in assumed["three flags"]] == [_RECOGNIZED]
+    for more in ((), ("--raw",)):
+        assert _RECOGNIZED in mip("dump", written(tmp_path, *CASES["three flags"].packets), *more)[2]
+    assert assumed["five flags"] == []
+    assert read_log(b"".join(sensed([stamp(0x12, t, 0, 0)] for t in TIMES))).assumed() == []  # no bits, no knowledge
+
+
+@pytest.mark.parametrize("words", [("info",), ("dump",), ("dump", "--raw"), ("stream",), ("export", "-o", "-")])
+@pytest.mark.parametrize(
+    ("devices", "names"),
+    [
+        (["3dm-cv7-ahrs", "3dm-gx5-25"], "2 devices in the log, 3DM-CV7-AHRS and 3DM-GX5-25:"),
+        (
+            ["3dm-cv7-ahrs", "3dm-gx5-25", "3dm-gq7"],
+            "3 devices in the log, 3DM-CV7-AHRS, 3DM-GX5-25 and 3DM-GQ7-GNSS/INS:",
+        ),
+    ],
+)
+def test_several_devices_in_a_log_are_named(
+    devices: list[str], names: str, words: tuple[str, ...], tmp_path: Path
+) -> None:
+    path = written(tmp_path, *map(reply, devices), *CASES["three flags"].packets)
+    code, out, error = mip(words[0], path, *words[1:])
+    assert code == 0 and names in out + error, error
+
+
+def test_dump_knows_the_device_of_each_log(tmp_path: Path) -> None:
+    """Flags 7 mark a date on a 3DM-GX5, but not on a 3DM-CV7."""
+    paths = []
+    for device in ("3dm-gx5-25", "3dm-cv7-ahrs"):
+        paths.append(tmp_path / device)
+        paths[-1].write_bytes(b"".join([reply(device), *CASES["three flags"].packets]))
+    for more in ((), ("--raw",)):
+        code, out, error = mip("dump", *paths, "--only", "sensor.gps_timestamp", *more)
+        assert (
+            code == 0
+            and ["(invalid)" in line for line in out.splitlines() if ": " in line] == [False] * 60 + [True] * 60
+        )
+        assert "3DM-GX5-25 (from the log)" in error and "3DM-CV7-AHRS (from the log)" in error
+
+
+def test_a_device_that_appears_later_is_named_in_a_stream(tmp_path: Path) -> None:
+    packets = CASES["three flags"].packets * 800  # longer than the part that is read before the first line
+    code, _, error = mip("stream", written(tmp_path, reply("3dm-gx5-25"), *packets, reply("3dm-cv7-ahrs")))
+    assert code == 0 and re.findall("device.*", error)[0] == "device 3DM-GX5-25 (from the log)"
+    assert "2 devices in the log, 3DM-GX5-25 and 3DM-CV7-AHRS" in error
+
+
+def test_a_receiver_with_a_date_beside_a_clock_without(tmp_path: Path) -> None:
+    sensor_packets = CASES["never synchronized"].packets
+    dated = [packet(0x91, stamp(0x09, TOW + i / 10, WEEK, 3)) for i in range(6)]
+    together = [x for i, one in enumerate(sensor_packets) for x in ([dated[i // 10]] if i % 10 == 0 else []) + [one]]
+    assert "time: 12.500 to 13.090, 0.590 s (device clock)" in mip("info", written(tmp_path, *together))[1]
+
+
+def test_equal_steps_without_any_row(tmp_path: Path) -> None:
+    apart = [x for t, one in zip(TIMES, sensed([] for _ in TIMES)) for x in (packet(0x80, stamp(0xD3, t, 0, 0)), one)]
+    code, _, error = mip("export", written(tmp_path, *apart), "sensor.scaled_accel", "--rate", "100", "-o", "-")
+    assert code == 1 and "none of these fields is in packets with a time by the device clock" in error
+
+
+def test_one_timestamp(tmp_path: Path) -> None:
+    assert (
+        "not synchronized; 1 of 1 timestamp without a date"
+        in mip("info", written(tmp_path, CASES["stuck"].packets[0]))[1]
+    )
+
+
+def test_a_live_port_is_asked_for_its_device() -> None:
+    with simulated(device="3dm-gx5-25") as port:
+        for words in (
+            ("stream", port, "sensor.scaled_accel@50", "--packets", "3"),
+            ("dump", port, "--count", "3"),
+            ("monitor", port, "--duration", "1"),
+        ):
+            code, out, error = mip(*words)
+            assert code == 0 and "device 3DM-GX5-25 (at the port)" in out + error, words
+        told = "mip send: device 3DM-GX5-25 (at the port)\n"  # the bits of its reply are those of the model
+        assert mip("send", port, "base.built_in_test") == (0, "result = 0 (0x0)\n", told)
+        reply = json.loads(mip("send", port, "base.built_in_test", "--json")[1])["response"]
+        assert (
+            reply
+            == {"result": []}
+            == json.loads(mip("send", port, "base.built_in_test", "--json", "--device", "3dm-gx5-25")[1])["response"]
+        )
+
+
+def test_the_rate_of_a_field_is_one_in_all_tools(tmp_path: Path) -> None:
+    """A field in each tenth packet of the second half, after a gap; two in each of these packets."""
+    angles = (0x05, struct.pack(">3fH", 0, 0, 0, 1))
+    packets = [
+        packet(
+            0x82,
+            reference(i * STEP + (1 if i > 40 else 0)),
+            *[angles] * (2 * (i >= 30 and i % 10 == 0)),
+            (0x10, bytes(6)),
+        )
+        for i in range(80)
+    ]
+    path = written(tmp_path, *packets)
+    found = {field["name"]: field["rate"] for field in json.loads(mip("info", path, "--json")[1])["fields"]}
+    assert found["filter_data.status"] == pytest.approx(100) and found["filter_data.euler_angles"] == pytest.approx(
+        10, rel=0.2
+    )
+    assert {one.name: one.rate for one in read_log(path).types()} == pytest.approx(found)
+
+
+def test_fleet(case: Case, path: Path) -> None:
+    from mip_tools.fleet.decode import _facts
+
+    (own,) = (one for one in _facts(read_log(path))["sets"] if one["set"] == "sensor")
+    assert own.get("rate") == (None if case.rate is None else pytest.approx(case.rate, rel=1e-3))
+
+
+def test_a_log_of_two_devices_is_the_log_of_neither(tmp_path: Path) -> None:
+    from mip_tools.fleet.decode import _identity
+
+    one, other = reply("3dm-cv7-ahrs"), reply("3dm-gx5-25")
+    assert _identity(read_log(one + one))["model"] == "3DM-CV7-AHRS"
+    assert "model" not in _identity(read_log(one + other))

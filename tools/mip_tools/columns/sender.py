@@ -1,0 +1,111 @@
+"""The device that sent a log, and how its flags are read: the same for all parts of the log, and in all tools."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ..binding import DEVICES, Field, Parameter
+from ..devices.known import KnownDevice, identity, listed
+from ..names.occurrence import every
+from . import scan, walk
+from .scan import Array
+
+#: Bytes of a log that are searched at once.
+_SEARCHED = 1 << 20
+#: Bytes of a log whose flags are in memory at the same time.
+_PART = 1 << 24
+
+
+class Sender(KnownDevice):
+    """The device of a log or of a stream. Of an unknown device, all flags seen so far decide together how they are
+    read."""
+
+    def __init__(self, named: str | KnownDevice | None = None, at_port: str | None = None) -> None:
+        """See `KnownDevice`; one that is given continues to learn."""
+        if isinstance(named, KnownDevice):
+            self.named, self._found, self._reported = named.named, named._found, named._reported
+        else:
+            super().__init__(named, at_port)
+        self._bits: dict[tuple[type[Field], str], int] = {}
+        self._recognized: dict[str, str] = {}
+
+    def device(self, log: Any) -> str | None:
+        """Returns the id of the device."""
+        if self.named is None:
+            self._search(log)
+        return self.id
+
+    def _search(self, log: Any) -> None:
+        if "searched" not in log.source.notes:
+            log.source.notes["searched"] = True
+            for reply in replies(log):
+                self.found(reply, "from the log")
+
+    def recognized(self, log: Any, kind: type[Field], p: Parameter, path: str) -> Parameter:
+        """Returns a parameter as it is on an unknown device; `path` names the column with its flags."""
+        key = (kind, path)
+        if key not in log.source.notes:
+            log.source.notes[key] = True
+            self._bits[key] = self._bits.get(key, 0) | _bits(log, kind, path, p)
+        here = p.recognized(self._bits[key])
+        if here.flags != p.readings[-1].flags and self._bits[key]:
+            devices = next(r.devices for r in p.readings if r.flags == here.flags)
+            self._recognized[f"{kind.NAME}.{path}"] = _those_of(devices)
+        return here
+
+    def assumed(self, log: Any) -> list[str]:
+        """Says in a line each what was assumed about the device."""
+        self._search(log)
+        same = [f"{name}: flags read as those of {whose} (recognized)" for name, whose in self._recognized.items()]
+        return [*self.lines(), *(same if self.id is None else [])]
+
+
+def replies(log: Any) -> list[Any]:
+    """Returns the replies in the whole log in which a device identifies itself."""
+    return [reply for part in near_replies(log) for reply in part.objects(identity())]
+
+
+def near_replies(log: Any, first: int = 0) -> Iterator[Any]:
+    """Yields the parts of a log, from an offset on, in which a device may identify itself: of a packet each, or none
+    if what looks like a packet is a part of another one."""
+    for begin in range(first, log.size, _SEARCHED):
+        limit = min(_SEARCHED, log.size - begin)
+        data, length = log.source.piece(begin, limit, scan.AHEAD)
+        at, end = scan.candidates(data, 0, limit, length)
+        for place in at[identifies(data, at, end)].tolist():
+            yield log.part(begin + place, begin + place + 1)
+        log.source.forget(begin, begin + limit)
+
+
+def identifies(data: Array, at: Array, end: Array) -> Array:
+    """Returns which packets contain the reply with which a device identifies itself."""
+    kind, found = identity(), np.zeros(len(at), bool)
+    if kind is not None and len(at):
+        own = np.flatnonzero(data[at + 2] == kind.SET)
+        for run in walk.runs(data, at[own], end[own]) if len(own) else ():
+            found[own[run.packet]] |= run.descriptor == kind.DESCRIPTOR
+    return found
+
+
+def _bits(log: Any, kind: type[Field], path: str, p: Parameter) -> int:
+    """Returns all bits that are set in these flags anywhere in the log, or enough to know how they are read."""
+    bits = 0
+    whole = log.whole()
+    for part in whole.parts(_PART) if whole.size > _PART else (whole,):
+        for column in part.columns(every(kind)):
+            if len(column):
+                bits |= int(np.bitwise_or.reduce(np.asarray(column[path])))
+        if bits and p.recognized(bits).flags == p.readings[-1].flags:
+            break
+    return bits
+
+
+def _those_of(devices: tuple[str, ...]) -> str:
+    """Names devices by their generations."""
+    generations = sorted({DEVICES[device].generation or 0 for device in devices})
+    if not all(generations):
+        return listed([DEVICES[device].title for device in devices])
+    return f"generation{'s' * (len(generations) > 1)} {listed([*map(str, generations)])}"

@@ -1,0 +1,60 @@
+"""The commands of `mip`, and the options that all of them have.
+
+A further command is an entry of `COMMANDS` and a module of that name. Tests: `tests/tools/cli`.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+from ..errors import Misuse
+
+#: Command -> its summary. Its module has the same name, with `add_arguments(parser)` and `run(options)`.
+COMMANDS = {
+    "dump": "show packets with names, values and units",
+    "info": "show what is in a log: types, rates, gaps, damage",
+    "doctor": "find out what is wrong with a device or a log, and why",
+    "export": "write csv, jsonl, npz, parquet, arrow, mcap or ros2",
+    "fleet": "write many logs as one Parquet data set, in parallel",
+    "plot": "plot values of a log over time",
+    "cut": "copy a part of a log",
+    "record": "write what a device sends to a file",
+    "monitor": "show the latest values of a device, live",
+    "stream": "write live data as JSON lines, CSV, MCAP, or to Foxglove",
+    "send": "send a command and show the reply",
+    "config": "copy, compare and restore the settings of a device",
+    "profile": "read what a device supports, for a specification",
+    "fields": "look up fields: bytes, values, units, devices",
+    "bandwidth": "compute the baud rate that streams need",
+    "simulate": "run a virtual device, on a pseudo-terminal or TCP",
+    "serve": "let pages in a browser use a device, or a virtual one",
+    "completion": "print a script for completion in a shell",
+}
+
+PACKAGE = "--package"
+
+
+def loaded(command: str) -> Any:
+    """Imports the module of a command, which imports what it uses from the generated package."""
+    return import_module(f".{command}", __name__)
+
+
+def without_package(words: list[str]) -> tuple[str | None, list[str]]:
+    """Finds `--package`, before or after the command. Returns its value, and the other words. Raises Misuse."""
+    end = words.index("--") if "--" in words else len(words)
+    for i, word in enumerate(words[:end]):
+        option, equals, value = word.partition("=")
+        if option == PACKAGE:
+            if not equals:
+                value = next(iter(words[i + 1 : end]), "")
+            if not value:
+                raise Misuse(f"{PACKAGE} needs the name or the folder of a generated package")
+            rest = words[:i] + words[i + (1 if equals else 2) :]
+            if without_package(rest)[0] is not None:
+                raise Misuse(f"{PACKAGE} can be given only once")
+            return value, rest
+    return None, words
+
+
+__all__ = ["COMMANDS", "PACKAGE", "loaded", "without_package"]

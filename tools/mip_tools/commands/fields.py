@@ -1,0 +1,86 @@
+"""`mip fields`: shows the specification in a terminal."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import Any
+
+from ..binding import DEVICES, Field, Response, info, registry
+from ..errors import Failure, Misuse
+from ..names.occurrence import Occurrence
+from ..names.search import everything, ranked
+from ..names.selection import fields, keys
+from ..options import add_device
+from ..text import field_texts, show
+
+EPILOG = """\
+examples:
+  mip fields                          the descriptor sets
+  mip fields sensor                   the fields of a set
+  mip fields sensor.scaled_accel      one field; 0x80:0x04 and the vendor's name also work
+  mip fields --search "gyro bias"      fields with these words, the best first
+  mip fields 3dm --device 3dm-gx5-15  only the fields of a device
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("name", nargs="?", metavar="NAME", help="a set or a field")
+    add("--search", metavar="TEXT", help="fields that have these words, the best first")
+    add_device(parser, "only the fields of this device")
+    add("--json", action="store_true", help="print JSON, for programs")
+
+
+def run(options: argparse.Namespace) -> int:
+    chosen = _chosen(options)
+    if options.json:
+        print(json.dumps([field_texts.as_json(field) for field in chosen], indent=2))
+    elif options.name is None and options.search is None and options.device is None:
+        for number in registry.MODULES:
+            count = sum(1 for set_number, _ in chosen if set_number == number)
+            print(f"0x{number:02X}  {show.set_name(number):<16} {count:>3} fields")
+    elif options.name is not None and len({field.name for field in chosen}) == 1:
+        for i, field in enumerate(chosen):
+            print("\n" * (i > 0) + field_texts.text(field))
+    else:
+        width = max((len(field.name) for field in chosen), default=0)
+        for field in chosen:
+            number, kind = field
+            print(f"0x{number:02X},0x{kind.DESCRIPTOR:02X}  {field.name:<{width}}  {kind.ROLE:<8}  {info(kind).title}")
+    return 0
+
+
+def _chosen(options: argparse.Namespace) -> list[Occurrence]:
+    kinds = everything()
+    if options.name is not None:
+        wanted = keys(options.name)
+        if wanted[0][1] is None:
+            kinds = [k for k in kinds if k[0] == wanted[0][0]]
+        else:
+            named = fields(options.name)
+            kinds = [k for k in kinds if k in named]
+        if not kinds:
+            raise Misuse(f"the specification has no {options.name}; `mip fields` lists the sets")
+    if options.device is not None:
+        profile = DEVICES[options.device]
+        kinds = [k for k in kinds if _supports(profile, *k)]
+    if options.search is not None:
+        kinds = ranked(kinds, options.search)
+    if not kinds:
+        raise Failure(_nothing(options))
+    return kinds
+
+
+def _nothing(options: argparse.Namespace) -> str:
+    """Reports why no field is found."""
+    if options.search is None or options.name is not None or options.device is not None:
+        return "no field matches NAME, --search and --device together; leave one out"
+    return f"no field has a word of '{options.search}'; `mip fields` lists the sets"
+
+
+def _supports(profile: Any, number: int, kind: type[Field]) -> bool:
+    if issubclass(kind, Response):
+        return any(profile.has(c.SET, c.DESCRIPTOR) for c in kind.COMMANDS)
+    return bool(profile.has(number, kind.DESCRIPTOR))

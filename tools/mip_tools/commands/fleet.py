@@ -1,0 +1,95 @@
+"""`mip fleet`: many logs as one data set."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+
+from ..errors import Misuse
+from ..files import outputs, signals
+from ..fleet import build
+from ..names.selection import Selection
+from ..options import add_device, positive
+from ..text.numbers import counted
+
+EPILOG = """\
+examples:
+  mip fleet logs -o data                                 all *.bin in a folder and its subfolders
+  mip fleet logs -o data                                 again: adds new logs
+  mip fleet logs -o data --only sensor,filter_data --device-from '^([^/]+)/'
+  mip fleet s3://bucket/logs -o data                     needs s3fs
+  mip fleet logs -o data --scheduler tcp://host:8786     a cluster that sees the same folders
+
+The data set has a folder for each clock and each field, data/clock=gps/field=NAME, with the rows
+and columns of `mip export` for that field, plus `log` and `device`. data/_manifest.json lists the
+files that belong to the data set; data/_catalogue.parquet has devices, times and gaps. Run an
+interrupted command again to continue; no row is duplicated. A log is recognized by its content,
+under any name. A log that cannot be read is reported, and tried again by the next run.
+
+exit status: 1 if a log could not be added
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("logs", nargs="+", metavar="LOGS", help="folders, logs, or URLs of either")
+    add("-o", "--output", required=True, metavar="FOLDER", help="the data set, which is created or extended")
+    add("--pattern", default="*.bin", help="names of the logs in a folder (default: %(default)s)")
+    add("--only", action="append", default=[], metavar="NAME,...", help="only these fields or sets")
+    add(
+        "--invalid",
+        choices=("keep", "mask", "drop"),
+        default="keep",
+        help="values whose flags mark them as invalid: keep them (default), leave them empty, or drop their rows",
+    )
+    add("--device-from", type=_group, metavar="REGEX", help="device of a log: first group of this pattern in its name")
+    add_device(parser)
+    add("--workers", type=positive, metavar="N", help="number of local processes (default: one for each core)")
+    add("--scheduler", metavar="ADDRESS", help="a Dask scheduler, instead of local processes")
+
+
+def _group(text: str) -> str:
+    try:
+        groups = re.compile(text).groups
+    except re.error as error:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a regular expression: {error}") from None
+    if groups < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' has no group; put the device in parentheses")
+    return text
+
+
+def run(options: argparse.Namespace) -> int:
+    if "://" in options.output:
+        raise Misuse(f"{options.output} is not a folder of this machine; write to one, and copy it to the store")
+    Selection(options.only)  # a wrong name is an error of the command line, not of each log
+
+    def progress(done: int, of: int, what: str) -> None:
+        outputs.progress(f"{done} of {of} {what}")
+
+    with signals.handled(signals.interrupt):
+        try:
+            built = build(
+                options.logs,
+                options.output,
+                only=options.only,
+                pattern=options.pattern,
+                invalid=options.invalid,
+                device=options.device_from,
+                sender=options.device,
+                workers=options.workers,
+                scheduler=options.scheduler,
+                progress=progress,
+            )
+        finally:
+            outputs.progress("")
+    for name, why in sorted(built.failed.items()):
+        print(f"mip fleet: {name}: {why}", file=sys.stderr)
+    added, known, failed = len(built.added), len(built.known), len(built.failed)
+    rows, logs, files = built.manifest.rows, len(built.manifest.logs), len(built.manifest.files)
+    print(
+        f"{options.output}: {counted(added, 'log')} added, {known} known, {failed} failed; "
+        f"{counted(rows, 'row')} of {counted(logs, 'log')} in {counted(files, 'file')}"
+    )
+    return 1 if built.failed else 0

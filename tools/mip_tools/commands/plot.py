@@ -1,0 +1,76 @@
+"""`mip plot`: values over time."""
+
+from __future__ import annotations
+
+import argparse
+import os
+
+from ..errors import Misuse
+from ..files import outputs
+from ..formats import plot
+from ..logs import inputs
+from ..logs.assumed import print_assumptions
+from ..options import add_device
+
+EPILOG = """\
+examples:
+  mip plot log.bin sensor.scaled_accel -o accel.png
+  mip plot log.bin sensor.scaled_accel.z filter_data.llh_position      in a window
+  mip plot log.bin gnss_1.llh_position.latitude filter_data.llh_position.latitude --together
+
+The file extension selects the format: png, svg, pdf. Values whose flags mark them as invalid are
+left out. Enumerations and flags are shown as numbers.
+"""
+FORMATS = ("png", "svg", "pdf")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("file", metavar="FILE", help="a log; - for standard input")
+    add("names", nargs="+", metavar="NAME", help="fields, or FIELD.PARAMETER, FIELD.PARAMETER.ELEMENT")
+    add("-o", "--output", metavar="FILE", help="write an image (default: open a window)")
+    add_device(parser)
+    add("--together", action="store_true", help="draw all in one diagram")
+    add("--invalid", choices=("mask", "keep"), default="mask", help="leave out invalid values (default), or keep them")
+    add("--size", type=_size, default=(10.0, 0.0), metavar="WxH", help="size in inches (default: 10 wide)")
+
+
+def _size(text: str) -> tuple[float, float]:
+    width, _, height = text.partition("x")
+    try:
+        size = float(width), float(height)
+    except ValueError:
+        size = 0.0, 0.0
+    if not all(1 <= number <= 100 for number in size):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a size; write 10x6, in inches")
+    return size
+
+
+def run(options: argparse.Namespace) -> int:
+    pyplot = plot.matplotlib_pyplot(window=options.output is None)
+    form = _format(options.output)
+    if options.output is not None:
+        outputs.refuse_input(options.output, options.file)
+    curves = [curve for name in options.names for curve in plot.curves_of(name)]
+    with inputs.columns(options.file, options.device) as log:
+        figure = plot.draw(pyplot, log, curves, options)
+        print_assumptions("plot", log, False)
+        if options.output is None:
+            pyplot.show()
+            return 0
+        with outputs.whole(options.output) as out:
+            figure.savefig(out, format=form, dpi=120)
+    outputs.note(f"{options.output}: {', '.join(options.names)}")
+    return 0
+
+
+def _format(output: str | None) -> str | None:
+    if output is None:
+        return None
+    ending = os.path.splitext(output)[1].lstrip(".").lower()
+    if output == "-":
+        return "png"
+    if ending not in FORMATS:
+        raise Misuse(f"'.{ending}' is not a known format; name a file that ends in .png, .svg or .pdf")
+    return ending

@@ -1,0 +1,341 @@
+"""`mip simulate`: the command line of the virtual device."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from dataclasses import replace
+from datetime import datetime, timezone
+from pathlib import Path
+from typing import TextIO
+
+from ..binding import DEVICES, SETS, Device
+from ..devices.profiles import assumed_ports, assumed_rates, certain, device_named
+from ..errors import Failure, Misuse
+from ..files import outputs, signals
+from ..geometry import earth
+from ..simulator.commands.knowledge import without_effect
+from ..simulator.device import VirtualDevice
+from ..simulator.endpoints.channel import CAPACITY
+from ..simulator.endpoints.endpoint import Endpoint, pty_at, tcp_at, udp_at
+from ..simulator.endpoints.serve import Server
+from ..simulator.faults import Faults, Injected, json_log
+from ..simulator.faults.kinds import parse_faults, table
+from ..simulator.motion import MotionError, parse_motion
+from ..simulator.scenario import SCHEMA, Scenario, Simulated, endpoint, read_scenario
+from ..text.numbers import counted
+
+Log = Callable[[Injected], None]
+
+_KNOWN = sorted(DEVICES.values(), key=lambda d: (bool(d.incomplete), -len(d.ports)))
+_EXAMPLE = _KNOWN[0].id if _KNOWN else "DEVICE"
+_PORTS = ([p.name for p in _KNOWN[0].ports] if _KNOWN else []) or ["NAME"]
+
+EPILOG = f"""\
+examples:
+  mip simulate {_EXAMPLE} --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
+  mip simulate {_EXAMPLE} --tcp 5000 --speed 10   TCP, ten times as fast as real time
+  mip simulate {_EXAMPLE} --port "{_PORTS[0]}=pty:/tmp/first" --port "{_PORTS[-1]}=tcp:5000"
+  mip simulate --scenario test.yaml               devices, ports, motions and events of a file
+  mip simulate {_EXAMPLE} --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
+
+When the device is ready, its endpoints are printed, one per line: first those of --pty, then --tcp, --udp and
+--port; those of a scenario in the order of the file.
+
+faults: KIND=RATE with a probability, KIND=RATE:AMOUNT also with a maximum amount, KIND@N at the Nth
+chance; all=RATE stands for every kind.
+{table()}
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("device", nargs="?", metavar="DEVICE", help="name of the device, as listed by --list")
+    add("--list", action="store_true", help="list the devices and exit")
+    add("--no-effect", action="store_true", help="list the commands that change nothing on a virtual device and exit")
+    add("--certain", action="store_true", help="only the commands and data that the device is known to have")
+    add("--pty", action="append", default=[], metavar="PATH", help="a pseudo-terminal, with a link to it at PATH")
+    add("--tcp", action="append", default=[], metavar="[HOST:]PORT", help="a TCP port; 0: the system chooses one")
+    add("--udp", action="append", default=[], metavar="[HOST:]PORT", help="a UDP port; 0: the system chooses one")
+    add(
+        "--port",
+        action="append",
+        default=[],
+        metavar="NAME=ENDPOINT",
+        help="a port of the device, as its profile names it, at pty:PATH, pty, tcp:[HOST:]PORT or udp:[HOST:]PORT",
+    )
+    add(
+        "--motion",
+        metavar="MOTION",
+        help="standing (default), circle:radius=20,speed=5, track:file=CSV, trajectory:file=CSV or replay:file=LOG",
+    )
+    add("--scenario", type=Path, metavar="FILE", help="a YAML file with events, and optionally devices and their ports")
+    add("--schema", action="store_true", help="print the JSON schema of scenario files and exit")
+    add(
+        "--signal",
+        type=_signal,
+        action="append",
+        default=[],
+        metavar="PIN=HZ",
+        help="a square wave at a pin of the device",
+    )
+    add("--noise", type=_noise, default=1.0, metavar="X", help="scales the noise (default: 1); 0: only constant biases")
+    add("--seed", type=int, default=0, metavar="N", help="seed of noise and faults (default: 0)")
+    add(
+        "--speed",
+        type=_speed,
+        default=1.0,
+        metavar="X",
+        help="multiple of real time (default: 1); 0: as fast as clients read",
+    )
+    add(
+        "--start",
+        type=start_time,
+        metavar="TIME",
+        help="simulated time at the start: ISO 8601, UTC, or `now` "
+        "(default: 2024-01-06T23:59:42, or that of a replayed log)",
+    )
+    add(
+        "--sync",
+        action=argparse.BooleanOptionalAction,
+        help="a pulse per second and its time arrive from outside; --no-sync: nor do receivers have reception "
+        "(default: only receivers have a time, and a replayed log that has dates)",
+    )
+    add("--duration", type=_seconds, metavar="S", help="stop after this many simulated seconds")
+    add(
+        "--queue",
+        type=_bytes,
+        default=CAPACITY,
+        metavar="BYTES",
+        help=f"how much waits for a slow client (default: {CAPACITY}); beyond it, the oldest packets are dropped",
+    )
+    add("--storage", type=Path, metavar="FILE", help="keep saved settings in this file (default: lost at the end)")
+    add("--strict-baud", action="store_true", help="baud rates limit the data, and a wrong one garbles it")
+    add("--fault", action="append", default=[], metavar="FAULT,...", help="inject faults; see below")
+    add("--fault-log", type=Path, metavar="FILE", help="log each fault as a line of JSON")
+    add("--log-packets", action="store_true", help="also log each packet that is sent")
+
+
+def run(options: argparse.Namespace) -> int:
+    if options.list:
+        width = max(len(d.id) for d in DEVICES.values())
+        for device in DEVICES.values():
+            incomplete = f" (incomplete: {_known(device)})" if device.incomplete else ""
+            print(f"{device.id:<{width}}  {device.title}{incomplete}")
+        return 0
+    if options.no_effect:
+        print("\n".join(without_effect()))
+        return 0
+    if options.schema:
+        print(SCHEMA.read_text("utf-8"), end="")
+        return 0
+    wanted = _wanted(options)
+    _different([endpoint for simulated in wanted for endpoint in simulated.endpoints])
+    if options.log_packets and options.fault_log is None:
+        raise Misuse("--log-packets needs a file; add --fault-log FILE")
+    with ExitStack() as stack:
+        file = _log(options, stack)
+        logs: list[Log | None] = [None] * len(wanted)
+        if file is not None:  # several devices are numbered in the log
+            numbers = ({"device": i} if wanted[1:] else {} for i in range(1, len(wanted) + 1))
+            logs = [json_log(file, **number) for number in numbers]
+        server = Server(
+            [_device(simulated, options, log) for simulated, log in zip(wanted, logs)],
+            [replace(endpoint, device=i) for i, simulated in enumerate(wanted) for endpoint in simulated.endpoints],
+            options.speed,
+            duration=options.duration,
+            strict_baud=options.strict_baud,
+            seed=options.seed,
+            capacity=options.queue,
+            ready=lambda text: print(text, flush=True),
+            complain=_complain,
+        )
+        stack.enter_context(signals.handled(lambda number, frame: server.stop()))
+        stack.enter_context(server)
+        for profile in {simulated.profile.id: simulated.profile for simulated in wanted}.values():
+            _introduce(profile, options.certain)
+        server.run()
+    return 0
+
+
+def _wanted(options: argparse.Namespace) -> list[Simulated]:
+    """The devices to simulate. Raises Failure."""
+    scenario = Scenario() if options.scenario is None else read_scenario(options.scenario)
+    if not scenario.devices:
+        profile = _profile(options.device)
+        motion = None
+        if options.motion is not None:
+            try:
+                motion = parse_motion(options.motion)
+            except MotionError as error:
+                raise Failure(f"--motion {error}", 1 if "file=" in options.motion else 2) from None
+        return [
+            Simulated(
+                profile,
+                tuple(_endpoints(options, profile)),
+                motion,
+                sync=options.sync,
+                storage=options.storage,
+                events=scenario.events,
+            )
+        ]
+    for name in ("device", "pty", "tcp", "udp", "port", "motion", "signal", "storage", "sync"):
+        if getattr(options, name) not in (None, []):
+            what = f"'{options.device}'" if name == "device" else f"--{name}"
+            raise Misuse(f"{what} is for one device, but {options.scenario} names its own; remove one of them")
+    return [
+        replace(simulated, seed=options.seed + i if simulated.seed is None else simulated.seed)
+        for i, simulated in enumerate(scenario.devices)
+    ]
+
+
+def _device(simulated: Simulated, options: argparse.Namespace, log: Log | None) -> VirtualDevice:
+    seed = options.seed if simulated.seed is None else simulated.seed
+    plans = parse_faults(",".join(options.fault))
+    faults = None
+    if plans or log is not None or any(event.event == "faults" for event in simulated.events):
+        faults = Faults(seed=seed, log=log, every_packet=options.log_packets, plans=plans)
+    device = VirtualDevice(
+        certain(simulated.profile) if options.certain else simulated.profile,
+        motion=simulated.motion,
+        seed=seed,
+        noise=options.noise,
+        start=options.start,
+        sync=simulated.sync,
+        storage=simulated.storage,
+        faults=faults,
+        events=simulated.events,
+    )
+    for pin, hertz in options.signal:
+        try:
+            device.wave(pin, hertz)
+        except ValueError as error:
+            raise Misuse(f"--signal {pin}={hertz:g}: {error}") from None
+    return device
+
+
+def _log(options: argparse.Namespace, stack: ExitStack) -> TextIO | None:
+    if options.fault_log is None:
+        return None
+    replayed = re.search(r"[:,]file=([^,]+)", options.motion or "")
+    for path in (replayed and replayed[1], options.scenario):
+        if path:
+            outputs.refuse_input(str(options.fault_log), str(path))
+    try:
+        if outputs.holds_bytes(options.fault_log):
+            with options.fault_log.open("rb") as earlier:
+                if earlier.read(1) != b"{":
+                    raise Failure(f"{options.fault_log} is not a log of faults; name another file")
+        return stack.enter_context(open(options.fault_log, "w", encoding="utf-8"))
+    except OSError as error:
+        raise Failure(f"{options.fault_log} cannot be written: {error.strerror}") from None
+
+
+def _introduce(whole: Device, sure: bool) -> None:
+    """Prints how much of a device is certain, and what is assumed."""
+    profile = certain(whole) if sure else whole
+    _complain(_evidence(whole, sure))
+    if profile.incomplete:
+        _complain(f"the profile of {profile.title} is incomplete ({_known(profile)}): " + " ".join(profile.incomplete))
+    if rates := {set_number: rate for set_number, rate in assumed_rates(profile).items() if rate}:
+        _complain(_assumed(rates))
+    if any(port not in profile.ports for port in assumed_ports(profile)):
+        _complain("no source states the baud rates; all that other devices have are assumed")
+
+
+def _evidence(profile: Device, certain: bool) -> str:
+    """States how much of a profile is certain."""
+    sure, likely, assumed = len(profile.certain), len(profile.likely), len(profile.assumed)
+    left_out = " (left out)" if certain and likely + assumed else ""
+    return f"{profile.title}: {sure} commands and data fields are certain, {likely} likely, {assumed} assumed{left_out}"
+
+
+def _known(profile: Device) -> str:
+    """States how complete an incomplete profile is."""
+    commands = sum(1 for set_number, _ in profile.fields if set_number < 0x80)
+    data = len(profile.fields) - commands
+    return f"{counted(commands, 'command')}, {counted(data, 'data field')}"
+
+
+def _complain(text: str) -> None:
+    print(f"mip simulate: {text}", file=sys.stderr, flush=True)
+
+
+# --------------------------------------------------------------------------- what is wanted
+
+
+def _profile(name: str | None) -> Device:
+    if name is None:
+        raise Misuse("the device is missing; `mip simulate --list` lists all devices")
+    return device_named(name)
+
+
+def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
+    endpoints = [pty_at(path) for path in options.pty]
+    endpoints += [tcp_at(text) for text in options.tcp] + [udp_at(text) for text in options.udp]
+    return endpoints + [endpoint(text, profile) for text in options.port] or [pty_at("")]
+
+
+def _different(endpoints: list[Endpoint]) -> None:
+    """Raises Misuse if two terminals have the same path."""
+    paths = [e.path for e in endpoints if e.path]
+    for path in paths:
+        if paths.count(path) > 1:
+            raise Misuse(f"{path} is given for two terminals; choose different paths")
+
+
+def _signal(text: str) -> tuple[int, float]:
+    pin, _, hertz = text.partition("=")
+    what = "signal; write PIN=HZ, for example 1=10"
+    return int(_number(pin, 1, 255, what)), _number(hertz, 1e-6, 1e6, what)
+
+
+def _seconds(text: str) -> float:
+    return _number(text, 1e-9, 1e10, "duration in seconds; use a number above 0")
+
+
+def _bytes(text: str) -> int:
+    return int(_number(text, 1024, 1e9, "queue; use at least 1024 bytes"))
+
+
+def _noise(text: str) -> float:
+    return _number(text, 0, 1e3, "noise; use 1 for the usual noise, 0 for none")
+
+
+def _speed(text: str) -> float:
+    return _number(text, 0, 1e6, "speed; use 1 for real time, 0 for as fast as possible")
+
+
+def _number(text: str, least: float, most: float, what: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not least <= value <= most:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a {what}")
+    return value
+
+
+def start_time(text: str) -> int:
+    """Parses a start time. Returns nanoseconds since the GPS epoch."""
+    try:
+        when = datetime.now(timezone.utc) if text == "now" else datetime.fromisoformat(text.replace("Z", "+00:00"))
+        if when.tzinfo is not None:
+            when = when.astimezone(timezone.utc).replace(tzinfo=None)
+    except (ValueError, OverflowError):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a time; write 2024-05-01T12:00:00") from None
+    if when < datetime(1980, 1, 6):
+        raise argparse.ArgumentTypeError(f"{text} is before GPS time, which began on 1980-01-06")
+    if when.year > 3000:
+        raise argparse.ArgumentTypeError(f"{text} is too late; use a year up to 3000")
+    return earth.from_utc(when)
+
+
+def _assumed(rates: Mapping[int, float]) -> str:
+    """Lists the base rates that no source states."""
+    each = ", ".join(f"{SETS[set_number][0]} {rate:g} Hz" for set_number, rate in rates.items())
+    return f"base rates that no source states are assumed: {each}"

@@ -1,0 +1,1 @@
+"""Output files, and signals that interrupt writing them."""

@@ -1,0 +1,156 @@
+"""Fields as JSON messages: their topics, schemas and times."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
+
+from ..binding import Described, Field, Parameter, Structure, info
+from ..errors import Failure, Misuse
+from ..names.occurrence import Occurrence
+from ..text import values
+from ..text.clocks import dated
+
+if TYPE_CHECKING:
+    from ..columns.timeline import Clocks
+
+#: The maximum number of messages that wait for the first time in a log.
+HELD = 100_000
+
+#: The separators in the JSON of messages.
+SEPARATORS = (",", ":")
+
+#: What the times of messages mean.
+TIMES = {
+    "dated": "UTC in ns since 1970, from the {} clock of the device",
+    "undated": "ns since the origin of the {} clock of the device, which has no date",
+    "host": "UTC in ns since 1970, when the host received it; the device has sent no time",
+}
+
+
+class Message(NamedTuple):
+    """A field as a message."""
+
+    kind: Occurrence
+    time: int | None
+    own: bool  # does its packet have the time?
+    packet: int
+    data: Any  # as JSON or CDR
+
+
+class _Timed(Protocol):
+    """A sample or a message."""
+
+    @property
+    def time(self) -> int | None: ...
+
+
+T = TypeVar("T", bound=_Timed)
+
+
+def clock_of(clocks: Clocks, options: argparse.Namespace) -> str:
+    """Chooses the clock of messages: that of all packets, or the one with dates for `--time utc`. Raises Failure or
+    Misuse if no clock provides the times that messages need."""
+    if options.time not in (None, "utc", "clock"):
+        raise Misuse(f"--time {options.time} is for tables; messages always have the time of the clock")
+    if not clocks.best:
+        raise Failure("the log has no packet with a valid time, which messages need; use csv or jsonl")
+    if options.time == "utc" and not clocks.dated:
+        raise Failure("the log has no dates; use --time clock")
+    return clocks.dated if options.time == "utc" else clocks.steady
+
+
+class Topic(NamedTuple):
+    """The name of a field's messages, and their schema."""
+
+    name: str
+    schema_name: str
+    schema: str
+
+    @classmethod
+    def of_field(cls, kind: Occurrence, named: bool, device: str | None) -> Topic:
+        """Makes the topic of a field of a device."""
+        text = json.dumps(schema(kind.kind, named, device))
+        return cls(f"/mip/{kind.name.replace('.', '/')}", f"mip.{kind.name}", text)
+
+
+def encoded(field: Field, named: bool, device: str | None) -> bytes:
+    """Encodes a message as JSON."""
+    return json.dumps(message(field, named, device), separators=SEPARATORS, allow_nan=False).encode()
+
+
+def clock_meaning(clock: str | None) -> str:
+    """Describes the times of messages in a sentence."""
+    return TIMES["host" if clock is None else "dated" if dated(clock) else "undated"].format(clock)
+
+
+def timed(samples: Iterable[T], by_host: bool) -> Iterator[tuple[T, int]]:
+    """Yields each sample with its time in ns, or else the last known one, or else the first. Raises Failure if no
+    sample has a time."""
+    last: int | None = None
+    waiting: list[T] = []
+    for sample in samples:
+        moment = time.time_ns() if by_host else sample.time
+        last = last if moment is None else max(moment, 0)
+        waiting.append(sample)
+        if last is not None:
+            yield from ((waited, max(last if waited.time is None else waited.time, 0)) for waited in waiting)
+            waiting.clear()
+        elif len(waiting) > HELD:
+            raise Failure(f"the first {HELD} fields have no time; use --time clock, or jsonl")
+
+
+# --------------------------------------------------------------------------- messages and schemas
+
+
+def message(field: Field, named: bool, device: str | None) -> dict[str, Any]:
+    """Returns the values of a field as its schema describes them, without numbers that JSON cannot represent."""
+    return _object(field, values.plain(field, named, device))
+
+
+def _object(record: Described, plain_values: dict[str, Any]) -> dict[str, Any]:
+    made = {}
+    for p in info(type(record)).members:
+        value = plain_values[p.name]
+        if isinstance(value, list) and p.elements and p.length is None:
+            value = dict(zip(p.elements, value))
+        if isinstance(value, dict):
+            value = {k: v for k, v in value.items() if v is not None}
+        if value is not None:
+            made[p.name] = value
+    return made
+
+
+def schema(kind: type[Field], named: bool, device: str | None) -> dict[str, Any]:
+    """Makes the JSON Schema of a field's messages, as a device sends it."""
+    about = info(kind)
+    properties = {p.name: _of_parameter(p if device is None else p.on(device), named) for p in about.members}
+    return {"title": about.name, "description": about.title, "type": "object", "properties": properties}
+
+
+def _of_parameter(p: Parameter, named: bool) -> dict[str, Any]:
+    notes = [*((f"in {p.unit}",) if p.unit not in ("", "1") else ()), *((f"frame: {p.frame}",) if p.frame else ())]
+    description: dict[str, Any] = {"description": "; ".join(notes)} if notes else {}
+    if p.kind == "text":
+        return {"type": "string", **description}
+    if p.kind in ("struct", "switch"):
+        return {"type": "object", **description}
+    item_schema = _one(p, named)
+    if p.kind == "array" and p.elements and p.length is None:
+        return {"type": "object", "properties": dict.fromkeys(p.elements, item_schema), **description}
+    if p.kind == "array":
+        return {"type": "array", "items": item_schema, **description}
+    return item_schema | description
+
+
+def _one(p: Parameter, named: bool) -> dict[str, Any]:
+    if isinstance(p.type, type) and issubclass(p.type, Structure):
+        return {"type": "object"}
+    if named and p.type is not None:
+        return {} if hasattr(info(p.type), "bits") else {"type": "string"}
+    if p.scalar in ("float", "double"):
+        return {"type": "number"}
+    return {"type": "boolean" if p.scalar == "bool" else "integer"}

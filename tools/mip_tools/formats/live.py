@@ -1,0 +1,201 @@
+"""Writes a stream from a port or a pipe as a table or as messages, while it arrives."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from itertools import chain
+from typing import IO, TYPE_CHECKING, Any
+
+from ..binding import CLOCKS
+from ..devices.known import KnownDevice
+from ..errors import Failure
+from ..logs import inputs
+from ..logs.scan import Piece
+from ..names.occurrence import Occurrence
+from ..names.selection import Selection
+from ..text.clocks import dated
+from .json_messages import Message, Topic
+from .mcap_file import write_mcap
+from .row_times import Time, shown
+
+if TYPE_CHECKING:
+    from ..columns import Log
+    from ..columns.tables import Form
+    from ..columns.timeline import Clocks
+
+#: The data that is read before the first line, to find the clock and the columns: seconds, and bytes, from the first
+#: packet on.
+PREVIEW = 1.0
+_MOST = 1 << 20
+
+#: Formats that are written to the output.
+FORMATS = ("jsonl", "csv", "mcap")
+
+
+def write(
+    out: IO[bytes],
+    form: str,
+    arriving: Iterator[Piece | None],
+    options: argparse.Namespace,
+    selection: Selection,
+    types: Sequence[Occurrence] = (),
+    device: str | KnownDevice | None = None,
+    host: bool = False,
+) -> None:
+    """Writes the fields of a stream until it ends. `types`: the columns of CSV; by default the fields in the preview.
+    `host`: with a column of the times when the packets arrive.
+
+    The rows are the same as those of `mip export`, except that an instant that arrives in two pieces has two rows.
+    Raises Failure if the stream ends without any of the fields.
+    """
+    if form == "mcap":
+        write_mcap(out, *messages(arriving, options, selection, out.flush, device), live=True)
+    else:
+        _write_table(out, form, arriving, options, selection, types, device, host)
+
+
+def messages(
+    arriving: Iterator[Piece | None],
+    options: argparse.Namespace,
+    selection: Selection,
+    flush: Callable[[], object] = lambda: None,
+    device: str | KnownDevice | None = None,
+) -> tuple[Iterator[Message], str | None, Callable[[Occurrence], Topic]]:
+    """Returns the fields of a stream as messages, the clock of their times, and what makes the topic of a field."""
+    inputs.need_numpy()
+    from .messages import Json, Messages
+
+    logs = _logs(arriving, device, options.command)
+    first = next(logs, None)
+    clocks = _clocks(first, options)
+    clock = None if options.time == "none" else (clocks.dated if options.time == "utc" else clocks.steady) or None
+    form = Json(options.named)
+    made = Messages(None, selection, clock, options.invalid, form)
+
+    def messages_of_logs() -> Iterator[Message]:
+        number = 0
+        for log in chain([] if first is None else [first], logs):
+            yield from made.of_log(log, number)
+            number += log.packets
+            flush()
+
+    return messages_of_logs(), clock, form.topic
+
+
+def _logs(arriving: Iterator[Piece | None], device: str | KnownDevice | None, command: str) -> Iterator[Log]:
+    """Yields a stream as logs, of which each continues the times and the flags of the one before."""
+    inputs.need_numpy()
+    from ..columns import read_log
+    from ..columns.sender import Sender
+    from ..columns.timeline import Timeline
+
+    sender, line = Sender(device), Timeline()
+    for batch in chain([_preview(arriving)], inputs.batches(arriving)):
+        with read_log(b"".join(piece.data for piece in batch if piece.packet is not None), device=sender) as log:
+            line = line.following()
+            line.add(log)
+            log.source.notes["timeline"] = line
+            yield log
+            for text in sender.news():
+                print(f"mip {command}: {text}", file=sys.stderr)
+
+
+def _clocks(first: Log | None, options: argparse.Namespace) -> Clocks:
+    """Chooses the clocks of a stream by its first data. The device may learn the date later, or lose it."""
+    from ..columns import timeline
+
+    line = timeline.Timeline() if first is None else timeline.of_log(first)
+    clocks = line.clocks(line.sets)
+    date = next(filter(dated, CLOCKS), "")
+    if clocks.undated == timeline.DEVICE or options.time in ("utc", "unix"):
+        return clocks._replace(dated=date)
+    return clocks
+
+
+def _write_table(
+    out: IO[bytes],
+    form: str,
+    arriving: Iterator[Piece | None],
+    options: argparse.Namespace,
+    selection: Selection,
+    types: Sequence[Occurrence],
+    device: str | KnownDevice | None,
+    host: bool,
+) -> None:
+    inputs.need_numpy()
+    import numpy as np
+
+    from ..columns import tables, timeline
+    from . import writers
+
+    arrivals: list[int] = []
+    logs = _logs(_noted(arriving, arrivals) if host else arriving, device, options.command)
+    first = next(logs, None)
+    clocks = _clocks(first, options)
+    wanted = tables.Form(
+        options.by,
+        *clocks,
+        shown=shown(options.time, clocks, "no time arrived"),
+        invalid=options.invalid,
+        named=options.named,
+        wanted=selection.has,
+    )
+    if form != "csv" and clocks.dated and not clocks.undated and timeline.DEVICE in CLOCKS:
+        wanted = wanted._replace(undated=timeline.DEVICE)  # absent until the date is lost
+    if form == "csv" and not types:
+        types = [] if first is None else _kinds(first, wanted)
+        if not types:
+            raise Failure("no field arrived, so the columns are unknown; name the fields")
+    started = Time(options.time)
+    left_out: set[str] = set()
+    try:
+        with writers.FORMS[form](out) as write:
+            for log in chain([] if first is None else [first], logs):
+                kinds = _kinds(log, wanted)
+                if form == "csv":  # the columns are always the same
+                    left_out |= {kind.name for kind in kinds if kind not in types}
+                    kinds = list(types)
+                if host:
+                    wanted = wanted._replace(arrivals=np.array(arrivals[: log.packets], np.int64))
+                    del arrivals[: log.packets]
+                if kinds:
+                    for table, _ in tables.parts(log, kinds, wanted):
+                        write(started.converted(table.columns))
+                out.flush()
+    finally:
+        if left_out:
+            names = ", ".join(sorted(left_out))
+            print(f"mip {options.command}: no columns for fields that came later: {names}; name them", file=sys.stderr)
+
+
+def _noted(arriving: Iterator[Piece | None], arrivals: list[int]) -> Iterator[Piece | None]:
+    """Yields the pieces, and notes when each packet arrived."""
+    for piece in arriving:
+        if piece is not None and piece.packet is not None:
+            arrivals.append(time.time_ns())
+        yield piece
+
+
+def _kinds(log: Any, form: Form) -> list[Occurrence]:
+    from ..columns import tables
+
+    return [Occurrence(*pair) for pair in tables.survey(log, form)[0]]
+
+
+def _preview(arriving: Iterator[Piece | None]) -> list[Piece]:
+    """Reads the pieces of the first second, or fewer if that is much data."""
+    seen: list[Piece] = []
+    end: float | None = None
+    size = 0
+    for piece in arriving:
+        if piece is not None:
+            seen.append(piece)
+            size += len(piece.data)
+            if end is None and piece.packet is not None:
+                end = time.monotonic() + PREVIEW
+        if size > _MOST or (end is not None and time.monotonic() >= end):
+            break
+    return seen

@@ -1,0 +1,217 @@
+"""Makes messages of the fields of a log from columns: the same messages as packet by packet, but faster."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+
+from ..binding import Field, Structure, info, registry
+from ..columns import Log, contents, layout, timeline, times, walk
+from ..columns.column import Column
+from ..columns.piece import Piece
+from ..columns.reader import Reader
+from ..columns.scan import Array
+from ..columns.stamps import NONE
+from ..logs import inputs
+from ..names.occurrence import Occurrence, occurrence_in
+from ..names.selection import Selection
+from ..text import row_texts
+from ..text.decoding import decoded
+from .json_messages import SEPARATORS, Message, Topic, encoded
+
+#: Bytes of a log whose messages are in memory at the same time.
+PART = 1 << 20
+
+#: Rows of fields: their packets, the offsets of their data in the payloads, and the values made from them.
+_Rows = tuple[Array, Array, list[tuple[Occurrence, Any]]]
+_NOTHING: _Rows = (np.zeros(0, np.int64), np.zeros(0, np.int64), [])
+
+
+def survey(log: Log, selection: Selection) -> tuple[list[Occurrence], timeline.Clocks]:
+    """Finds the types of the selected fields in a log, in the order of their numbers, and its clocks."""
+    kinds = {
+        occurrence_in(number, kind)
+        for part in log.parts(PART)
+        for number, kind in contents.kinds(part)
+        if selection.has(number, kind.DESCRIPTOR)
+    }
+    ordered = sorted(kinds, key=lambda occurrence: (occurrence.set, occurrence.kind.DESCRIPTOR, occurrence.kind.NAME))
+    line = timeline.of_log(log)
+    return ordered, line.clocks(line.sets)
+
+
+#: Some rows of a column as objects.
+Objects = Callable[[Array], Iterator[Field]]
+
+
+class Form(Protocol):
+    """Makes messages in one form."""
+
+    device: str | None  # the id of the device that sent the fields, as far as it is known
+
+    def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[Any] | None:
+        """Makes the messages of all rows of a column; None if they depend on more than its values."""
+
+    def field(self, field: Field, kind: Occurrence) -> Any:
+        """Makes the message of a field."""
+
+
+class Json:
+    """Fields as JSON, with numbers or with names."""
+
+    def __init__(self, named: bool) -> None:
+        self._named = named
+        self.device: str | None = None
+
+    def topic(self, kind: Occurrence) -> Topic:
+        """Makes the topic of a field."""
+        return Topic.of_field(kind, self._named, self.device)
+
+    def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[bytes] | None:
+        texts = row_texts.json_object(column, kind.kind, self.device, self._named, SEPARATORS)
+        if texts is None:
+            return None
+        messages = [text.encode() for text in row_texts.formatted(*texts, len(column))]
+        odd = np.zeros(len(column), bool)
+        for name in column:
+            if column[name].dtype.kind == "f":  # NaN and infinity, which JSON does not have, are left out
+                odd |= ~np.isfinite(column[name]).reshape(len(column), -1).all(axis=1)
+        rows = np.flatnonzero(odd)
+        for row, field in zip(rows.tolist(), objects(rows)):
+            messages[row] = self.field(field, kind)
+        return messages
+
+    def field(self, field: Field, kind: Occurrence) -> bytes:
+        return encoded(field, self._named, self.device)
+
+
+class Messages:
+    """Makes the messages of some types of fields."""
+
+    def __init__(
+        self, kinds: Collection[Occurrence] | None, selection: Selection, clock: str | None, invalid: str, form: Form
+    ) -> None:
+        """`kinds`: the types; by default all that are selected."""
+        self._kinds, self._selection, self._clock = None if kinds is None else set(kinds), selection, clock
+        self._drops, self._form = invalid == "drop", form
+
+    def of_log(self, log: Log, first: int = 0) -> Iterator[Message]:
+        """Yields the messages of a log, in the order of the fields. Its first packet has the number `first`."""
+        for part, number in self.parts(log, first):
+            yield from self.of_part(part, number)
+
+    @staticmethod
+    def parts(log: Log, number: int = 0) -> Iterator[tuple[Log, int]]:
+        """Yields the parts of a log, each with the number of its first packet."""
+        progress = inputs.Progress(log.size)
+        for part in log.parts(PART):
+            yield part, number
+            number += part.packets
+            progress.at(part.end)
+        progress.clear()
+
+    def of_part(self, part: Log, first: int) -> Iterator[Message]:
+        """Yields the messages of a part of a log, whose first packet has this number."""
+        self._form.device = part.device
+        for piece in part.pieces():
+            yield from self._of_piece(part, piece, first + piece.number)
+
+    def kept(self, column: Column[Any]) -> Array:
+        """Returns which rows of a column are kept: all, or those whose values are valid."""
+        there = np.ones(len(column), bool)
+        for name in column if self._drops else ():
+            if column.parameters[name].flags:
+                there &= column.valid(name).reshape(len(column), -1).all(axis=1)
+        return there
+
+    def _of_piece(self, part: Log, piece: Piece, first: int) -> Iterator[Message]:
+        """Yields the messages of a piece whose first packet has the number `first`."""
+
+        def made(number: int, descriptor: int, runs: list[walk.Run]) -> tuple[Array, Array, list[Message]]:
+            packet, offset, rows = self._rows(part, piece, number, descriptor, runs)
+            moments, own = self._times(part, piece, number, packet)
+            messages = [
+                Message(kind, None if moment == NONE else moment, own, number, data)
+                for (kind, data), moment, own, number in zip(
+                    rows, moments.tolist(), own.tolist(), (packet + first).tolist()
+                )
+            ]
+            return packet, offset, messages
+
+        wanted = [run for run in piece.runs or () if self._selection.has(run.set, run.descriptor)]
+        yield from walk.in_order(wanted, made)[1]
+
+    def _times(self, part: Log, piece: Piece, number: int, packet: Array) -> tuple[Array, Array]:
+        """Returns the times of packets of a set, and whether each is in the packet itself."""
+        if self._clock is None or number < 0x80:
+            return np.full(len(packet), NONE, np.int64), np.zeros(len(packet), bool)
+        places = piece.begin + piece.at[packet]
+        return times.at(part, number, self._clock, packet + piece.number, lambda: places)
+
+    def _rows(self, part: Log, piece: Piece, number: int, descriptor: int, runs: list[walk.Run]) -> _Rows:
+        """Makes the messages of the fields with this set and descriptor."""
+        every = registry.types(number, descriptor)
+        if not any(self._has(occurrence_in(number, kind)) for kind in every):
+            return _NOTHING
+        shape = layout.layout(every[0]) if len(every) == 1 else None
+        if shape is not None and shape.plain:
+            runs = [run for run in runs if run.length >= shape.dtype.itemsize]
+            if not runs:
+                return _NOTHING
+            rows = self._by_column(part, piece, occurrence_in(number, every[0]), number, runs)
+            if rows is not None:
+                return rows
+        packet, offset = walk.places(runs, len(piece.at))
+        fields = list(_decoded(piece, descriptor, packet, offset))
+        kept = [
+            (row, *pair)
+            for row, pair in enumerate(fields)
+            if pair and self._has(pair[0]) and self._keeps(part, pair[1])
+        ]
+        left = [row for row, *_ in kept]
+        return packet[left], offset[left], [(kind, self._form.field(field, kind)) for _, kind, field in kept]
+
+    def _has(self, kind: Occurrence) -> bool:
+        return self._kinds is None or kind in self._kinds
+
+    def _keeps(self, part: Log, field: Field) -> bool:
+        return not self._drops or valid(field, part.device)
+
+    def _by_column(self, part: Log, piece: Piece, kind: Occurrence, number: int, runs: list[walk.Run]) -> _Rows | None:
+        """Makes the messages of fields of one type and one size from a column; None if the form cannot do so."""
+        reader = Reader(part, (number, kind.kind), None)
+        reader.add(piece)
+        column = reader.column()
+        packet, offset = walk.places(runs, len(piece.at))
+
+        def objects(rows: Array) -> Iterator[Field]:
+            for raw in piece.fields(kind.kind.DESCRIPTOR, packet[rows], offset[rows]):
+                value = decoded(raw).value
+                assert value is not None  # any bytes of this size can be decoded
+                yield value
+
+        messages = self._form.rows(column, kind, objects)
+        if messages is None:
+            return None
+        kept = self.kept(column)
+        return packet[kept], offset[kept], [(kind, messages[row]) for row in np.flatnonzero(kept).tolist()]
+
+
+def _decoded(piece: Piece, descriptor: int, packet: Array, offset: Array) -> Iterator[tuple[Occurrence, Field] | None]:
+    """Decodes fields to objects; None for a field that cannot be decoded."""
+    for item in map(decoded, piece.fields(descriptor, packet, offset)):
+        yield None if item.kind is None or item.value is None else (occurrence_in(item.raw.set, item.kind), item.value)
+
+
+def valid(record: Structure, device: str | None) -> bool:
+    """Are all values of a record valid according to its flags?"""
+    for p in info(type(record)).parameters:
+        for flag in p.flags_of(record, device):
+            bits = getattr(record, flag.attribute)
+            if bits is None or not flag.holds(bits):
+                return False
+        if p.kind == "struct" and not valid(getattr(record, p.attribute), device):
+            return False
+    return True

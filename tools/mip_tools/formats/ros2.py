@@ -1,0 +1,139 @@
+"""Writes ROS 2 bags: standard messages in the axes of REP 103, and messages of mip_msgs in those of the device."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+from collections.abc import Iterator, Sequence
+from importlib import import_module
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+from ..binding import SECOND, Field
+from ..columns import Log
+from ..columns.column import Column
+from ..errors import Failure, Misuse
+from ..logs import inputs
+from ..logs.assumed import print_assumptions
+from ..names.occurrence import Occurrence
+from ..names.selection import Selection
+from ..ros import cdr, standard
+from ..ros.types import Types
+from ..text import clocks
+from .json_messages import Message, clock_of, timed
+from .messages import Messages, Objects, survey
+
+#: The frame of messages in the axes of the device.
+FRAME = "imu_link"
+REFERENCE = "sensor_msgs/msg/TimeReference"
+#: The first time that a message cannot represent: its seconds are a signed 32-bit number.
+END = SECOND << 31
+
+
+def require(form: str) -> None:
+    """Raises Failure if the package that writes bags is not installed."""
+    Types()
+
+
+class _Form:
+    """Encodes fields as messages of mip_msgs, without their times; None if mip_msgs has no type for a field."""
+
+    device: str | None = None
+
+    def __init__(self, types: Types) -> None:
+        self._types = types
+
+    def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[bytes | None] | None:
+        name = self._types.of_kind(kind.kind)
+        return self._types.of_column(name, column, FRAME) if name else [None] * len(column)
+
+    def field(self, field: Field, kind: Occurrence) -> bytes | None:
+        name = self._types.of_kind(kind.kind)
+        return self._types.of_field(name, field, FRAME) if name else None
+
+
+class Job:
+    """The output for a log."""
+
+    def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
+        if options.split or options.named:
+            raise Misuse("--split and --names are for tables; a bag has a topic for each message")
+        if options.output == "-":
+            raise Misuse("a bag is a folder; name one with -o")
+        self._name, self._options, self._selection = name, options, selection
+        with inputs.columns(name, options.device) as log:
+            self.types, clocks = survey(log, selection)
+            self._clock = clock_of(clocks, options)
+            print_assumptions("export", log)
+
+    def write(self, path: str, types: Sequence[Occurrence]) -> None:
+        """Writes a bag, a folder that must not exist. Raises Failure."""
+        folder = Path(path)
+        if os.path.lexists(path):
+            raise Failure(f"{path} exists; name another folder")
+        try:
+            with inputs.columns(self._name, self._options.device) as log:
+                self._write(folder, log)
+        except BaseException as error:
+            shutil.rmtree(folder, ignore_errors=True)
+            if isinstance(error, OSError):
+                raise Failure(f"{path} cannot be written: {error.strerror or error}") from None
+            raise
+
+    def _write(self, folder: Path, log: Log) -> None:
+        rosbag2: Any = import_module("rosbags.rosbag2")
+        types = Types(self._options.messages)
+        made = Messages(self.types, self._selection, self._clock, self._options.invalid, _Form(types))
+        converter = standard.Converter(FRAME)
+        waiting: dict[int, list[tuple[str, str, bytes]]] = {}  # standard messages of packets that are not written yet
+        with rosbag2.Writer(folder, version=9, storage_plugin=rosbag2.StoragePlugin.MCAP) as bag:
+            topics: dict[str, Any] = {}
+            own = {kind: (f"/mip/{kind.name.replace('.', '/')}", types.of_kind(kind.kind)) for kind in self.types}
+
+            def write(topic: str, kind: str | None, moment: int, message: bytes) -> None:
+                if topic not in topics:
+                    topics[topic] = bag.add_connection(topic, kind, typestore=types.store)
+                bag.write(topics[topic], moment, cdr.stamped(message, moment))
+
+            def messages() -> Iterator[Message]:
+                for part, first in made.parts(log):
+                    chosen = (part, self.types, made.kept, self._clock)
+                    for each in converter.messages(standard.fields(*chosen), standard.attitudes(*chosen)):
+                        for packet, message in zip((each.packet + first).tolist(), _encoded(each, types)):
+                            waiting.setdefault(packet, []).append((each.topic, each.type, message))
+                    yield from made.of_part(part, first)
+
+            for packet, group in groupby(timed(messages(), False), lambda sample: sample[0].packet):
+                for sample, moment in group:
+                    self._check(packet, moment)
+                    if sample.data is not None:
+                        write(*own[sample.kind], moment, sample.data)
+                for topic, kind, message in waiting.pop(packet, ()):
+                    write(topic, kind, moment, message)
+                if sample.own and sample.time is not None and clocks.dated(self._clock):
+                    write("/time_reference", REFERENCE, moment, self._reference(types, sample.time))
+        if not topics:
+            raise Failure(f"{self._options.file} has no data for standard messages; add --messages, for mip_msgs")
+
+    def _check(self, packet: int, moment: int) -> None:
+        """Raises Failure if a message cannot represent this time."""
+        if moment >= END:
+            of, last = (clocks.stamp(self._clock, each, 3) for each in (moment, END - SECOND))
+            raise Failure(
+                f"{self._name}: packet {packet} has the time {of}, but ROS 2 times end at {last}; use --format mcap "
+                "instead, which has 64-bit times"
+            )
+
+    def _reference(self, types: Types, time: int) -> bytes:
+        """Makes the message with the time of a packet by the device's clock."""
+        sec, nanosec = divmod(time, SECOND)
+        values = {"time_ref.sec": sec, "time_ref.nanosec": nanosec}
+        return types.rows(REFERENCE, 1, values, {"header.frame_id": FRAME, "source": self._clock})[0]
+
+
+def _encoded(made: standard.Messages, types: Types) -> list[bytes]:
+    """Encodes standard messages, without their times."""
+    texts = {"header.frame_id": made.frame, "child_frame_id": made.child}
+    return types.rows(made.type, len(made.packet), made.values, texts)

@@ -1,0 +1,171 @@
+"""Reports the types, rates, gaps and damage of a log, in bounded memory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..binding import CLOCKS, OVERHEAD, RawField
+from ..columns.between import Gaps
+from ..columns.intervals import Intervals
+from ..columns.raw_times import raw
+from ..columns.scan import HEADER
+from ..columns.stamps import NONE
+from ..columns.timeline import DEVICE, Clocks, Timeline
+from ..sentences import Sentences
+from ..text.decoding import DecodedField, decoded, name_of
+from . import inputs, scan
+
+if TYPE_CHECKING:
+    from ..columns import Log
+    from ..columns.piece import Piece
+
+#: Bytes of the log whose times are in memory at the same time.
+PART = 1 << 23
+
+
+@dataclass
+class Kind:
+    """The counts of one descriptor in one set."""
+
+    name: str
+    count: int = 0
+    packets: int = 0  # that have any
+    first: int = -1  # the number of the first of them, in the set
+    last: int = -1
+
+
+@dataclass
+class Report:
+    """The findings, in bounded memory."""
+
+    size: int = 0
+    packets: int = 0
+    malformed: int = 0
+    skipped: int = 0
+    runs: int = 0
+    damaged: int = 0
+    sentences: int = 0
+    sets: dict[int, int] = field(default_factory=dict)
+    fields: dict[tuple[int, int], Kind] = field(default_factory=dict)
+    clocks: dict[str, dict[int, Intervals]] = field(default_factory=lambda: {clock: {} for clock in CLOCKS})
+    timeline: Timeline = field(default_factory=Timeline)
+    assumed: list[str] = field(default_factory=list)
+
+    @property
+    def best(self) -> Clocks:
+        """The clocks of the log: the one with a date, and the one of packets without."""
+        return self.timeline.clocks(self.timeline.sets)
+
+    def clock_of(self, number: int) -> str:
+        """Returns the clock of the intervals of a set: the same for all sets, if they have it."""
+        return next((clock for clock in self.best.in_order if number in self.clocks[clock]), "")
+
+    @property
+    def times(self) -> dict[int, Intervals]:
+        """Set -> the intervals between its packets."""
+        clocks = {number: self.clock_of(number) for number in self.sets}
+        return {number: self.clocks[clock][number] for number, clock in clocks.items() if clock}
+
+    def rate(self, number: int, descriptor: int) -> float | None:
+        """Returns the rate of a field in Hz."""
+        kind, times = self.fields[number, descriptor], self.times.get(number)
+        return times.rate_of(kind.packets, kind.last - kind.first + 1) if times else None
+
+
+def examine(log: Log) -> Report:
+    """Reads a log once."""
+    report, between = Report(), _Between()
+    progress = inputs.Progress(log.size)
+    for part in log.parts(PART):
+        for piece in part.pieces():
+            progress.at(piece.begin)
+            between.add(piece)
+            _add(report, piece)
+        _add_times(report, part)
+    if not any(times.alone.get(DEVICE) for times in report.timeline.sets.values()) and DEVICE in CLOCKS:
+        report.clocks[DEVICE] = {}
+    if log.whole() is log:
+        log.source.notes.setdefault("timeline", report.timeline)
+    report.assumed = log.assumed()
+    progress.clear()
+    between.damaged.end()
+    report.size = log.size
+    report.skipped, report.sentences = between.skipped, between.sentences
+    report.runs, report.damaged = between.damaged.runs, between.damaged.count
+    return report
+
+
+class _Between:
+    """The bytes that belong to no packet."""
+
+    def __init__(self) -> None:
+        self.damaged = scan.Damaged()
+        self.skipped = 0
+        self.sentences = 0
+        self._sentences = Sentences()
+        self._gaps = Gaps()
+
+    def add(self, piece: Piece) -> None:
+        """Adds the packets of a piece."""
+        for gap in self._gaps.in_piece(piece):
+            if not gap.goes_on:
+                self.damaged.end()
+            self.skipped += len(gap.data)
+            self.damaged.feed(gap.data)
+            self.sentences += len(self._sentences.feed(gap.data))
+
+
+def _add(report: Report, piece: Piece) -> None:
+    """Counts the packets of a piece, and their fields."""
+    count = len(piece.at)
+    report.packets += count
+    sets = piece.sets()
+    numbers = {}  # of the packets in their set
+    for number, several in enumerate(np.bincount(sets).tolist()):
+        if several:
+            before = report.sets.get(number, 0)
+            report.sets[number] = before + several
+            numbers[number] = before - 1 + np.cumsum(sets == number)
+    covered = np.zeros(count, np.int64)
+    fields: dict[tuple[int, int], list[Any]] = {}
+    for run in piece.runs or ():
+        covered += np.bincount(run.packet, minlength=count) * (run.length + 2)
+        fields.setdefault((run.set, run.descriptor), []).append(run)
+    report.malformed += int((covered != piece.end - piece.at - OVERHEAD).sum())
+    for key, runs in fields.items():
+        if key not in report.fields:
+            report.fields[key] = Kind(name_of(first(piece, runs)))
+        kind = report.fields[key]
+        has = np.zeros(count, bool)
+        for run in runs:
+            kind.count += len(run.packet)
+            has[run.packet] = True
+        kind.packets += int(has.sum())
+        own = numbers[key[0]][has]
+        kind.first, kind.last = int(own[0]) if kind.first < 0 else kind.first, int(own[-1])
+
+
+def first(piece: Piece, runs: list[Any]) -> DecodedField:
+    """Decodes the first of some fields."""
+    firsts = [(int(r.packet[0]), r.offset if isinstance(r.offset, int) else int(r.offset[0]), r) for r in runs]
+    packet, offset, run = min(firsts, key=lambda first: first[:2])
+    begin = int(piece.at[packet]) + HEADER + offset
+    data = piece.data[begin : begin + run.length].tobytes()
+    return decoded(RawField(run.set, run.descriptor, data))
+
+
+def _add_times(report: Report, part: Log) -> None:
+    """Adds the times of the packets of each set."""
+    report.timeline.add(part)
+    for number in sorted(n for n in report.sets if n >= 0x80):
+        for clock in CLOCKS:
+            device = clock == DEVICE  # also of packets with a date: there may be others later
+            stamps = report.timeline.stamps(part, number) if device else raw(part, number, clock)
+            valid = stamps.value != NONE
+            if stamps.some:
+                sets = report.clocks[clock]
+                intervals = sets.setdefault(number, Intervals())
+                intervals.add_all(stamps.value[valid], stamps.offset[valid])

@@ -1,0 +1,1 @@
+"""Names of fields, commands and values, as people write them."""

@@ -1,0 +1,114 @@
+"""Ports on the command line."""
+
+from __future__ import annotations
+
+import os
+import queue
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from .. import binding
+from ..binding import MipError, PortError
+from ..errors import Failure
+from ..logs.scan import Piece, Scanner
+from .silence import Line, Silence
+
+if TYPE_CHECKING:
+    from ..binding import DeviceAtPort
+
+    Begin = Callable[[DeviceAtPort], bool]
+
+#: Seconds without data after which an incomplete packet is discarded.
+INCOMPLETE = 0.5
+_TURN = 0.1
+
+
+class Lost(Failure):
+    """A port that has closed by itself."""
+
+
+@contextmanager
+def opened(line: Line, **more: Any) -> Iterator[DeviceAtPort]:
+    """Opens the port of a device. Raises Failure if it cannot be opened."""
+    if os.path.isfile(line.name):
+        raise Failure(f"{line.name} is a file, not a port")
+    try:
+        device = binding.open_port(line.name, line.baud, **more)
+    except (OSError, ImportError, MipError, ValueError) as error:
+        raise Failure(why_not(line.name, error)) from None
+    with device:
+        yield device
+
+
+def why_not(name: str, error: BaseException) -> str:
+    """Describes why a port cannot be opened, with its name."""
+    message = reason(error)
+    return message if isinstance(error, PortError) else f"{name} cannot be opened: {message}"
+
+
+def reason(error: BaseException) -> str:
+    """Formats the message of an exception in one line."""
+    message = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    return " ".join(str(message).split())
+
+
+def received(line: Line, seconds: float | None = None, begin: Begin | None = None) -> Iterator[bytes]:
+    """Yields the bytes received at a port as they arrive, until the time is over, and empty bytes during a pause.
+
+    `begin` is called with the device as soon as the port is open; if it returns False, data from before are dropped.
+    Raises Lost when the port closes, after all received bytes.
+    """
+    came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+    with opened(line, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
+        if begin is not None:
+            keep = begin(device)
+            while not keep and not came.empty():
+                came.get()
+        end = None if seconds is None else time.monotonic() + seconds
+        while True:
+            left = _TURN if end is None else min(_TURN, end - time.monotonic())
+            if left <= 0:
+                return
+            closed = device.closed  # read before the queue: if it is true, the queue contains the last data
+            try:
+                yield came.get(timeout=0 if closed else left)
+            except queue.Empty:
+                if closed:
+                    raise Lost(f"{line.name} was closed") from None
+                yield b""
+
+
+def pieces(
+    line: Line,
+    seconds: float | None = None,
+    begin: Begin | None = None,
+    say: Callable[[str], object] | None = None,
+) -> Iterator[Piece | None]:
+    """Yields the packets received at a port, and the bytes between them; None when nothing more has arrived.
+
+    A silence is reported, see `silence`, with `say` if it is not None. Raises Lost when the port closes, after all
+    received data.
+    """
+    scanner = Scanner()
+    silence: Silence | None = None
+    last = time.monotonic()
+    try:
+        for data in received(line, seconds, begin):
+            silence = silence or Silence(line, say)  # the port is open now
+            if data:
+                last = time.monotonic()
+                silence.data(data)
+                for piece in scanner.feed(data):
+                    if piece.packet is not None:
+                        silence.packet()
+                    yield piece
+            elif time.monotonic() - last > INCOMPLETE:
+                yield from scanner.flush()
+            silence.check()
+            yield None
+    except Lost:
+        yield from scanner.flush()
+        raise
+    yield from scanner.flush()

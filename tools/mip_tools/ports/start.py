@@ -1,0 +1,40 @@
+"""Starts fields at a device, each at its rate, with a timestamp."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from ..binding import CLOCKS, MipError, Refused, session
+from ..errors import Failure, Misuse
+from ..names.occurrence import Occurrence
+from ..text import show
+from ..text.clocks import dated
+from . import connection
+from .listing import REFUSED
+
+if TYPE_CHECKING:
+    from ..binding import DeviceAtPort, Field
+
+
+def start(device: DeviceAtPort, rates: Mapping[Occurrence, float], time: str | None) -> None:
+    """Starts fields at their rates, set by set. Shared fields are started in each of these sets.
+
+    A timestamp is added if none is named, unless `time` is "none".
+    """
+    if session() is None:
+        raise Failure("the specification of this package names no commands that start data")
+    shared = {occurrence.kind: rate for occurrence, rate in rates.items() if isinstance(occurrence.kind.SETS, range)}
+    sets: dict[int, dict[type[Field], float]] = {}
+    for occurrence, rate in rates.items():
+        if occurrence.kind not in shared:
+            sets.setdefault(occurrence.set, {})[occurrence.kind] = rate
+    if not sets:
+        raise Misuse("a shared field is sent in the packets of other fields; add one of a data set")
+    timestamp = next(filter(dated, CLOCKS), None) if time in ("utc", "unix") else None if time == "none" else "auto"
+    for number, own in sets.items():
+        try:
+            device.stream({**shared, **own}, set=number, timestamp=timestamp)
+        except (OSError, MipError) as error:
+            code = REFUSED if isinstance(error, Refused) else 1
+            raise Failure(f"{show.set_name(number)} cannot be started: {connection.reason(error)}", code) from None

@@ -1,0 +1,1 @@
+"""Commands to the virtual device: their replies and effects."""

@@ -1,0 +1,1 @@
+"""Where hosts connect to virtual devices: pseudo-terminals, TCP, UDP, serial ports."""

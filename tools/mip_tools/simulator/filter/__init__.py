@@ -1,0 +1,1 @@
+"""The navigation filter of the virtual device."""

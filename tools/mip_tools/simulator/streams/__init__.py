@@ -1,0 +1,1 @@
+"""What the virtual device sends: streams, events, NMEA sentences."""

@@ -1,0 +1,1 @@
+"""The motion of the virtual device and everything around it: gravity, magnetic field, satellites, noise of sensors."""

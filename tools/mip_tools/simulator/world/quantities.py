@@ -1,0 +1,365 @@
+"""Computes the quantities that the specification names: (world, item) -> value in the unit of the specification.
+
+The item is an item of a list (`for_each`), an `Output` for other data, or, for responses, the values of the command.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import atan2, hypot, pi, sin, sqrt
+from typing import Any, NamedTuple
+
+from ...geometry import earth
+from ...geometry.attitude import conjugate, euler, matrix, multiplied, quaternion, rotation, rotation_vector
+from ...geometry.earth import SECOND, WEEK, Matrix, Vector
+from ..filter.estimate import Filter, rotated
+from ..surroundings.surroundings import Output
+from .receivers import GNSS, Function
+from .world import World
+
+
+class Receiver(NamedTuple):
+    id: int
+    clock: tuple[float, float]
+
+
+_RECEIVERS = (1, 2)
+#: Sensors, by what they measure.
+ACCEL, GYRO, MAG = "measured.specific_force", "measured.angular_rate", "measured.magnetic_field"
+PRESSURE, SPEED = "measured.pressure", "measured.speed"
+
+
+def _sum(a: Sequence[float], b: Sequence[float]) -> Vector:
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def _scaled(v: Sequence[float], k: float) -> Vector:
+    return v[0] * k, v[1] * k, v[2] * k
+
+
+def _flags(w: World) -> tuple[str, ...]:
+    flags = tuple(f"{part}_valid" for part in w.valid_parts)
+    flags += ("pps_valid",) * w.synchronized + ("time_initialized",) * w.initialized
+    updates = w.updates + (w.clock // SECOND if w.dated and w.synchronized else 0)
+    return (*flags, "time_refresh") if updates % 2 else flags
+
+
+def _measured(w: World, sensor: str, true: Vector, constant: Vector, out: Any) -> Vector:
+    """Returns the mean of an inertial sensor since the last output, in its own frame. `constant` is its bias without
+    the drift, which is part of the noise."""
+    noise = w.mean_noise(sensor, out)
+    return _sum(true, constant) if noise is None else _sum(_sum(true, constant), noise)
+
+
+def _force(w: World, out: Any) -> Vector:
+    force = w.within("accel", _measured(w, ACCEL, w.specific_force, w.accel_constant_left, out))
+    return w.vehicle(w.low_passed(ACCEL, out, force))  # type: ignore[arg-type]
+
+
+def _rate(w: World, out: Any) -> Vector:
+    rate = w.within("gyro", _measured(w, GYRO, w.state.rate, w.gyro_constant_left, out))
+    return w.vehicle(w.low_passed(GYRO, out, rate))  # type: ignore[arg-type]
+
+
+def _magnetic(w: World, out: Any) -> Vector:
+    field = _sum(_raw_magnetic(w, out), _scaled(w.hard_iron, -1.0))
+    field = w.within("mag", earth.turned(w.soft_iron, field))
+    return w.vehicle(w.low_passed(MAG, out, field))  # type: ignore[arg-type]
+
+
+def _raw_magnetic(w: World, out: Any) -> Vector:
+    noise = w.mean_noise(MAG, out)
+    true = _sum(earth.turned(w.state.dcm, w.magnetic_field), w.disturbance)
+    return true if noise is None else _sum(true, noise)
+
+
+def _single(sensor: str, true: float, w: World, out: Any) -> float:
+    noise = w.mean_noise(sensor, out)
+    return w.low_passed(sensor, out, (true if noise is None else true + noise[0],))[0]
+
+
+def _compensated_rate(w: World, out: Any) -> Vector:
+    """Returns the angular rate of the gyroscope, without the bias that the filter estimates."""
+    rate = _sum(w.state.rate, _scaled(w.gyro_bias_error, -1.0))
+    noise = _white(w, GYRO, out)
+    return w.vehicle(w.low_passed(GYRO, out, rate if noise is None else _sum(rate, noise)))  # type: ignore[arg-type]
+
+
+def _compensated_force(w: World, true: Vector, out: Any) -> Vector:
+    force = _sum(true, _scaled(w.accel_bias_error, -1.0))
+    noise = _white(w, ACCEL, out)
+    return w.vehicle(w.low_passed(ACCEL, out, force if noise is None else _sum(force, noise)))  # type: ignore[arg-type]
+
+
+def _white(w: World, sensor: str, out: Any) -> Vector | None:
+    """Returns the noise without the drift, because the filter estimates the drift with the bias."""
+    noise = w.mean_noise(sensor, out)
+    return None if noise is None else _sum(noise, _scaled(w.sensors[sensor].bias, -w.noise))
+
+
+def _overrange(w: World, _: Any) -> tuple[str, ...]:
+    """Lists the axes that are near the end of their range."""
+    field = _raw_magnetic(w, None)
+    values = {"accel": _sum(w.specific_force, w.accel_bias_left), "gyro": _sum(w.state.rate, w.gyro_bias_left)}
+    values["mag"] = field
+    return tuple(
+        f"{sensor}_{axis}"
+        for sensor, v in values.items()
+        if sensor in w.ranges
+        for axis, x in zip("xyz", v)
+        if abs(x) > 0.98 * w.ranges[sensor]
+    )
+
+
+def _seconds(w: World, out: Output) -> float:
+    return (w.now - (out.previous or 0)) / SECOND
+
+
+def _rotation(w: World, out: Output) -> Vector:
+    turn = _sum(rotation_vector(out.attitude, w.state.quaternion), _scaled(w.gyro_constant_left, _seconds(w, out)))
+    noise = w.added_noise(GYRO, out)
+    return w.vehicle(turn if noise is None else _sum(turn, noise))
+
+
+def _velocity(w: World, out: Output) -> Vector:
+    t = _seconds(w, out)
+    (n, e, d), (a, b, c) = w.state.velocity, out.velocity
+    change = earth.turned(matrix(out.attitude), (n - a, e - b, d - c - w.gravity * t))
+    change = _sum(change, _scaled(w.accel_constant_left, t))
+    noise = w.added_noise(ACCEL, out)
+    return w.vehicle(change if noise is None else _sum(change, noise))
+
+
+def _matrix(w: World, out: Output) -> tuple[float, ...]:
+    m = matrix(multiplied(conjugate(out.attitude), w.state.quaternion))
+    turn = w.sensor_to_vehicle
+    columns = (turn[0], turn[3], turn[6], turn[1], turn[4], turn[7], turn[2], turn[5], turn[8])
+    return earth.product(turn, earth.product(m, columns))
+
+
+def _relative(w: World, _: Any) -> Vector:
+    x, y, z = (a - b for a, b in zip(_ecef(w), w.origin))
+    latitude, longitude, _height = earth.llh(*w.origin)
+    return earth.to_ned(latitude, longitude, (x, y, z))
+
+
+def _ecef(w: World) -> Vector:
+    x = w.place
+    return earth.ecef(x.latitude, x.longitude, x.height)
+
+
+def _deviations(w: World) -> tuple[tuple[Vector, Vector], ...]:
+    """Returns the deviations of attitude and gyroscope bias, of position and velocity, and of accelerometer bias."""
+
+    def deviations_of(pairs: Any) -> tuple[Vector, Vector]:
+        a, b, c = pairs
+        return (sqrt(a.p), sqrt(b.p), sqrt(c.p)), (sqrt(a.r), sqrt(b.r), sqrt(c.r))
+
+    w.filter.advance()
+    return deviations_of(w.filter.attitude), deviations_of(w.filter.navigation), deviations_of(w.filter.accel_bias)
+
+
+def _deviation(group: int, part: int, axis: int | None = None) -> Function:
+    def value(w: World, _: Any) -> Any:
+        values = w.once("deviations", lambda: _deviations(w))[group][part]
+        return values if axis is None else values[axis]
+
+    return value
+
+
+def _earth_fixed(part: int) -> Function:
+    return lambda w, _: rotated(_deviation(1, part)(w, None), w.state.latitude, w.state.longitude)
+
+
+def _of_quaternion(w: World, _: Any) -> tuple[float, ...]:
+    """Returns an upper bound for the deviation of each element: half the deviation of the whole rotation."""
+    return (hypot(*_deviation(0, 0)(w, None)) / 2,) * 4
+
+
+def _complementary(w: World) -> Matrix:
+    """Returns the attitude that the complementary filter estimates."""
+
+    def value() -> Matrix:
+        wrong = w.complementary.errors
+        return rotation(*_sum(euler(w.dcm), wrong))[1] if any(wrong) else w.dcm
+
+    return w.once("complementary", value)
+
+
+def _of_filter(read: Callable[[Filter], Any]) -> Function:
+    def value(w: World, _: Any) -> Any:
+        w.filter.advance()
+        return read(w.filter)
+
+    return value
+
+
+def _ticks(now: int, out: Any) -> int:
+    rate = out.rate if isinstance(out, Output) and out.rate > 0 else 1.0
+    return round(now * rate / SECOND) % 2**32
+
+
+def _temperature(extreme: float) -> Function:
+    return lambda w, _: 35.0 + extreme * (1 + 0.5 * sin(2 * pi * (w.now % (3600 * SECOND)) / (3600 * SECOND)))
+
+
+_TIME: dict[str, Function] = {
+    "gps.tow": lambda w, _: w.gps % WEEK / SECOND,
+    "gps.week": lambda w, _: w.gps // WEEK,
+    "clock.tow": lambda w, _: w.clock % WEEK / SECOND,
+    "clock.week": lambda w, _: w.clock // WEEK,
+    "clock.seconds": lambda w, _: w.clock // SECOND,
+    "clock.microseconds": lambda w, _: w.clock % SECOND // 1000,
+    "clock.time": lambda w, _: w.clock,
+    "clock.flags": lambda w, _: _flags(w),
+    "clock.parts": lambda w, _: w.valid_parts,
+    "clock.dated": lambda w, _: int(w.dated),
+    "clock.pulse": lambda w, _: w.synchronized,
+    "gps.leap_seconds": lambda w, _: earth.leap_seconds(w.gps),
+    "clock.pulse_age": lambda w, _: 0 if w.synchronized else 255,
+    "utc.year": lambda w, _: earth.utc(w.gps).year,
+    "utc.month": lambda w, _: earth.utc(w.gps).month,
+    "utc.day": lambda w, _: earth.utc(w.gps).day,
+    "utc.hour": lambda w, _: earth.utc(w.gps).hour,
+    "utc.minute": lambda w, _: earth.utc(w.gps).minute,
+    "utc.second": lambda w, _: earth.utc(w.gps).second,
+    "utc.millisecond": lambda w, _: w.gps % SECOND // 1_000_000,
+    "reference.time": lambda w, _: w.now - w.booted,
+    "reference.delta": lambda w, out: w.now - out.previous,
+    "external.delta": lambda w, out: w.now - out.previous,
+    "reference.counts": lambda w, _: (w.now - w.booted) // 16000 % 2**32,
+    "ticks.count": lambda w, out: _ticks(w.now - w.booted, out),
+    "ticks.delta": lambda w, out: _ticks(w.now, out) - _ticks(out.previous, out) & 0xFFFFFFFF,
+    "event.trigger": lambda w, _: w.trigger,
+}
+
+_SENSORS: dict[str, Function] = {
+    "measured.specific_force": _force,
+    "measured.angular_rate": _rate,
+    "measured.magnetic_field": _magnetic,
+    "measured.pressure": lambda w, out: _single(PRESSURE, w.air[1], w, out),
+    "measured.speed": lambda w, out: _single(SPEED, earth.turned(w.state.dcm, w.state.velocity)[0], w, out),
+    "odometer.uncertainty": lambda w, _: max(0.01, w.odometer * hypot(*w.state.velocity)),
+    "odometer.configured": lambda w, _: w.odometer > 0,
+    "overrange.axes": _overrange,
+    "counts.specific_force": lambda w, out: _scaled(
+        _measured(w, ACCEL, w.specific_force, w.accel_constant, out), 1000.0
+    ),
+    "counts.angular_rate": lambda w, out: _scaled(_measured(w, GYRO, w.state.rate, w.gyro_constant, out), 5000.0),
+    "counts.magnetic_field": lambda w, out: _scaled(_raw_magnetic(w, out), 5000.0),
+    "counts.pressure": lambda w, out: 100 * _single(PRESSURE, w.air[1], w, out),
+    "counts.temperature": lambda w, _: (2350, 2350, 2350, 2400),
+    "delta.rotation": _rotation,
+    "delta.velocity": _velocity,
+    "delta.matrix": _matrix,
+    "stabilized.up": lambda w, _: earth.turned(w.state.dcm, (0.0, 0.0, -w.gravity)),
+    "stabilized.north": lambda w, _: earth.turned(w.state.dcm, w.magnetic_field),
+    "temperature.min": _temperature(-2.0),
+    "temperature.max": _temperature(2.0),
+    "temperature.mean": _temperature(0.0),
+    "gpio.states": lambda w, _: sum(1 << (pin - 1) for pin in {*w.pins, *w.signals, *w.pulled_up} if w.level(pin)),
+    "gpio.voltage": lambda w, _: 0.0,
+}
+
+_MOTION: dict[str, Function] = {
+    "attitude.quaternion": lambda w, _: w.attitude[0],
+    "attitude.dcm": lambda w, _: w.attitude[1],
+    "attitude.roll": lambda w, _: euler(w.attitude[1])[0],
+    "attitude.pitch": lambda w, _: euler(w.attitude[1])[1],
+    "attitude.yaw": lambda w, _: euler(w.attitude[1])[2],
+    "attitude.sensor_heading": lambda w, _: euler(w.state.dcm)[2],
+    "complementary.quaternion": lambda w, _: quaternion(m) if (m := _complementary(w)) is not w.dcm else w.quaternion,
+    "complementary.dcm": lambda w, _: _complementary(w),
+    "complementary.roll": lambda w, _: euler(_complementary(w))[0],
+    "complementary.pitch": lambda w, _: euler(_complementary(w))[1],
+    "complementary.yaw": lambda w, _: euler(_complementary(w))[2],
+    "motion.angular_rate": _compensated_rate,
+    "motion.specific_force": lambda w, out: _compensated_force(w, w.specific_force, out),
+    "motion.acceleration": lambda w, out: _compensated_force(w, earth.turned(w.state.dcm, w.state.acceleration), out),
+    "gravity.vector": lambda w, _: earth.turned(w.attitude[1], (0.0, 0.0, w.gravity)),
+    "gravity.magnitude": lambda w, _: earth.gravity(w.modelled[0], w.modelled[2]),
+    "bias.angular_rate": lambda w, _: _sum(w.gyro_bias_left, w.gyro_bias_error),
+    "bias.specific_force": lambda w, _: _sum(w.accel_bias_left, w.accel_bias_error),
+    "bias.gyro_setting": lambda w, _: w.gyro_bias,
+    "identity.matrix": lambda w, _: (1, 0, 0, 0, 1, 0, 0, 0, 1),
+    "identity.quaternion": lambda w, _: (1, 0, 0, 0),
+    "covariance.magnetic_field": lambda w, _: (1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6),
+    "position.latitude": lambda w, _: w.place.latitude,
+    "position.longitude": lambda w, _: w.place.longitude,
+    "position.height": lambda w, _: w.place.height,
+    "position.msl_height": lambda w, _: w.msl_height,
+    "position.ecef": lambda w, _: _ecef(w),
+    "position.relative": _relative,
+    "velocity.north": lambda w, _: w.place.velocity[0],
+    "velocity.east": lambda w, _: w.place.velocity[1],
+    "velocity.down": lambda w, _: w.place.velocity[2],
+    "velocity.ecef": lambda w, _: earth.from_ned(w.place.latitude, w.place.longitude, w.place.velocity),
+}
+
+
+def _inclination(north: float, east: float, down: float) -> float:
+    return atan2(down, hypot(north, east))
+
+
+def _declination(north: float, east: float, down: float) -> float:
+    return atan2(east, north)
+
+
+_SURROUNDINGS: dict[str, Function] = {
+    "magnetic.north": lambda w, _: w.modelled_field[0],
+    "magnetic.east": lambda w, _: w.modelled_field[1],
+    "magnetic.down": lambda w, _: w.modelled_field[2],
+    "magnetic.inclination": lambda w, _: _inclination(*w.modelled_field),
+    "magnetic.declination": lambda w, _: _declination(*w.modelled_field),
+    "air.altitude": lambda w, _: w.altitude,
+    "air.temperature": lambda w, _: w.air[0],
+    "air.pressure": lambda w, _: w.air[1],
+    "air.density": lambda w, _: w.air[2],
+    "uncertainty.roll": _deviation(0, 0, 0),
+    "uncertainty.pitch": _deviation(0, 0, 1),
+    "uncertainty.yaw": _deviation(0, 0, 2),
+    "uncertainty.quaternion": _of_quaternion,
+    "uncertainty.gyro_bias": _deviation(0, 1),
+    "uncertainty.accel_bias": _deviation(2, 0),
+    "uncertainty.north": _deviation(1, 0, 0),
+    "uncertainty.east": _deviation(1, 0, 1),
+    "uncertainty.down": _deviation(1, 0, 2),
+    "uncertainty.position": _earth_fixed(0),
+    "uncertainty.velocity_north": _deviation(1, 1, 0),
+    "uncertainty.velocity_east": _deviation(1, 1, 1),
+    "uncertainty.velocity_down": _deviation(1, 1, 2),
+    "uncertainty.velocity": _earth_fixed(1),
+    "filter.has_attitude": _of_filter(lambda f: f.level),
+    "filter.has_position": _of_filter(lambda f: f.placed),
+    "filter.state": _of_filter(lambda f: f.state),
+    "filter.dynamics": lambda w, _: (w.filter.options.dynamics, "default", "portable"),
+    "filter.flags": _of_filter(lambda f: f.flags),
+    "filter.headings": _of_filter(lambda f: f.headings),
+    "filter.aids": _of_filter(lambda f: tuple(f.aids())),
+    "aid.source": lambda w, aid: aid.source,
+    "aid.type": lambda w, aid: aid.type,
+    "aid.indicator": lambda w, aid: aid.indicator,
+    "filter.receivers": lambda w, _: tuple(Receiver(i, w.receiver_clock(i)) for i in _RECEIVERS),
+    "receiver.id": lambda w, receiver: receiver.id,
+    "receiver.clock_bias": lambda w, receiver: receiver.clock[0],
+    "receiver.clock_drift": lambda w, receiver: receiver.clock[1],
+}
+
+QUANTITIES: dict[str, Function] = {**_TIME, **_SENSORS, **_MOTION, **_SURROUNDINGS, **GNSS}
+
+#: Quantities that count from the last output. Their item must be an `Output`.
+INTERVALS = frozenset(
+    ("reference.delta", "external.delta", "ticks.delta", "delta.rotation", "delta.velocity", "delta.matrix")
+)
+
+#: Means since the last output. Their item must also be an `Output`, one for each field.
+MEANS = frozenset(
+    name
+    for name in QUANTITIES
+    if name.partition(".")[0] in ("measured", "counts", "motion") and name != "counts.temperature"
+)
+
+
+def quantity(world: World, name: str, item: Any = None) -> Any:
+    """Computes a quantity by its name in the specification."""
+    return QUANTITIES[name](world, item)

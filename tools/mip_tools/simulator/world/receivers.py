@@ -1,0 +1,137 @@
+"""The quantities of GNSS receivers, their satellites and ephemerides."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import hypot, pi
+from typing import Any
+
+from ...geometry import earth
+from ...geometry.earth import LIGHT, SECOND, WEEK, Vector
+from ..surroundings import satellites
+from .world import World
+
+Function = Callable[[World, Any], Any]
+
+
+def _length(v: Vector) -> float:
+    return float(hypot(*v))
+
+
+def _base_station(w: World, _: Any) -> Vector:
+    latitude, longitude, height = earth.llh(*w.start_place)
+    return earth.ecef(latitude + 5000.0 / earth.A, longitude, height)
+
+
+def _aiding(w: World) -> tuple[str, ...]:
+    """The aiding of the filter by the receivers."""
+    if not w.gnss:
+        return ("no_fix",)
+    used = {"gps": "gps_l1", "glonass": "glonass_l1", "galileo": "galileo_e1", "beidou": "beidou_b1"}
+    return ("tight_coupling", *(name for constellation, name in used.items() if constellation not in w.signals_off))
+
+
+def _gnss(receiver: int) -> dict[str, Function]:
+    """The quantities of one receiver."""
+
+    def course_accuracy(w: World, _: Any) -> float:
+        n, e, _d = w.antenna(receiver).velocity
+        return min(pi, 0.1 / max(hypot(n, e), 1e-3))
+
+    def ecef_velocity(w: World, _: Any) -> Vector:
+        a = w.fix(receiver)
+        return earth.from_ned(a.latitude, a.longitude, a.velocity)
+
+    own: dict[str, Function] = {
+        "latitude": lambda w, _: w.fix(receiver).latitude,
+        "longitude": lambda w, _: w.fix(receiver).longitude,
+        "height": lambda w, _: w.fix(receiver).height,
+        "msl_height": lambda w, _: w.fix(receiver).height - w.geoid,
+        "ecef": lambda w, _: w.fix(receiver).ecef,
+        "velocity": lambda w, _: w.fix(receiver).velocity,
+        "ecef_velocity": ecef_velocity,
+        "speed": lambda w, _: _length(w.fix(receiver).velocity),
+        "ground_speed": lambda w, _: hypot(*w.fix(receiver).velocity[:2]),
+        "course": lambda w, _: w.course(w.fix(receiver).velocity),
+        "course_accuracy": course_accuracy,
+        "clock_bias": lambda w, _: w.receiver_clock(receiver)[0],
+        "clock_drift": lambda w, _: w.receiver_clock(receiver)[1],
+        "satellites": lambda w, _: w.satellites(receiver),
+    }
+    return {f"gnss_{receiver}.{name}": function for name, function in own.items()}
+
+
+_GNSS: dict[str, Function] = {
+    "gnss.fix": lambda w, _: w.gnss,
+    "gnss.fix_type": lambda w, _: "fix_3d" if w.gnss else "fix_none",
+    "gnss.fix_flags": lambda w, _: ("sbas_used",) * (w.gnss and w.augmented),
+    "gnss.aiding": lambda w, _: _aiding(w),
+    **_gnss(1),
+    **_gnss(2),
+    "dop.gdop": lambda w, _: w.dop.gdop,
+    "dop.pdop": lambda w, _: w.dop.pdop,
+    "dop.hdop": lambda w, _: w.dop.hdop,
+    "dop.vdop": lambda w, _: w.dop.vdop,
+    "dop.tdop": lambda w, _: w.dop.tdop,
+    "dop.ndop": lambda w, _: w.dop.ndop,
+    "dop.edop": lambda w, _: w.dop.edop,
+    "gnss.horizontal_accuracy": lambda w, _: 1.0,
+    "gnss.vertical_accuracy": lambda w, _: 1.5,
+    "gnss.position_accuracy": lambda w, _: hypot(1.0, 1.5),
+    "satellite.index": lambda w, s: s.number,
+    "satellite.count": lambda w, s: s.of,
+    "satellite.used": lambda w, _: len(w.satellites(1)),
+    "satellite.channel": lambda w, s: s.number,
+    "satellite.constellation": lambda w, s: s.satellite.constellation,
+    "satellite.id": lambda w, s: s.satellite.id,
+    "satellite.signal": lambda w, s: s.satellite.signal,
+    "satellite.elevation": lambda w, s: s.elevation,
+    "satellite.azimuth": lambda w, s: s.azimuth,
+    "satellite.strength": lambda w, s: s.strength,
+    "satellite.pseudorange": lambda w, s: s.pseudorange,
+    "satellite.phase": lambda w, s: s.pseudorange * s.satellite.frequency / LIGHT,
+    "satellite.doppler": lambda w, s: s.doppler,
+    "satellite.lock_time": lambda w, s: (w.now - w.booted) / SECOND,
+    "gnss.gps_satellites": lambda w, _: satellites.only(w.satellites(1), "gps"),
+    "sbas.system": lambda w, _: satellites.sbas(w.state.longitude)[0],
+    "sbas.id": lambda w, _: satellites.sbas(w.state.longitude)[1],
+    "sbas.corrections": lambda w, _: len(satellites.only(w.satellites(1), "gps")) if w.augmented else 0,
+    "sbas.used": lambda w, _: w.gnss and w.augmented,
+    "base_station.ecef": _base_station,
+}
+
+
+def _visible(constellation: str) -> Function:
+    return lambda w, _: satellites.ephemerides(w.satellites(1), constellation, w.gps)
+
+
+def _day(e: satellites.Ephemeris) -> tuple[int, float]:
+    return satellites.glonass_day(e.time, earth.leap_seconds(e.time))
+
+
+_EPHEMERIDES: dict[str, Function] = {
+    **{f"ephemeris.{name}": _visible(name) for name in ("gps", "glonass", "galileo", "beidou")},
+    "ephemeris.satellite": lambda w, e: e.satellite.id,
+    "ephemeris.index": lambda w, e: e.number,
+    "ephemeris.count": lambda w, e: e.of,
+    "ephemeris.issue": lambda w, e: e.time // (7200 * SECOND) % 240,
+    "ephemeris.reference_time": lambda w, e: e.time % WEEK / SECOND,
+    "ephemeris.semi_major_axis": lambda w, e: e.satellite.axis,
+    "ephemeris.mean_anomaly": lambda w, e: e.mean_anomaly,
+    "ephemeris.eccentricity": lambda w, e: satellites.ECCENTRICITY,
+    "ephemeris.argument_of_perigee": lambda w, e: satellites.ARGUMENT,
+    "ephemeris.node": lambda w, e: e.node,
+    "ephemeris.node_rate": lambda w, e: satellites.NODE_RATE,
+    "ephemeris.inclination": lambda w, e: e.satellite.inclination,
+    "ephemeris.clock_bias": lambda w, e: e.satellite.clock_bias,
+    "ephemeris.frequency": lambda w, e: e.satellite.frequency_number,
+    "ephemeris.time_of_day": lambda w, e: _day(e)[1] // 30 * 30,
+    "ephemeris.day_time": lambda w, e: _day(e)[1],
+    "ephemeris.day": lambda w, e: _day(e)[0] % 256,
+    "ephemeris.odd": lambda w, e: int(_day(e)[1] // 900) % 2,
+    "ephemeris.position": lambda w, e: satellites.place(e.satellite, e.time / SECOND),
+    "ephemeris.velocity": lambda w, e: satellites.velocity(e.satellite, e.time / SECOND),
+}
+
+#: Names -> world and item -> value.
+GNSS: dict[str, Function] = {**_GNSS, **_EPHEMERIDES}

@@ -1,0 +1,1 @@
+"""Packets and values as text, and YAML files."""
