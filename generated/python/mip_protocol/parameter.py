@@ -104,7 +104,7 @@ class Parameter:
     def range(self) -> str:
         """The allowed values: "0 to 8", "-pi to pi", "greater than 0, at most 10"; empty if all are allowed."""
         low, high, above, below = (
-            {pi: "pi", -pi: "-pi"}.get(x, x)
+            "pi" if x == pi else "-pi" if x == -pi else x
             for x in (self.minimum, self.maximum, self.above, self.below)
         )
         if low is not None and high is not None:
