@@ -287,7 +287,14 @@ fn long(data: &[u8]) -> u64 {
     u64::from_be_bytes(data[..8].try_into().unwrap())
 }
 
-fn bare_get(mut data: &[u8]) -> usize {
+fn seen<T>(value: T) -> bool {
+    black_box(value);
+    true
+}
+
+/// Counts the fields that are seen.
+#[inline(always)] // as if it were written in each loop
+fn walked(mut data: &[u8], look: impl Fn(u8, u8, &[u8]) -> bool) -> usize {
     let mut count = 0;
     while let Some((rest, packet)) = next(data) {
         data = rest;
@@ -295,78 +302,32 @@ fn bare_get(mut data: &[u8]) -> usize {
         while let [length, descriptor, ..] = *payload {
             let Some(value) = payload.get(2..usize::from(length)) else { break };
             payload = &payload[usize::from(length)..];
-            match (packet[2], descriptor) {
-                (0x80, 0x04) if value.len() >= 12 => {
-                    black_box(floats::<3>(value));
-                }
-                (0x80, 0x05) if value.len() >= 12 => {
-                    black_box(floats::<3>(value));
-                }
-                (0x80, 0x07) if value.len() >= 12 => {
-                    black_box(floats::<3>(value));
-                }
-                (0x80, 0x08) if value.len() >= 12 => {
-                    black_box(floats::<3>(value));
-                }
-                (_, 0xD0) if value.len() >= 1 => {
-                    black_box(value[0]);
-                }
-                (_, 0xD3) if value.len() >= 12 => {
-                    black_box((doubles::<1>(value), words::<2>(&value[8..])));
-                }
-                (_, 0xD5) if value.len() >= 8 => {
-                    black_box(long(value));
-                }
-                (_, 0xD6) if value.len() >= 8 => {
-                    black_box(long(value));
-                }
-                (0x82, 0x03) if value.len() >= 18 => {
-                    black_box((floats::<4>(value), words::<1>(&value[16..])));
-                }
-                (0x82, 0x01) if value.len() >= 26 => {
-                    black_box((doubles::<3>(value), words::<1>(&value[24..])));
-                }
-                (0x82, 0x02) if value.len() >= 14 => {
-                    black_box((floats::<3>(value), words::<1>(&value[12..])));
-                }
-                (0x82, 0x0D) if value.len() >= 14 => {
-                    black_box((floats::<3>(value), words::<1>(&value[12..])));
-                }
-                (0x82, 0x0E) if value.len() >= 14 => {
-                    black_box((floats::<3>(value), words::<1>(&value[12..])));
-                }
-                (0x82, 0x10) if value.len() >= 6 => {
-                    black_box(words::<3>(value));
-                }
-                _ => continue,
-            }
-            count += 1;
+            count += usize::from(look(packet[2], descriptor, value));
         }
     }
     count
 }
 
-fn bare_find(mut data: &[u8]) -> usize {
-    let mut count = 0;
-    while let Some((rest, packet)) = next(data) {
-        data = rest;
-        let mut payload = &packet[4..packet.len() - 2];
-        while let [length, descriptor, ..] = *payload {
-            let Some(value) = payload.get(2..usize::from(length)) else { break };
-            payload = &payload[usize::from(length)..];
-            match (packet[2], descriptor) {
-                (0x80, 0x04 | 0x05) if value.len() >= 12 => {
-                    black_box(floats::<3>(value));
-                }
-                (_, 0xD5) if value.len() >= 8 => {
-                    black_box(long(value));
-                }
-                _ => continue,
-            }
-            count += 1;
-        }
-    }
-    count
+fn bare_get(data: &[u8]) -> usize {
+    walked(data, |set, descriptor, value| match (set, descriptor, value.len()) {
+        (0x80, 0x04 | 0x05 | 0x07 | 0x08, 12..) => seen(floats::<3>(value)),
+        (_, 0xD0, 1..) => seen(value[0]),
+        (_, 0xD3, 12..) => seen((doubles::<1>(value), words::<2>(&value[8..]))),
+        (_, 0xD5 | 0xD6, 8..) => seen(long(value)),
+        (0x82, 0x03, 18..) => seen((floats::<4>(value), words::<1>(&value[16..]))),
+        (0x82, 0x01, 26..) => seen((doubles::<3>(value), words::<1>(&value[24..]))),
+        (0x82, 0x02 | 0x0D | 0x0E, 14..) => seen((floats::<3>(value), words::<1>(&value[12..]))),
+        (0x82, 0x10, 6..) => seen(words::<3>(value)),
+        _ => false,
+    })
+}
+
+fn bare_find(data: &[u8]) -> usize {
+    walked(data, |set, descriptor, value| match (set, descriptor, value.len()) {
+        (0x80, 0x04 | 0x05, 12..) => seen(floats::<3>(value)),
+        (_, 0xD5, 8..) => seen(long(value)),
+        _ => false,
+    })
 }
 
 fn bare_view(mut data: &[u8]) -> usize {
