@@ -17,15 +17,15 @@ def seeds(target: str, of: m.Model) -> list[bytes]:
 
 
 def variants(f: m.Field) -> Iterator[bytes]:
-    """Data of a field: zeros and other numbers, for each function selector; counts and tags are small."""
+    """Data of a field: zeros and other numbers, for each function selector, whole and cut; counts and tags are
+    small."""
     for function in [x.value for x in f.functions] or [None]:
         for data in (bytearray(f.max_size), bytearray(i % 7 + 1 for i in range(f.max_size))):
             if function is not None:
                 data[0] = function
             for at, constant in f.signature:
                 data[at : at + len(constant)] = constant
-            yield bytes(data)
-            yield bytes(data[: f.min_size])
+            yield from (bytes(data[:size]) for size in {*range(min(12, f.min_size)), f.min_size, f.max_size})
 
 
 def parser(of: m.Model) -> Iterator[bytes]:

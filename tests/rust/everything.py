@@ -31,30 +31,6 @@ use mip_protocol::{
     RawField, ResponseOf, Text, VarText, View, Viewed,
 };
 
-/// All prefixes of the data of a field: negative numbers are errors, others tell what is left over.
-fn prefixes<T: Field + PartialEq + std::fmt::Debug>(data: &[u8], expected: &[i16]) {
-    for (length, wanted) in expected.iter().enumerate() {
-        let data = &data[..length];
-        match T::decode_with_trailing(data) {
-            Ok((value, trailing)) => {
-                assert_eq!(i16::try_from(trailing), Ok(*wanted), "{} {data:x?}", T::NAME);
-                assert_eq!(value.to_vec().as_deref(), Ok(&data[..length - trailing]), "{}", T::NAME);
-            }
-            Err(error) => {
-                let found = match error.kind {
-                    DecodeErrorKind::Truncated => -1,
-                    DecodeErrorKind::Count => -2,
-                    DecodeErrorKind::Constant => -3,
-                    other => panic!("{other:?}"),
-                };
-                assert_eq!(error.field, T::NAME);
-                assert_ne!(error.need, error.got, "{error}");
-                assert_eq!(found, *wanted, "{} {data:x?}", T::NAME);
-            }
-        }
-    }
-}
-
 /// A value that is encoded as these bytes, and decoded to itself.
 fn same<T: Field + PartialEq + std::fmt::Debug>(value: T, data: &[u8]) {
     assert_eq!(value.to_vec().as_deref(), Ok(data), "{value:?}");
@@ -151,7 +127,6 @@ macro_rules! not_copied {
     }};
 }
 """
-ERRORS = {"truncated": -1, "count": -2, "constant": -3}
 
 
 def source(model: m.Model, share: int = 1, seed: int = 0) -> str:
@@ -166,8 +141,6 @@ def source(model: m.Model, share: int = 1, seed: int = 0) -> str:
         parts.append(test(f"{rust.home(f)}_{f.name}", writer.field(f)))
     for d in model.devices[drawn]:
         parts.append(test(f"device_{d.name}", writer.device(d)))
-    for e in model.examples:
-        parts.append(test(f"packet_{e.id.replace('-', '_')}", writer.example(e)))
     return "\n".join(parts)
 
 
@@ -273,7 +246,6 @@ class _Writer:
         yield f'occurs::<{of}>({f.descriptor}, "{f.full_name}", &[{sets}], {data_literal(data)});'
         if len(f.sets) == 1:
             yield f"only_in::<{of}>({f.set});"
-        yield f"prefixes::<{of}>({data_literal(data + bytes(3))}, &{self.prefixes(f, data + bytes(3))});"
         fixed = f.min_size == f.max_size and all(p.constant is None for p in f.parameters)
         if f.role != m.COMMAND and fixed and f.parameters:
             of_set = f"set: {min(f.sets)}, descriptor: {f.descriptor}"
@@ -323,15 +295,6 @@ class _Writer:
         yield f"assert_eq!(command.expects_reply(), {str(replies).lower()});"
         yield f"assert_eq!(command.response_check().is_some(), {str(bool(wanted)).lower()});"
 
-    def prefixes(self, f: m.Field, data: bytes) -> list[int]:
-        found = []
-        for length in range(len(data) + 1):
-            try:
-                found.append(codec.decode(f, data[:length])[1])
-            except codec.CodecError as error:
-                found.append(ERRORS[error.kind])
-        return found
-
     def call(
         self, record: m.Record, required: tuple[m.Parameter, ...], constructor: Constructor
     ) -> tuple[str, codec.Values]:
@@ -370,17 +333,6 @@ class _Writer:
             values[p.name] = comparable(p, values[p.name])
 
     # ----------------------------------------------------------------------- given values
-
-    def example(self, e: m.Example) -> Iterator[str]:
-        """A printed packet, built as a user would."""
-        yield f"let mut b = PacketBuilder::new({e.set});"
-        for f in e.fields:
-            field = self.model.field(f.field) if f.field else None
-            if field is None or f.trailing:
-                yield f"b.push_raw({f.descriptor}, {data_literal(f.data)}).unwrap();"
-            else:
-                yield f"b.push(&{self.record(field, f.values or {})}).unwrap();"
-        yield f"assert_eq!(b.bytes(), {data_literal(e.packet)});"
 
     def record(self, record: m.Record, values: codec.Values) -> str:
         members = {x.parameter.name: x for x in self.crate.record(record).members}

@@ -64,8 +64,7 @@ def all_of(spec: str) -> str:
 
 
 def test_cases() -> None:
-    """What is written by hand; and every constructor, accessor, constant, default, link, truncation and printed packet
-    of a specification, which other tests show for the real one byte for byte."""
+    """What is written by hand; and every constructor, accessor, constant, default and link of a specification."""
     source = all_of("invented")
     out = passes(program("invented", "cases", CASES, source), "test", "--offline", "--quiet", "--test", "cases")
     (count,) = re.findall(r"test result: ok\. (\d+) passed", out)

@@ -55,52 +55,27 @@ int main(void) {
     static const struct mip_port port = {take, put, now, NULL};
     static const struct mip_hooks hooks = {lock, bytes, NULL};
     static const struct mip_hooks none = {NULL, NULL, NULL};
-    static const uint8_t stream[] = {
-        'n',
-        0x75,
-        0x65,
-        0x01,
-        0x04,
-        0x04,
-        0xF1,
-        0x01,
-        0x00,
-        0xD5,
-        0x6B, /* a wrong checksum */
-        0x75,
-        0x65,
-        0x01,
-        0x04,
-        0x04,
-        0xF1,
-        0x01,
-        0x00,
-        0xD5,
-        0x6A,
-        0x75,
-        0x65,
-        0x80,
-        0x00,
-        0x5A,
-        0x03,
-    };
+    /* Noise, an acknowledge with a wrong checksum, one with the right one, an empty packet. */
+    static const uint8_t stream[] = "n\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6B"
+                                    "\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A\x75\x65\x80\x00\x5A\x03";
+    const size_t length = sizeof(stream) - 1;
     mip_device_init(&device, &port, 0, NULL);
     device.hooks = &hooks;
     for (size_t pieces = 1; pieces <= 2; pieces++) { /* whole, and byte by byte */
         const uint32_t before = device.parser.bad_checksums;
         arriving = stream;
-        left = sizeof(stream);
+        left = length;
         if (pieces == 1) {
             CHECK(mip_call_tools_ping(&device).outcome == MIP_ACKNOWLEDGED);
         } else {
-            for (size_t i = 0; i < sizeof(stream); i++) {
+            for (size_t i = 0; i < length; i++) {
                 mip_device_step(&device, stream + i, 1);
             }
         }
         CHECK(device.parser.bad_checksums == before + 1 && device.parser.skipped == 11 * pieces);
         CHECK(device.sets[0].descriptor_set == 0x01 && device.sets[0].packets == pieces && device.sets[0].bytes == 10 * pieces);
         CHECK(device.sets[1].descriptor_set == 0x80 && device.sets[1].packets == pieces && device.sets[1].bytes == 6 * pieces);
-        CHECK(device.sets[2].descriptor_set == 0 && received == sizeof(stream) * pieces && sent == 8);
+        CHECK(device.sets[2].descriptor_set == 0 && received == length * pieces && sent == 8);
     }
     device.hooks = &none; /* without functions */
     mip_device_step(&device, NULL, 0);
