@@ -11,6 +11,7 @@ from pathlib import Path
 import bench_c
 import bench_c_board
 import bench_c_peer
+import bench_columns
 import bench_generate
 import bench_rust
 
@@ -25,11 +26,14 @@ PEER = ROOT / "docs/parts/bench_c_peer.md"
 def main() -> None:
     arguments = argparse.ArgumentParser()
     arguments.add_argument("--readme", action="store_true")
-    arguments.add_argument("--part", choices=("generate", "c"), help="this part only")
+    arguments.add_argument("--part", choices=("generate", "c", "columns"), help="this part only")
     arguments.add_argument("--peer", type=Path, help="a folder of the vendor's SDK: C beside it only")
     given = arguments.parse_args()
     if given.part == "generate":
         bench_generate.report()
+        return
+    if given.part == "columns":
+        print(bench_columns.report())
         return
     if given.peer:
         text = bench_c_peer.report(given.peer) + bench_c_board.report(given.peer, bench_c_peer.name(given.peer))
@@ -46,7 +50,7 @@ def main() -> None:
     if given.part:
         return
     print(bench_rust.report())
-    subprocess.run([sys.executable, str(HERE / "bench_columns.py")], check=True)
+    print(bench_columns.report())
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(ROOT / "tools"), str(ROOT / "generated/python")))}
     print("\nPython: " + subprocess.check_output([sys.executable, str(HERE / "bench_python_objects.py")], text=True,
                                                    env=environment))  # fmt: skip

@@ -80,10 +80,15 @@ def three(data: bytes) -> object:
     return columns, [column.time("reference") for column in columns]
 
 
+def frame(data: bytes) -> object:
+    return read_log(data).frame([sensor.ScaledAccel, sensor.ScaledGyro])
+
+
 TASKS: dict[str, tuple[Callable[[bytes], object], int]] = {
     "index: packets by set and length": (lambda data: read_log(data).packets, 14),
     "index, time and three fields": (three, 10),
     "all columns": (lambda data: read_log(data).columns(TYPES), 8),
+    "pandas frame of two fields": (frame, 0),
     "types, counts and rates": (lambda data: read_log(data).types(), 0),
 }
 

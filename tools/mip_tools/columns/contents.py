@@ -59,7 +59,7 @@ class _Rates:
     def __init__(self, log: Packets) -> None:
         self._log = log
         self._intervals: dict[int, Intervals] = {}
-        pieces = [(piece.sets(), piece.number) for piece in log.pieces()]
+        pieces = [(piece.sets, piece.number) for piece in log.pieces()]
         self._sets = np.concatenate([sets for sets, _ in pieces]) if pieces else np.zeros(0, np.uint8)
 
     def of(self, number: int, span: _Span) -> float | None:

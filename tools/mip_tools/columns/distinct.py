@@ -12,12 +12,18 @@ def distinct(*parts: Array) -> Array:
 
     `numpy.unique` hashes since NumPy 2.3, which takes 300 times as long as comparing neighbours does.
     """
-    values = np.concatenate(parts) if len(parts) != 1 else parts[0]
+    others = [part for part in parts[1:] if not np.array_equal(part, parts[0])]  # often, all are the same
+    values = np.concatenate((parts[0], *others)) if others else parts[0]
     if not (values[1:] >= values[:-1]).all():
         values = np.sort(values, kind="stable")  # merges parts that are sorted
     new = np.ones(len(values), bool)
     np.not_equal(values[1:], values[:-1], out=new[1:])
-    return np.compress(new, values)
+    return values if new.all() else np.compress(new, values)
+
+
+def taken(values: Array, rows: Array) -> Array:
+    """Returns some of the values; `rows` has each number at most once, in order, and often all of them."""
+    return values if len(rows) == len(values) else values[rows]
 
 
 def places(sorted_values: Array, values: Array) -> Array:

@@ -40,10 +40,12 @@ def assign(fields: Sequence[Fields], by: str) -> Instants:
     first = packets if by == "packet" else _first(packets, fields)
     begins = distinct(first)
     number = places(begins, first)
+    places_of_fields = [number[places(packets, f.offset)] for f in fields]
+    turns = [_turn(row) for row in places_of_fields]
+    if not any(turn.any() for turn in turns):
+        return Instants(begins, [np.arange(len(row)) for row in places_of_fields], places_of_fields, packets, first)
     kept, keys = [], []
-    for f in fields:
-        row = number[places(packets, f.offset)]
-        turn = _turn(row)
+    for f, row, turn in zip(fields, places_of_fields, turns):
         only = np.flatnonzero(turn == 0) if f.once and by == "time" else np.arange(len(row))
         kept.append(only)
         keys.append(row[only] * _MOST + turn[only])
@@ -58,6 +60,8 @@ def _first(packets: Array, fields: Sequence[Fields]) -> Array:
     for f in fields:
         time[places(packets, f.offset)] = f.time
     stamped = np.flatnonzero(time != NONE)
+    if (np.diff(time[stamped]) > 0).all():
+        return packets
     order = stamped[np.argsort(time[stamped], kind="stable")]
     when, where = time[order], packets[order]
     new = np.ones(len(order), bool)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
-from copy import copy
 from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
@@ -47,6 +46,7 @@ class Packets(ABC):
         self.end = self.size if end is None else min(end, self.size)
         self._kept: dict[int, Piece] = {}
         self._first: int | None = None
+        self._sets: list[int] | None = None
         self._counts: tuple[int, int] | None = None  # of packets, of skipped bytes
         #: (set, clock) -> timestamps, for `times`, including those of packets shortly before this part.
         self.own_stamps: dict[tuple[int, str], Stamps] = {}
@@ -63,9 +63,19 @@ class Packets(ABC):
         """Returns the part whose packets begin within these bytes."""
         return type(self)(self.source, begin, end, self.sender)
 
+    @property
+    def is_whole(self) -> bool:
+        """Is this no part of a log, but all of it?"""
+        return (self.begin, self.end) == (0, self.size)
+
+    @property
+    def found(self) -> bool:
+        """Have all packets been found, and are their offsets stored?"""
+        return self._counts is not None and self._counts[0] <= _KEPT
+
     def whole(self: P) -> P:
         """Returns the log of which this is a part."""
-        return self if (self.begin, self.end) == (0, self.size) else self.part(0, self.size)
+        return self if self.is_whole else self.part(0, self.size)
 
     @property
     def device(self) -> str | None:
@@ -103,13 +113,13 @@ class Packets(ABC):
             data, length = self.source.piece(begin, limit, scan.AHEAD)
             piece = self._kept.get(begin)
             if piece is None:
-                piece = Piece(begin, limit, number, *scan.packets(data, max(0, free - begin), limit, length))
+                at, end = scan.packets(data, max(0, free - begin), limit, length)
+                piece = Piece(begin, limit, number, at, end, data[at + 2])
                 if number < _KEPT:
                     self._kept[begin] = piece
             if fields and piece.runs is None:
-                piece.runs = walk.runs(data, piece.at, piece.end)
-            own = copy(piece)  # other requests may use the same piece meanwhile
-            own.data = data
+                piece.runs = walk.runs(data, piece.at, piece.sets)
+            own = piece.with_data(data)  # other requests may use the same piece meanwhile
             yield own
             own.data = NOTHING
             self.source.forget(begin, begin + limit)
@@ -134,10 +144,12 @@ class Packets(ABC):
 
     def sets(self) -> list[int]:
         """Returns the descriptor sets of the packets, each once."""
-        counts = np.zeros(256, np.int64)
-        for piece in self.pieces(fields=False):
-            counts += np.bincount(piece.sets(), minlength=256)
-        return [int(number) for number in np.flatnonzero(counts)]
+        if self._sets is None:
+            counts = np.zeros(256, np.int64)
+            for piece in self.pieces(fields=False):
+                counts += np.bincount(piece.sets, minlength=256)
+            self._sets = np.flatnonzero(counts).tolist()
+        return self._sets
 
     def before_offset(self, offset: int) -> int:
         """Counts the packets that begin before an offset in the file."""

@@ -17,34 +17,32 @@ NOTHING = np.zeros(0, np.uint8)
 class Piece:
     """The packets that begin in a piece of a log, and their fields once they are requested."""
 
-    __slots__ = ("_sets", "at", "begin", "data", "end", "number", "runs", "size")
+    __slots__ = ("at", "begin", "data", "end", "number", "runs", "sets", "size")
 
-    def __init__(self, begin: int, size: int, number: int, at: Array, end: Array) -> None:
+    def __init__(self, begin: int, size: int, number: int, at: Array, end: Array, sets: Array) -> None:
         self.begin = begin  # in the file
         self.size = size  # bytes that the packets begin in
         self.number = number  # of the first packet
         self.at, self.end = at, end  # of packets, in the piece
+        self.sets = sets  # of packets
         self.data = NOTHING  # its bytes, while it is read
         self.runs: list[Run] | None = None
-        self._sets: Array | None = None
-
-    def sets(self) -> Array:
-        """Returns the descriptor sets of the packets. The first call must be made while the piece has its bytes."""
-        if self._sets is None:
-            self._sets = self.data[self.at + 2]
-        return self._sets
 
     def fields(self, descriptor: int, packet: Array, offset: Array) -> Iterator[RawField]:
         """Yields fields with this descriptor, given their packets, and the offsets of their data in the payloads."""
         place = self.at[packet] + HEADER + offset
-        sets, sizes = self.data[self.at[packet] + 2], self.data[place - 2]
-        for number, begin, size in zip(sets.tolist(), place.tolist(), sizes.tolist()):
+        sizes = self.data[place - 2]
+        for number, begin, size in zip(self.sets[packet].tolist(), place.tolist(), sizes.tolist()):
             yield RawField(number, descriptor, self.data[begin : begin + size - 2].tobytes())
 
     def bare(self) -> Piece:
         """Returns a copy of the piece without the fields."""
-        copy = Piece(self.begin, self.size, self.number, self.at, self.end)
-        copy._sets = self._sets
+        return Piece(self.begin, self.size, self.number, self.at, self.end, self.sets)
+
+    def with_data(self, data: Array) -> Piece:
+        """Returns a copy of the piece with the fields and its bytes."""
+        copy = self.bare()
+        copy.runs, copy.data = self.runs, data
         return copy
 
 
@@ -60,8 +58,6 @@ class Where:
     def add(self, piece: Piece, packet: Array) -> None:
         """Adds the rows of a piece."""
         self._rows.append((piece, packet))
-        if not self._only:
-            piece.sets()
 
     def keep(self, right: Array | None) -> None:
         """Keeps only these rows; None keeps all."""
@@ -86,7 +82,7 @@ class Where:
         if self._only:
             total = sum(len(packet) for _, packet in self._rows)
             return self._joined([np.full(total, self._only, np.uint8)], np.uint8)
-        return self._joined([piece.sets()[packet] for piece, packet in self._rows], np.uint8)
+        return self._joined([piece.sets[packet] for piece, packet in self._rows], np.uint8)
 
     def sets(self) -> list[int]:
         """The descriptor sets of the packets, each once."""

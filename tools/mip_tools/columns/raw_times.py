@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -16,15 +17,24 @@ from .stamps import NONE, Stamps
 def raw(log: Packets, set_number: int, clock: str) -> Stamps:
     """Reads the timestamps of a set as they are."""
     if (set_number, clock) not in log.own_stamps:
-        log.own_stamps[set_number, clock] = _read(log, set_number, clock)
+        read(log, [set_number], [clock])
     return log.own_stamps[set_number, clock]
 
 
-def _read(log: Packets, set_number: int, clock: str) -> Stamps:
-    kinds = timestamps.kinds(set_number, clock)
-    columns = [c for c in log.columns(kinds, set_number) if len(c)] if kinds else []
+def read(log: Packets, sets: Iterable[int], clocks: Iterable[str] = tuple(CLOCKS)) -> None:
+    """Reads the timestamps of several sets in one pass."""
+    kinds = {(number, clock): timestamps.kinds(number, clock) for number in sets for clock in clocks}
+    types = list(dict.fromkeys((number, kind) for (number, _), own in kinds.items() for kind in own))
+    columns = {key: (column, nanoseconds(column)) for key, column in zip(types, log.columns(types)) if len(column)}
+    for (number, clock), own in kinds.items():
+        if (number, clock) not in log.own_stamps:
+            log.own_stamps[number, clock] = _stamps([columns[number, k] for k in own if (number, k) in columns], clock)
+
+
+def _stamps(columns_and_values: list[tuple[Column[Any], dict[str, Array]]], clock: str) -> Stamps:
+    columns = [column for column, _ in columns_and_values]
     packet = _whole([column.packet for column in columns])
-    value = _whole([nanoseconds(column, clock) for column in columns])
+    value = _whole([values[clock] for _, values in columns_and_values])
     places = [column.where.offset for column in columns]  # storing the columns would make a cycle with the log
     if (packet[1:] > packet[:-1]).all():
         return Stamps(packet, value, lambda: _whole([offset() for offset in places]))
@@ -39,9 +49,10 @@ def _whole(parts: list[Array]) -> Array:
     return parts[0] if len(parts) == 1 else np.concatenate([np.zeros(0, np.int64), *parts])
 
 
-def nanoseconds(column: Column[Any], clock: str) -> Array:
-    """Adds the weeks, seconds and other parts of timestamps, in nanoseconds; in UTC if the clock has a date. NONE for
-    times of another clock: one that is valid has a date, one that is not is the time of week of the device's clock."""
+def nanoseconds(column: Column[Any]) -> dict[str, Array]:
+    """Adds the weeks, seconds and other parts of timestamps, in nanoseconds, for each clock of the field; in UTC if the
+    clock has a date. NONE for times of another clock: one that is valid has a date, one that is not is the time of week
+    of the device's clock."""
     clocks = timestamps.clocks_of(column.type.SETS[0], column.type.DESCRIPTOR)
     weeks, of_week = np.zeros((2, len(column)), np.int64)
     valid, absurd, has_weeks = np.ones(len(column), bool), np.zeros(len(column), bool), False
@@ -61,11 +72,10 @@ def nanoseconds(column: Column[Any], clock: str) -> Array:
     if has_weeks:
         valid &= weeks > 0
         absurd |= (of_week < 0) | (of_week > timestamps.WEEK)
-    if clock in clocks[1:]:
-        return np.where(valid | absurd, NONE, of_week)
-    bad = absurd | ~valid
-    total = np.where(bad, 0, weeks + of_week)
-    return np.where(bad, NONE, utc(total, clock) if CLOCKS[clock] else total)
+    good = valid & ~absurd
+    total = np.where(good, weeks + of_week, 0)
+    total = np.where(good, utc(total, clocks[0]) if CLOCKS[clocks[0]] else total, NONE)
+    return {clocks[0]: total} | {clock: np.where(valid | absurd, NONE, of_week) for clock in clocks[1:]}
 
 
 def _scaled(values: Array, scale: int) -> tuple[Array, Array]:

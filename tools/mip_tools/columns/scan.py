@@ -41,14 +41,15 @@ def without_overlap(at: Array, end: Array) -> Array:
     return keep
 
 
-def candidates(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
-    """Finds byte sequences with the form and the checksum of a packet. Returns their beginnings and ends."""
-    if native.kernel is not None:
+def candidates(data: Array, first: int, limit: int, length: int, only: int | None = None) -> tuple[Array, Array]:
+    """Finds byte sequences with the form and the checksum of a packet, of any descriptor set or of only one. Returns
+    their beginnings and ends."""
+    if native.kernel is not None and only is None:
         return native.kernel.packets(data, first, limit, length, True)
     limit = min(limit, length - OVERHEAD + 1)
     spans: list[tuple[Array, Array]] = [(np.zeros(0, np.intp),) * 2]
     for begin in range(0, limit, _PART):
-        at, end = _forms(data, max(begin, first), min(begin + _PART, limit), length)
+        at, end = _forms(data, max(begin, first), min(begin + _PART, limit), length, only)
         if len(at):
             right = _right(data[begin:], at - begin, end - begin)
             spans.append((at, end) if right.all() else (at[right], end[right]))
@@ -73,11 +74,13 @@ def clear(data: Array, begin: int, length: int, whole: bool) -> int | None:
     return max(begin, int(kept[-1])) if len(kept) else begin
 
 
-def _forms(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
+def _forms(data: Array, first: int, limit: int, length: int, only: int | None) -> tuple[Array, Array]:
     """Finds byte sequences with the form of a packet. Returns their beginnings and ends."""
     at = np.flatnonzero(data[first:limit] == SYNC[0])
     at += first
     at = at[data[at + 1] == SYNC[1]]
+    if only is not None:
+        at = at[data[at + 2] == only]
     end = at + OVERHEAD
     end += data[at + 3]
     right = data[at + 2] - np.uint8(1) < 0xFE  # no packet has descriptor set 0 or 0xFF

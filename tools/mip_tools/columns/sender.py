@@ -65,27 +65,30 @@ class Sender(KnownDevice):
 
 def replies(log: Any) -> list[Any]:
     """Returns the replies in the whole log in which a device identifies itself."""
+    if log.is_whole and log.found:
+        return list(log.objects(identity())) if identity() else []
     return [reply for part in near_replies(log) for reply in part.objects(identity())]
 
 
 def near_replies(log: Any, first: int = 0) -> Iterator[Any]:
     """Yields the parts of a log, from an offset on, in which a device may identify itself: of a packet each, or none
     if what looks like a packet is a part of another one."""
-    for begin in range(first, log.size, _SEARCHED):
+    kind = identity()
+    for begin in range(first, log.size, _SEARCHED) if kind is not None else ():
         limit = min(_SEARCHED, log.size - begin)
         data, length = log.source.piece(begin, limit, scan.AHEAD)
-        at, end = scan.candidates(data, 0, limit, length)
-        for place in at[identifies(data, at, end)].tolist():
+        at, _ = scan.candidates(data, 0, limit, length, kind.SET)
+        for place in at[identifies(data, at)].tolist():
             yield log.part(begin + place, begin + place + 1)
         log.source.forget(begin, begin + limit)
 
 
-def identifies(data: Array, at: Array, end: Array) -> Array:
+def identifies(data: Array, at: Array) -> Array:
     """Returns which packets contain the reply with which a device identifies itself."""
     kind, found = identity(), np.zeros(len(at), bool)
     if kind is not None and len(at):
         own = np.flatnonzero(data[at + 2] == kind.SET)
-        for run in walk.runs(data, at[own], end[own]) if len(own) else ():
+        for run in walk.runs(data, at[own], data[at[own] + 2]) if len(own) else ():
             found[own[run.packet]] |= run.descriptor == kind.DESCRIPTOR
     return found
 

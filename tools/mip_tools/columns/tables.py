@@ -11,6 +11,7 @@ from ..binding import CLOCKS, SETS, Field, Parameter, timestamps, to_text
 from ..names.occurrence import listed, occurrence_in
 from . import contents, instants, timeline, times
 from .column import Column, absent
+from .distinct import taken
 from .general import Ragged, Values
 from .packets import Packets
 from .scan import Array
@@ -174,9 +175,10 @@ def _found(chosen: Sequence[_Part], form: Form) -> instants.Instants:
     for column, rows, clocks, once in chosen:
         own: Array = np.full(len(rows), NONE)
         for time in reversed(clocks):  # the date counts, if there is one
-            there = time.own[rows] & ~np.isnat(time.values[rows])
-            own = np.where(there, time.values.view(np.int64)[rows], own)
-        fields.append(instants.Fields(column.offset[rows], own, once and len(chosen) > 1))
+            value = taken(time.values.view(np.int64), rows)
+            there = taken(time.own, rows) & (value != NONE)
+            own = value if there.all() else np.where(there, value, own)
+        fields.append(instants.Fields(taken(column.offset, rows), own, once and len(chosen) > 1))
     # With only one type, the rows have the order of the log.
     return instants.assign(fields, form.by if len(fields) > 1 else "packet")
 
@@ -195,9 +197,10 @@ def _table(
     new[which] = np.arange(count)
     places, lefts = [], []
     for part, kept, place in zip(chosen, rows.kept, rows.place):
-        left = new[place] >= 0
-        lefts.append(part.rows[kept[left]])
-        places.append(new[place[left]])
+        row = new[place]
+        left = np.flatnonzero(row >= 0)
+        lefts.append(taken(taken(part.rows, kept), left))
+        places.append(taken(row, left))
     columns = list(_beside(chosen, lefts, places, rows.begin[which], form, number))
     types = []
     single = len(chosen) == 1
@@ -223,9 +226,10 @@ def _beside(
     for i, clock in enumerate(clocks):
         values = np.full(count, NONE, np.int64)
         for part, left, place in zip(chosen, lefts, places):
-            there = ~np.isnat(part.times[i].values[left])
-            values[place[there]] = part.times[i].values.view(np.int64)[left[there]]
-            own[place] |= part.times[i].own[left]
+            value = taken(part.times[i].values.view(np.int64), left)
+            there = np.flatnonzero(value != NONE)
+            values[taken(place, there)] = taken(value, there)
+            own[place] |= taken(part.times[i].own, left)
         if form.shown is None or clock in form.shown:
             yield time_column(values, clock)
     if clocks and form.shown != ():

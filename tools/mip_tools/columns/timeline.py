@@ -13,7 +13,7 @@ import numpy as np
 from ..binding import CLOCKS, DEVICE_CLOCK, SECOND, timestamps
 from .distinct import distinct
 from .packets import Packets
-from .raw_times import raw
+from .raw_times import raw, read
 from .scan import Array
 from .stamps import NONE, Stamps
 
@@ -77,26 +77,27 @@ class TimesOfSet:
     stamped: int = 0  # packets with a timestamp that could have a date, or with timestamps of which none is valid
     lost: list[Lost] = field(default_factory=list)
     stuck: dict[str, tuple[int, int]] = field(default_factory=dict)  # clock -> where it was first stuck; the time
-    _last: dict[str, tuple[int, int, int]] = field(default_factory=dict)  # clock -> last time, offset, equal times
+    _last: dict[str, tuple[Array, Array]] = field(default_factory=dict)  # clock -> the last offsets and times
 
     def follow(self, clock: str, offset: Array, value: Array) -> Iterator[tuple[int, int]]:
         """Adds the next times by a clock. Yields where it goes back: the packets before and after."""
         there = value != NONE
-        value, offset = value[there], offset[there]
+        if not there.all():
+            offset, value = offset[there], value[there]
         self.valid[clock] = self.valid.get(clock, 0) + len(value)
-        if not len(value):
-            return
-        last, place, same = self._last.get(clock, (int(value[0]), int(offset[0]), 0))
-        steps = np.diff(value, prepend=last)
-        for i in np.flatnonzero(steps < -BACK).tolist():
-            yield int(offset[i - 1]) if i else place, int(offset[i])
-        moves = np.append(np.flatnonzero(steps), len(value))
-        runs = np.diff(moves, prepend=-same)
-        if clock not in self.stuck and runs.max() >= STUCK:
-            longest = int(runs.argmax())
-            at = int(moves[longest - 1]) if longest else 0
-            self.stuck[clock] = int(offset[at]), int(value[at])
-        self._last[clock] = int(value[-1]), int(offset[-1]), int(runs[-1])
+        known = 1
+        if clock in self._last:
+            known = len(self._last[clock][0])
+            offset, value = (np.concatenate(pair) for pair in zip(self._last[clock], (offset, value)))
+        steps = np.diff(value)
+        for i in np.flatnonzero(steps[known - 1 :] < -BACK).tolist():
+            yield int(offset[known - 1 + i]), int(offset[known + i])
+        if clock not in self.stuck and len(value) >= STUCK:
+            same = np.cumsum(np.append(0, steps == 0))
+            first = int((same[STUCK - 1 :] - same[: 1 - STUCK]).argmax())
+            if (value[first : first + STUCK] == value[first]).all():
+                self.stuck[clock] = int(offset[first]), int(value[first])
+        self._last[clock] = offset[-STUCK:].copy(), value[-STUCK:].copy()
 
 
 class _Times(NamedTuple):
@@ -146,12 +147,14 @@ class Timeline:
     def add(self, log: Packets) -> None:
         """Adds the next part of a log."""
         numbers = [number for number in log.sets() if number >= 0x80]
+        read(log, numbers)
         both = {number: _times(log, number) for number in numbers}
         for event in sorted(event for number, own in both.items() for event in self._events(number, own)):
             self._continue(event, both)
         for number in numbers:
             times_of_set = self.sets.setdefault(number, TimesOfSet())
-            dated = both[number].packet[both[number].dated]
+            has_date = np.zeros(log.packets, bool)
+            has_date[both[number].packet] = both[number].dated
             stamped, timed = np.zeros(log.packets, bool), np.zeros(log.packets, bool)
             for clock in CLOCKS:
                 stamps = self.stamps(log, number) if clock == DEVICE else raw(log, number, clock)
@@ -161,9 +164,8 @@ class Timeline:
                 packet = stamps.packet[stamps.value != NONE]
                 stamped[stamps.packet], timed[packet] = True, True
                 if clock in _UNDATED:
-                    alone = np.ones(log.packets, bool)
-                    alone[dated] = False
-                    times_of_set.alone[clock] = times_of_set.alone.get(clock, 0) + int(np.count_nonzero(alone[packet]))
+                    alone = len(packet) - int(np.count_nonzero(has_date[packet]))
+                    times_of_set.alone[clock] = times_of_set.alone.get(clock, 0) + alone
             timed[both[number].packet] = False  # they could have a date
             times_of_set.stamped += int(np.count_nonzero(stamped & ~timed))
 

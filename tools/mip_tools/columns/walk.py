@@ -23,11 +23,11 @@ class Run(NamedTuple):
     offset: int | Array  # of the data in the payload
 
 
-def runs(data: Array, at: Array, end: Array) -> list[Run]:
-    """Finds all fields of these packets."""
+def runs(data: Array, at: Array, sets: Array) -> list[Run]:
+    """Finds all fields of packets that begin at these places, given their descriptor sets."""
     if native.kernel is not None and (rows := native.kernel.fields(data, at)) is not None:
         return [Run(*fields) for fields in rows]
-    keys = [data[at + 2].astype(np.uint16), *_fields(data, at)]
+    keys = [sets.astype(np.uint16), *_fields(data, at)]
     mixed = keys[0].copy()
     for key in keys[1:]:
         mixed *= 31

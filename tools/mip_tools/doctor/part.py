@@ -31,7 +31,7 @@ class Part:
 
     def add(self, piece: Piece) -> None:
         """Adds the next piece of the part."""
-        self._places.append((piece.begin + piece.at, piece.begin + piece.end, piece.sets()))
+        self._places.append((piece.begin + piece.at, piece.begin + piece.end, piece.sets))
         fields: dict[Key, list[walk.Run]] = {}
         for run in piece.runs or ():
             if run.set >= 0x80:

@@ -124,7 +124,7 @@ def _lines(log: Log, piece: Piece, selection: Selection, form: Lines | Objects) 
     for i, at, number, end, count in zip(
         numbers.tolist(),
         (piece.at[numbers] + piece.begin).tolist(),
-        piece.sets()[numbers].tolist(),
+        piece.sets[numbers].tolist(),
         ends[numbers].tolist(),
         counts[numbers].tolist(),
     ):

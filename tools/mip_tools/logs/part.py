@@ -128,7 +128,7 @@ def kept(
             if count:
                 before, free = bool(here[-1]), place + piece.begin + int(piece.end[-1])
             # without the name of the device, flags could mean something else
-            whole, identifying = here, identifies(piece.data, piece.at, piece.end)
+            whole, identifying = here, identifies(piece.data, piece.at)
             if within.end is not None:
                 identifying &= offset < within.end
             mixed: Array = np.zeros(count, bool)

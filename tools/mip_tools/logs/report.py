@@ -122,7 +122,7 @@ def _add(report: Report, piece: Piece) -> None:
     """Counts the packets of a piece, and their fields."""
     count = len(piece.at)
     report.packets += count
-    sets = piece.sets()
+    sets = piece.sets
     numbers = {}  # of the packets in their set
     for number, several in enumerate(np.bincount(sets).tolist()):
         if several:
