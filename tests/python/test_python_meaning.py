@@ -102,17 +102,27 @@ def test_parameters_know_what_they_mean(spec: str) -> None:
         for p in r.parameters:
             row = kind(package, r).INFO[p.name]
             assert row is kind(package, r).INFO[names.member(p.name)] or p.name in [q.attribute for q in r.parameters]
-            check(p, r, row, of)
+            check(package, p, r, row, of)
             holder = r
             said(row, p.description, describe.parameter(p, holder, of), holder, of)
             for c in p.cases:
                 assert say(describe.case(c, p, holder).value, names.home(holder)) in row.text
                 if c.parameter is not None:
-                    check(c.parameter, r, row.cases[c.tag.value], of)
+                    check(package, c.parameter, r, row.cases[c.tag.value], of)
                     assert say(describe.prose(c.parameter.description, of), names.home(holder)) in row.text
 
 
-def check(p: m.Parameter, r: m.Record, row: Any, of: m.Model) -> None:
+def check(package: Package, p: m.Parameter, r: m.Record, row: Any, of: m.Model) -> None:
+    e, scalar = p.element, getattr(p.element, "scalar", p.element)
+    named = e if isinstance(e, (m.Enum, m.Bitfield, m.Struct)) else None
+    assert (row.name, row.attribute, row.kind) == (p.name, names.member(p.name), p.kind)
+    assert (row.length, row.constant, row.type) == (p.length, p.constant, named and kind(package, named))
+    assert (row.counts or None, row.tag or None) == tuple(x and names.member(x) for x in (p.counts, p.tag))
+    assert row.elements == (e.elements if isinstance(e, m.Vector) else ())
+    bits = isinstance(e, m.Bitfield) and scalar is None
+    assert row.scalar == ("bits" if bits else scalar.name if isinstance(scalar, m.Scalar) else "")
+    assert not bits or row.size == named.size
+    assert {tag: bool(case) for tag, case in row.cases.items()} == {c.tag.value: bool(c.parameter) for c in p.cases}
     assert (row.units, row.frame, row.valid) == (p.units, p.frame or "", p.valid)
     assert (row.minimum, row.maximum, row.above, row.below) == (p.minimum, p.maximum, p.above, p.below)
     assert row.magnitude == p.magnitude
@@ -172,6 +182,7 @@ def test_types_know_their_values_and_bits(spec: str) -> None:
             for row, v in zip(known.values, t.values):
                 said(row, v.description, describe.value(v, of), t, of)
             assert known.names == {v.value: v.name for v in t.values}
+            assert all(kind(package, t)[names.constant(v.name)] == v.value for v in t.values)
         elif isinstance(t, m.Bitfield):
             known = info(kind(package, t))
             assert [(b.name, b.first, b.last, b.mask, b.alias) for b in known.bits] == [
@@ -180,6 +191,11 @@ def test_types_know_their_values_and_bits(spec: str) -> None:
             for row, b in zip(known.bits, t.bits):
                 said(row, b.description, describe.bits(b, of), t, of)
             assert [b.type for b in known.bits] == [kind(package, b.enum) if b.enum else None for b in t.bits]
+            for b in t.bits:
+                assert int(getattr(kind(package, t), names.constant(b.name))) == b.mask
+                if b.width > 1 and not b.alias:
+                    changed = getattr(kind(package, t)(0), f"with_{b.name}")((1 << b.width) - 1)
+                    assert int(changed) == b.mask and int(getattr(changed, b.name)) == (1 << b.width) - 1
         else:
             continue
         said(known, t.description, describe.type_facts(t, of), t, of)
