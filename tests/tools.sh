@@ -145,6 +145,14 @@ if [ "$1" = semver ]; then
     exit $missing
 fi
 
+# What the crate can depend on: packages are built and tried without the network. In a copy, which gets a Cargo.lock.
+crates() {
+    copy=${TOOLS:-build/tools}/crate
+    rm -rf "$copy" && mkdir -p "$copy" && cp -R generated/rust/. "$copy" &&
+        cargo fetch --quiet --manifest-path "$copy/Cargo.toml" ||
+        lacks "what the Rust crate can depend on" "cargo must reach crates.io, once"
+}
+
 [ "$1" = test ] || component rustfmt rustfmt rustfmt
 [ "$1" = check ] && exit $missing
 
@@ -174,6 +182,7 @@ for version in 3.10 3.11 3.12 3.13; do
     "python$version" -c pass 2>/dev/null || ls "${PYENV_ROOT:-$HOME/.pyenv}/versions/$version".*/bin/python >/dev/null 2>&1 ||
         lacks "Python $version" "install it (pyenv install $version)"
 done
+crates
 [ "$1" = packaging ] && exit $missing
 
 command_or text2pcap "it comes with Wireshark (Debian: apt-get install wireshark-common)"
