@@ -229,7 +229,7 @@ def speed() -> tuple[list[Row], dict[str, float], str]:
 def sizes() -> list[Row]:
     """Bytes of code and constants above an empty program, and how many of them only copy and clear memory."""
     installed = run("rustup", "target", "list", "--installed")
-    if EMBEDDED not in installed.split():
+    if EMBEDDED not in installed.split() or shutil.which("arm-none-eabi-nm") is None:
         return []
     found = {}
     for name, (uses, start, work) in FIRMWARES.items():
@@ -238,43 +238,23 @@ def sizes() -> list[Row]:
         source = FIRMWARE.format(uses=uses, start=start, work=work)
         folder = project("firmware", manifest, {"main.rs": source})
         cargo(folder, "rustc", "--release", "--target", EMBEDDED, "--", "-Clink-arg=--gc-sections")
-        program = Elf((BUILD / f"target/{EMBEDDED}/release/firmware").read_bytes())
-        found[name] = program.loaded(), program.runtime()
+        program = BUILD / f"target/{EMBEDDED}/release/firmware"
+        found[name] = loaded(program), runtime(program)
     (empty, _) = found.pop("empty")
-    return [[name, f"{size - empty} B", f"{runtime} B"] for name, (size, runtime) in found.items()]
+    return [[name, f"{size - empty} B", f"{own} B"] for name, (size, own) in found.items()]
 
 
-class Elf:
-    """An ELF file of 32 bits, little-endian."""
+def loaded(program: Path) -> int:
+    """Sizes of .text, .rodata and .data."""
+    sections = run("arm-none-eabi-size", "-A", program)
+    return sum(int(size) for size in re.findall(r"^\.(?:text|rodata|data)\b\S* +(\d+)", sections, re.M))
 
-    def __init__(self, data: bytes):
-        self.data = data
-        offset, size, count, names = (self.number(a, b) for a, b in ((32, 36), (46, 48), (48, 50), (50, 52)))
-        heads = [offset + i * size for i in range(count)]
-        self.sections = [[self.number(i, i + 4) for i in range(head, head + 40, 4)] for head in heads]
-        self.names = self.sections[names][4]
 
-    def number(self, start: int, end: int) -> int:
-        return int.from_bytes(self.data[start:end], "little")
-
-    def text(self, start: int) -> str:
-        return self.data[start : self.data.index(b"\0", start)].decode()
-
-    def loaded(self) -> int:
-        """Sizes of .text, .rodata and .data."""
-        named = ((self.text(self.names + section[0]), section[5]) for section in self.sections)
-        return sum(size for name, size in named if re.match(r"\.(text|rodata|data)\b", name))
-
-    def runtime(self) -> int:
-        """Sizes of memcpy and the like, which belong to Rust and are there once in a program."""
-        found = {}
-        (table,) = (section for section in self.sections if section[1] == 2)
-        texts = self.sections[table[6]][4]
-        for at in range(table[4], table[4] + table[5], 16):
-            name, place, size = (self.number(i, i + 4) for i in range(at, at + 12, 4))
-            if re.search("mem(cpy|move|set|clr)", self.text(texts + name)):
-                found[place] = size
-        return sum(found.values())
+def runtime(program: Path) -> int:
+    """Sizes of memcpy and the like, which belong to Rust and are there once in a program."""
+    symbols = run("arm-none-eabi-nm", "-S", program)
+    found = re.findall(r"^(\w+) (\w+) \w \S*mem(?:cpy|move|set|clr)", symbols, re.M)
+    return sum(int(size, 16) for size in dict(found).values())
 
 
 # --------------------------------------------------------------------------- report

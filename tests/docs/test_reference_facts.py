@@ -15,6 +15,7 @@ from reference import (
     Place,
     bullets,
     heading,
+    manual_of,
     number,
     path_of,
     places,
@@ -226,3 +227,8 @@ def wanted_rows(t: m.Type, manual: Manual) -> list[list[str]]:
 
 def told(description: str, manual: Manual) -> list[str]:
     return [prose(description, manual.model)] if description else []
+
+
+def test_examples_name_what_descriptors_mean() -> None:
+    page = words(manual_of("invented").page("fields/tools/poll.md"))
+    assert "| 0x80 Measurements |" in page and "| 0x01 Acceleration, 0x02 Numbers, 0xD3 Timestamp, 0x7F |" in page

@@ -148,6 +148,33 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "uncertain": "Uncertain: When it comes.",
             },
         ),
+        (
+            "tools.hello",
+            {
+                "also": "Also called `keep_alive`.",
+                "responses": "Response: <tools.hello_response>.",
+                "sent_by": "Sent by the device; the host replies.",
+                "likely": "Likely on <Model C>.",
+                "evidence": "Known only from the <Kit of names>.",
+            },
+        ),
+        (
+            "measurements.health",
+            {
+                "deprecated": "Deprecated: use <measurements.numbers> instead.",
+                "sets": "Occurs in <measurements (0x80)> and <copy (0x92)>.",
+                "devices": A,
+            },
+        ),
+        (
+            "measurements.radio:strength",
+            {
+                "range": "Range: less than 1.",
+                "valid": "Valid if <connected> is true.",
+                "uncertain": "Uncertain: Its unit.",
+            },
+        ),
+        ("tools.formats:checkpoint", {"deprecated": "Deprecated."}),
         ("tools.settings:port", {"range": "Range: 0 to 8."}),
         (
             "tools.settings:mode",

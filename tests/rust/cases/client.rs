@@ -51,38 +51,6 @@ fn sent<C: Command>(client: &mut Client, command: &C, now: u32) -> Ticket<C> {
 }
 
 #[test]
-fn several_commands_in_one_packet() {
-    let mut client = Client::new();
-    let mut request = client.request(tools::SET);
-    let ping = request.add(&tools::Ping).unwrap();
-    let bias = request.add(&tools::Bias::read()).unwrap();
-    let save = request.add(&tools::Bias::save()).unwrap();
-    let list = request.add(&tools::List::read()).unwrap();
-    let packet = request.send(0);
-    assert_eq!(packet.fields().count(), 4);
-    assert_eq!(client.pending(), 4);
-    let response = tools::BiasVector::default();
-    let reply = Reply::new()
-        .ack(1, AckCode::OK)
-        .ack(5, AckCode::OK)
-        .field(&response)
-        .ack(5, AckCode::UNKNOWN_COMMAND)
-        .ack(9, AckCode::OK)
-        .field(&tools::ListResponse { items: [7].into() });
-    let events: Vec<_> = client.receive(&reply.0.packet()).collect();
-    assert_eq!(events.len(), 4);
-    assert_eq!(events[0].answer(&ping), Some(Ok(())));
-    assert_eq!(events[0].answer(&bias), None);
-    assert_eq!(events[1].answer(&bias), Some(Ok(response)));
-    assert_eq!(
-        events[2].answer(&save),
-        failed::<tools::Bias, _>(Reason::Refused(AckCode::UNKNOWN_COMMAND))
-    );
-    let Some(Ok(answer)) = events[3].answer(&list) else { panic!() };
-    assert_eq!(*answer.items, [7]);
-}
-
-#[test]
 fn commands_that_nobody_answers_are_not_waited_for() {
     let mut client: Client<1> = Client::default();
     let (apply, packet) = client.send(&tools::Settings::apply(1, Mode::FAST, 1), 0).unwrap();

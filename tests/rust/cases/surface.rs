@@ -292,16 +292,6 @@ impl DefaultWrite for tools::Settings {
 }
 
 #[test]
-fn an_absent_field_is_no_broken_one() {
-    let mut builder = PacketBuilder::new(measurements::MEASUREMENTS_SET);
-    builder.push_raw(measurements::Numbers::DESCRIPTOR, &[0; 3]).unwrap();
-    let packet: Packet<'_> = builder.packet();
-    let broken = packet.find::<measurements::Numbers>().unwrap_err();
-    assert_eq!(broken.kind, DecodeErrorKind::Truncated);
-    assert_eq!(packet.find::<measurements::Accel>(), Ok(None));
-}
-
-#[test]
 fn a_field_that_the_packet_cuts_is_no_absent_one() {
     let payload = [&[2, 7, 0x10, measurements::Accel::DESCRIPTOR][..], &[0; 14]].concat();
     for have in 0..=14 {
