@@ -48,6 +48,15 @@ $(VENV)/all.stamp: requirements/all.txt | $(VENV)/development.stamp
 	@$(PIP_INSTALL) requirements/all.txt
 	@touch $@
 
+# What formats, bundles and tests JavaScript. Only `make check` goes without it where npm is missing.
+NPM := $(shell command -v npm)
+
+$(BUILD)/npm/stamp: requirements/npm/package-lock.json
+	@command -v npm >/dev/null 2>&1 || { echo "make: npm is missing; install it (Debian: apt-get install npm)" >&2; exit 1; }
+	@echo "installing what JavaScript needs"
+	@mkdir -p $(@D) && cp $(<D)/package*.json $(@D) && cd $(@D) && npm ci --silent --no-audit --no-fund --ignore-scripts
+	@touch $@
+
 # For all Pythons alike: what the oldest one needs is in the lock too. Folders of this machine have no place in it.
 PIP_COMPILE := env -u PIP_FIND_LINKS -u PIP_INDEX_URL $(BUILD)/lock/bin/pip-compile --quiet --upgrade --generate-hashes \
   --strip-extras --allow-unsafe --no-emit-index-url --no-emit-find-links --no-emit-trusted-host --no-header
@@ -157,20 +166,12 @@ fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break a lan
 prove: tools-prove $(VENV)/development.stamp ## prove properties of C for all inputs: make prove PROOF=walk SECONDS=300, make prove PLANT=1
 	@$(RUN) tests/prove/proofs.py $(addprefix --proof ,$(PROOF)) $(addprefix --seconds ,$(SECONDS)) $(if $(PLANT),--plant)
 
-# The formatter and linter of JavaScript, pinned by its npm lock.
-BIOME := $(BUILD)/biome/node_modules/.bin/biome
-
-$(BUILD)/biome/stamp: tests/javascript/biome/package-lock.json
-	@! command -v npm >/dev/null 2>&1 || { echo "installing biome"; mkdir -p $(@D); cp $(<D)/package*.json $(@D); cd $(@D) && npm ci --silent --no-audit --no-fund --ignore-scripts; }
-	@mkdir -p $(@D) && touch $@
-
 # Formatters that `make check` uses where they are there; with STRICT=1, it fails if one is missing.
 RUSTFMT = $(shell rustfmt --version 2>/dev/null)
-NPM = $(shell command -v npm)
 NO_FORMATTER = $(strip $(if $(RUSTFMT),,rustfmt (rustup component add rustfmt)) $(if $(NPM),,biome (Debian: apt-get install npm)))
 
 .PHONY: check
-check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
+check: $(if $(NPM),$(BUILD)/npm/stamp) tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
 	@$(if $(wildcard $(SPEC)/witness),$(AUDIT) --spec $(SPEC) --witness $(SPEC)/witness)
 	@PYTHONPATH=generator $(RUN) tests/golden.py --check
@@ -189,13 +190,13 @@ check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, c
 	@cd tools && PYTHONPATH=. $(abspath $(VENV))/bin/lint-imports --no-logo --no-cache >$(abspath $(BUILD))/imports.txt || { cat $(abspath $(BUILD))/imports.txt; false; }
 	@find $(OUT)/c runtime/c tests/c tests/cross \( -name '*.c' -o -name '*.h' -o -name '*.hpp' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	$(if $(RUSTFMT),@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust)
-	$(if $(NPM),@$(BIOME) check --error-on-warnings --log-level=warn .)
+	$(if $(NPM),@$(BUILD)/npm/node_modules/.bin/biome check --error-on-warnings --log-level=warn .)
 	@echo "checked: specification, words, generated files, ruff, mypy, imports, clang-format$(if $(RUSTFMT), and rustfmt)$(if $(NPM), and biome); left out: $(or $(NO_FORMATTER),nothing)"
 	$(if $(STRICT),@test -z "$(NO_FORMATTER)")
 
 .PHONY: workbench
-workbench: ## build the tools for the browser in build/workbench, of any output: make workbench OUT=FOLDER
-	@$(PYTHON) tools/workbench/build.py $(OUT)/javascript $(BUILD)/workbench
+workbench: $(BUILD)/npm/stamp ## build the tools for the browser in build/workbench, of any output: make workbench OUT=FOLDER
+	@NODE_PATH=$(abspath $(BUILD))/npm/node_modules node tools/workbench/bundle.mjs $(OUT)/javascript $(BUILD)/workbench
 
 # The site gets its tools, and a search that knows descriptors, from the workbench.
 MKDOCS = NO_MKDOCS_2_WARNING=1 MIP_WORKBENCH=$(abspath $(BUILD))/workbench $(if $(filter generated,$(OUT)),MIP_PAGES=$(abspath $(BUILD))/pages) $(abspath $(RUN)) -m mkdocs

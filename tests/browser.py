@@ -6,7 +6,6 @@ import base64
 import json
 import os
 import select
-import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
@@ -14,7 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from support import BUILD, PATIENCE, ROOT, locked, need
+from support import PATIENCE, need, node_modules
 
 FLAGS = (
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
@@ -136,15 +135,5 @@ def page() -> Iterator[Page]:
 
 
 def axe() -> str:
-    """The script of axe-core, which looks for barriers to accessibility; npm installs it in `build/`."""
-    folder = BUILD / "axe"
-    lock = (ROOT / "tests/docs/axe/package-lock.json").read_bytes()
-    with locked(folder):
-        installed = folder / "installed"
-        if not installed.is_file() or installed.read_bytes() != lock:
-            folder.mkdir(exist_ok=True)
-            for name in ("package.json", "package-lock.json"):
-                shutil.copy(ROOT / "tests/docs/axe" / name, folder)
-            subprocess.run([need("npm"), "ci", "--silent", "--ignore-scripts"], cwd=folder, check=True)
-            installed.write_bytes(lock)
-    return (folder / "node_modules/axe-core/axe.min.js").read_text("utf-8")
+    """The script of axe-core, which looks for barriers to accessibility."""
+    return (node_modules() / "axe-core/axe.min.js").read_text("utf-8")

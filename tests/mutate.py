@@ -88,7 +88,7 @@ PARTS = {
         ("runtime/javascript/*/*.mjs", "generator/mipgen/targets/javascript/*.py"),
         ("javascript",), ("tests/javascript",), "javascript",
     ),
-    "workbench": Part(("tools/workbench/**/*.mjs", "tools/workbench/build.py"), (), ("tests/javascript",)),
+    "workbench": Part(("tools/workbench/**/*.mjs",), (), ("tests/javascript",)),
     "docs": Part(
         ("generated/c/src/mip/*.h", "generated/python/mip_protocol/*.py", "generated/rust/src/**/*.rs",
          "generated/markdown/docs/**/*.md"),

@@ -173,6 +173,7 @@ PROGRAMS = {
     "cargo": "curl -sSf https://sh.rustup.rs | sh -s -- -y",
     "g++": "apt-get install g++",
     "node": "apt-get install nodejs",
+    "npm": "apt-get install npm",
 }
 
 
@@ -263,6 +264,14 @@ def locked(folder: Path) -> Iterator[None]:
     with open(f"{folder}.lock", "w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         yield
+
+
+@cache
+def node_modules() -> Path:
+    """The packages of `requirements/npm`, installed as make does."""
+    with locked(BUILD / "npm"):
+        subprocess.run(["make", "-s", "build/npm/stamp"], cwd=ROOT, stdout=subprocess.DEVNULL, check=True)
+    return BUILD / "npm/node_modules"
 
 
 def build_script(language: str) -> Path:

@@ -28,10 +28,10 @@ from random_values import chance
 from reference import REAL, manual_of, navigation, real_site
 from searches import FIELDS, QUESTIONS, TASKS, WORDS
 from searches import PAGES as WANTED_PAGES
-from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, nightly, rounds, some, tree
+from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, nightly, rounds, some, tree, uses
 from workbench import workbench
 
-pytestmark = pytest.mark.xdist_group("site")  # which is built once
+pytestmark = [pytest.mark.xdist_group("site"), uses("npm")]  # the site is built once, with the workbench
 Test = TypeVar("Test", bound=Callable[..., None])
 each_spec = pytest.mark.parametrize("spec", ["invented", REAL])
 
@@ -200,21 +200,21 @@ FIRST_SEARCH = 950_000
 @real_site
 def test_the_first_search_is_small() -> None:
     assets = built("real") / "assets"
-    assert sum((assets / name).stat().st_size for name in ("search.js", "fields.js", "text.js")) <= FIRST_SEARCH
+    assert sum((assets / name).stat().st_size for name in ("search.js", "workbench.js", "text.js")) <= FIRST_SEARCH
 
 
 def searched(queries: list[str]) -> dict[str, list[str]]:
     """The addresses that the search of the site finds, in their order, without a browser."""
     program = (
-        "const [search, fields, text] = process.argv.slice(1); require(search); require(fields); require(text);"
-        " const index = mipFields.indexOf(new mipFields.Protocol(mipFields.model));"
+        "const [search, workbench, text] = process.argv.slice(1); require(search); require(workbench); require(text);"
+        " const index = mip.indexOf(new mip.Protocol(mip.model));"
         " const addresses = (query) => mipSearch.search(index, mipText, query).groups.flatMap("
         "({ items }) => items.flatMap(({ href = [] }) => href));"
         " const queries = JSON.parse(require('node:fs').readFileSync(0));"
         " console.log(JSON.stringify(queries.map((query) => [query, addresses(query)])));"
     )
     assets = built("real") / "assets"
-    command = [need("node"), "-e", program, *(assets / name for name in ("search.js", "fields.js", "text.js"))]
+    command = [need("node"), "-e", program, *(assets / name for name in ("search.js", "workbench.js", "text.js"))]
     done = subprocess.run(command, input=json.dumps(queries), capture_output=True, text=True, check=True)
     return dict(json.loads(done.stdout))
 
@@ -371,13 +371,13 @@ def test_my_device_is_remembered(page: browser.Page) -> None:
     page.run(press)
     for field, said in (
         ("base/ping", "supported"), ("sensor/scaled_accel", "supported"),
-        ("3dm/pps_source_control", "not known to be supported"),
+        ("3dm/pps_source_control", "not supported"),
     ):  # fmt: skip
         go(page, f"fields/{field}.html")
         wait(page, "document.querySelector('article .mip-mine')")
         assert page.run("document.querySelector('.mip-mine').textContent") == f"On my device, 3DM-GX5-15: {said}."
     typed(page, "0x0C28")
-    assert "not known" in page.run("document.querySelector('.mip-search .mip-mine').textContent")
+    assert "not supported" in page.run("document.querySelector('.mip-search .mip-mine').textContent")
     go(page, "sets/3dm.html")
     wait(page, "document.querySelector('article .mip-mine')")
     rows = "[...document.querySelectorAll('.mip-other')]"

@@ -25,7 +25,7 @@ from support import SPECS, heavy, model, need, rounds, small, uses
 from workbench import workbench
 
 #: It needs Node.
-pytestmark = uses("node")
+pytestmark = uses("npm")
 
 HERE = Path(__file__).parent
 

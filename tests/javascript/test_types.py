@@ -8,46 +8,31 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from javascript.test_javascript import GENERATED, node
-from support import ROOT, SPECS, heavy, need
+from javascript.test_javascript import GENERATED
+from support import ROOT, SPECS, heavy, node_modules
 
 HERE = Path(__file__).parent
 pytestmark = [heavy("npm with TypeScript and esbuild"), pytest.mark.xdist_group("npm")]
 
 
-@pytest.fixture(scope="session")
-def modules() -> Path:
-    """The tools of the lock, in `build/`."""
-    folder = ROOT / "build/javascript-npm"
-    lock = (HERE / "npm/package-lock.json").read_bytes()
-    if not (folder / "installed").is_file() or (folder / "installed").read_bytes() != lock:
-        folder.mkdir(parents=True, exist_ok=True)
-        for name in ("package.json", "package-lock.json"):
-            shutil.copy(HERE / "npm" / name, folder)
-        command = [need("npm"), "ci", "--silent", "--no-audit", "--no-fund", "--ignore-scripts"]
-        subprocess.run(command, cwd=folder, check=True)
-        (folder / "installed").write_bytes(lock)
-    return folder / "node_modules"
-
-
-def project(folder: Path, modules: Path, package: Path = GENERATED) -> Path:
+def project(folder: Path, package: Path = GENERATED) -> Path:
     """A folder for programs that import the package by its name."""
     home = folder / "node_modules"
     home.mkdir()
     name = json.loads((package / "package.json").read_text("utf-8"))["name"]
     (home / name).symlink_to(package)
-    (home / "@types").symlink_to(modules / "@types")
+    (home / "@types").symlink_to(node_modules() / "@types")
     return folder
 
 
-def compiled(folder: Path, modules: Path) -> str:
+def compiled(folder: Path) -> str:
     """The compiler's messages on all programs of a folder, including the declarations of the package."""
     options = {
         "strict": True, "noUncheckedIndexedAccess": True, "exactOptionalPropertyTypes": True, "skipLibCheck": False,
         "module": "nodenext", "target": "es2022", "lib": ["es2022", "dom"], "types": ["node"], "noEmit": True,
     }  # fmt: skip
     (folder / "tsconfig.json").write_text(json.dumps({"compilerOptions": options, "include": ["*.mts"]}), "utf-8")
-    done = subprocess.run([modules / ".bin/tsc", "-p", folder], capture_output=True, text=True, timeout=300)
+    done = subprocess.run([node_modules() / ".bin/tsc", "-p", folder], capture_output=True, text=True, timeout=300)
     return done.stdout + done.stderr
 
 
@@ -59,20 +44,20 @@ def modules_of(package: Path) -> str:
     return "".join(f'export * as x{i} from "{n}";\n' for i, n in enumerate(names))
 
 
-def test_right_programs_compile_and_wrong_ones_do_not(tmp_path: Path, modules: Path) -> None:
-    folder = project(tmp_path, modules)
+def test_right_programs_compile_and_wrong_ones_do_not(tmp_path: Path) -> None:
+    folder = project(tmp_path)
     for program in (*HERE.glob("types/*.mts"), ROOT / "examples/typed.mts"):
         shutil.copy(program, folder)
     (folder / "all.mts").write_text(modules_of(GENERATED), "utf-8")
     assert (folder / "wrong.mts").read_text("utf-8").count("// @ts-expect-error ") > 15
-    assert compiled(folder, modules) == ""  # each `@ts-expect-error` marks an error, or it would be one
+    assert compiled(folder) == ""  # each `@ts-expect-error` marks an error, or it would be one
 
 
-def test_every_module_of_the_invented_specification_is_declared(tmp_path: Path, modules: Path) -> None:
+def test_every_module_of_the_invented_specification_is_declared(tmp_path: Path) -> None:
     package = SPECS["invented"][1] / "javascript"
-    folder = project(tmp_path, modules, package)
+    folder = project(tmp_path, package)
     (folder / "all.mts").write_text(modules_of(package), "utf-8")
-    assert compiled(folder, modules) == ""
+    assert compiled(folder) == ""
 
 
 #: A program, and the most bytes that it may have.
@@ -88,10 +73,9 @@ BUNDLES = {
 }
 
 
-def test_a_bundle_has_only_what_its_program_uses(tmp_path: Path, modules: Path) -> None:
-    folder = project(tmp_path, modules)
-    programs = [folder / f"{i}.mjs" for i in range(len(BUNDLES))]
-    for path, program in zip(programs, BUNDLES, strict=True):
-        path.write_text(program, "utf-8")
-    sizes = map(int, node(HERE / "bundle.mjs", modules, *programs).split())
-    assert not [x for x in zip(BUNDLES.items(), sizes, strict=True) if x[1] >= x[0][1]]
+def test_a_bundle_has_only_what_its_program_uses(tmp_path: Path) -> None:
+    folder = project(tmp_path)
+    command = [node_modules() / ".bin/esbuild", "--bundle", "--minify", "--format=esm", "--target=es2022"]
+    for program, most in BUNDLES.items():
+        made = subprocess.run(command, input=program.encode(), cwd=folder, stdout=subprocess.PIPE, check=True)
+        assert len(made.stdout) < most, program

@@ -248,7 +248,7 @@ def of_bag(path: Path) -> Iterator[tuple[str, float]]:
             yield connection.topic, time / 1e9
 
 
-@uses("node")
+@uses("npm")
 @pytest.mark.parametrize("name, sync", MODELS)
 def test_the_workbench_reads_every_model(name: str, sync: bool, tmp_path: Path) -> None:
     plans = record(name, sync, tmp_path / "log.bin")

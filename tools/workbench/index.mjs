@@ -1,15 +1,16 @@
 // The interface for pages: the tools, the codec package, and the model of its specification.
 
 export * from "mip-protocol/tools";
-export { default as model } from "mip-protocol/model";
+export { model } from "./model.mjs";
 export { bandwidth } from "./bandwidth.mjs";
-export { answerOf, initialValues, packetOf, typicalValues } from "./build.mjs";
+export { answerOf, certaintyOn, initialValues, packetOf, typicalValues } from "./build.mjs";
 export { builder } from "./builder.mjs";
 export { fragment } from "./address.mjs";
-export { find, indexOf, packetIn } from "./find.mjs";
+export { codeIn, exactly, find, indexOf, packetIn, synonymsOf, WEIGHTS } from "./find.mjs";
 export { finder } from "./finder.mjs";
 export { inspect, transactionsOf } from "./inspect.mjs";
 export { inspector } from "./inspector.mjs";
+export { Ranking, stem, telling, wordsOf } from "./rank.mjs";
 export { rotationOf } from "./readings.mjs";
 export { bytesOfText } from "./pasted.mjs";
 export { instancesOf, keysOf, settingsOf } from "./settings.mjs";

@@ -1,14 +1,13 @@
 // Settings of a device as a file of `mip config`: commands and values with the names of the specification.
 
 import { bitsOf, enumValue, isSame, maskOf, MipError, nameIn, parameterOf, readFloat, SHARED_SET, writeFloat } from "mip-protocol/tools";
+import { Document, isMap, isScalar, isSeq, LineCounter, parseDocument, Scalar } from "yaml";
 import { packetOf } from "./build.mjs";
 import { keysOf, parametersOf, settingsOf } from "./settings.mjs";
-import { decimal, hexByte, hexLiteral } from "./words.mjs";
-import { nodesOf, placeOf } from "./yaml.mjs";
+import { decimal } from "./words.mjs";
 
-const HEAD = `# Settings of a device. \`mip config push PORT FILE\` writes them to a device, and \`mip config save PORT\` makes it keep
-# them. A setting that is removed from the file remains as it is on the device.
-`;
+const HEAD = ` Settings of a device. \`mip config push PORT FILE\` writes them to a device, and \`mip config save PORT\` makes it keep
+ them. A setting that is removed from the file remains as it is on the device.`;
 
 /** Returns a parameter as it is with some other values, and on a device. */
 export function here(protocol, parameter, beside, device) {
@@ -42,92 +41,79 @@ function wordsOf(protocol, parameter, set) {
 
 /** Returns the text of a file. Settings are { field, values }, with the values to write. */
 export function textOf(protocol, device, { model, firmware, date }, settings) {
-    const title = device ? `  # ${device.title}` : "";
-    const lines = [
-        `model: ${word(model)}${title}`,
-        `firmware: ${word(firmware)}`,
-        `date: ${date}`,
-        settings.length ? "settings:" : "settings: {}",
-    ];
-    let before = [];
+    const file = new Document({ model, firmware, date });
+    file.commentBefore = HEAD;
+    if (device) file.get("model", true).comment = ` ${device.title}`;
+    const tree = new Map();
     for (const { field, values } of settings) {
-        const path = [...field.name.split("."), ...keysOf(field).map((name) => keyText(protocol, field, name, values, device))];
-        const same = path.findIndex((one, i) => one !== before[i]);
-        for (const [i, one] of path.entries()) {
-            const inside = path.length - 1 > i;
-            if (i >= same && inside) lines.push(`${"  ".repeat(i + 1)}${one}:`);
-        }
+        const keys = keysOf(field).map((name) => keyWord(protocol, field, name, values, device));
         const members = parametersOf(field).filter(({ name }) => !keysOf(field).includes(name));
-        const tree = membersText(protocol, members, values, device);
-        lines.push(`${"  ".repeat(path.length)}${path.at(-1)}: ${tree}`);
-        before = path;
+        let inner = tree;
+        for (const key of [...field.name.split("."), ...keys].slice(0, -1)) {
+            if (!inner.has(key)) inner.set(key, new Map());
+            inner = inner.get(key);
+        }
+        inner.set(keys.at(-1) ?? field.name.split(".")[1], file.createNode(membersTree(protocol, members, values, device), { flow: true }));
     }
-    return `${HEAD}${lines.join("\n")}\n`;
+    file.set("settings", file.createNode(tree));
+    return file.toString({ lineWidth: 0, flowCollectionPadding: false });
 }
 
-function keyText(protocol, field, name, values, device) {
+function keyWord(protocol, field, name, values, device) {
     const parameter = here(protocol, parameterOf(field, name), values, device);
     return numberWord(protocol, parameter, values[name], setOf(protocol, parameter, values));
 }
 
-function membersText(protocol, members, values, device, outer) {
-    const texts = members
-        .filter(({ name }) => values[name] !== undefined && !isEmptyUnion(values[name]))
-        .map((parameter) => {
-            const one = here(protocol, parameter, values, device);
-            return `${one.name}: ${treeText(protocol, one, values[one.name], values, device, setOf(protocol, one, values, outer))}`;
-        });
-    return `{${texts.join(", ")}}`;
+function membersTree(protocol, members, values, device, outer) {
+    const present = members.filter(({ name }) => values[name] !== undefined && !isEmptyUnion(values[name]));
+    const trees = present.map((parameter) => {
+        const one = here(protocol, parameter, values, device);
+        return [one.name, treeOf(protocol, one, values[one.name], values, device, setOf(protocol, one, values, outer))];
+    });
+    return Object.fromEntries(trees);
 }
 
 const isEmptyUnion = (value) => typeof value === "object" && !Array.isArray(value) && !Object.keys(value).length;
 
-function treeText(protocol, parameter, value, beside, device, set) {
+function treeOf(protocol, parameter, value, beside, device, set) {
     const { known, elements, length, type } = parameter;
     if (parameter.cases) {
         const [member] = Object.keys(value);
         const one = parameter.cases.find((each) => each.parameter?.name === member).parameter;
-        return treeText(protocol, here(protocol, one, beside, device), value[member], beside, device, set);
+        return treeOf(protocol, here(protocol, one, beside, device), value[member], beside, device, set);
     }
-    if (type === "char") return JSON.stringify(value);
+    if (type === "char") return value;
     if (length !== undefined) {
         const { length: _, ...item } = parameter;
-        return `[${value.map((one) => treeText(protocol, item, one, beside, device, set)).join(", ")}]`;
+        return value.map((one) => treeOf(protocol, item, one, beside, device, set));
     }
-    if (known?.kind === "struct") return membersText(protocol, parametersIn(known), value, device, set);
-    if (elements) return `{${elements.map((name, i) => `${name}: ${floatText(protocol, known.scalar, value[i])}`).join(", ")}}`;
-    if (known?.kind === "bitfield") return `[${flagWords(protocol, known, value).join(", ")}]`;
-    if (protocol.scalar(type)?.kind === "float") return floatText(protocol, type, value);
-    if (type === "bool") return value === 0 || value === 1 ? `${Boolean(value)}` : `${value}`;
+    if (known?.kind === "struct") return membersTree(protocol, parametersIn(known), value, device, set);
+    if (elements) return Object.fromEntries(elements.map((name, i) => [name, floatOf(protocol, known.scalar, value[i])]));
+    if (known?.kind === "bitfield") return flagWords(protocol, known, value);
+    if (protocol.scalar(type)?.kind === "float") return floatOf(protocol, type, value);
+    if (type === "bool") return value === 0 || value === 1 ? Boolean(value) : value;
     return numberWord(protocol, parameter, value, set);
 }
 
 const parametersIn = (struct) =>
     struct.parameters.filter(({ counts, constant, reserved }) => [counts, constant, reserved].every((one) => one === undefined));
 
-function floatText(protocol, scalar, value) {
+/** Returns a float as the shortest number of its size. */
+function floatOf(protocol, scalar, value) {
     const { size } = protocol.scalar(scalar);
     const number = typeof value === "string" ? readFloat(writeFloat(value, size, "value")) : value;
-    return Number.isFinite(Number(number)) ? decimal(number, size) : "nan";
+    return Number.isFinite(Number(number)) ? Number(decimal(number, size)) : "nan";
 }
 
 function flagWords(protocol, type, value) {
     const { found, rest } = bitsOf(protocol, type, value);
     const set = found.filter(({ bits, value: held }) => held && !bits.alias);
     const words = set.map(({ bits, value: held, flag, named }) => (flag ? bits.name : `${bits.name}=${named?.name ?? held}`));
-    return rest ? [...words, hexLiteral(rest)] : words;
+    return rest ? [...words, rest] : words;
 }
 
 function numberWord(protocol, parameter, value, set) {
-    const found = [...wordsOf(protocol, parameter, set)].find(([, number]) => number === Number(value))?.[0];
-    return found === undefined ? (["set", "field"].includes(parameter.shown) ? hexByte(value) : `${value}`) : word(found);
-}
-
-/** Quotes a word if YAML would interpret it as something else. */
-function word(text) {
-    const plain = /^[A-Za-z0-9][\w ./()+-]*$/.test(text) && !/^[\d.eExX+_-]+$/.test(text) && text === text.trim();
-    const taken = /^(?:true|false|null|yes|no|on|off|y|n|~)$/i.test(text);
-    return (plain || /^\d+\.\d+\.\d+$/.test(text)) && !taken ? text : JSON.stringify(text);
+    return [...wordsOf(protocol, parameter, set)].find(([, number]) => number === Number(value))?.[0] ?? value;
 }
 
 // ------------------------------------------------------------------------------------------------ reading
@@ -151,25 +137,45 @@ class Wrong extends Error {
 
 class File {
     #mistakes = [];
+    #lines = new LineCounter();
 
     constructor(protocol, text, device) {
         Object.assign(this, { protocol, text, device });
     }
 
     read() {
-        const root = nodesOf(this.text);
-        if (root.kind !== "mapping") throw new MipError("format", "this is not a settings file; `mip config pull` writes one");
+        const root = this.#parsed();
+        if (!isMap(root)) throw new MipError("format", "this is not a settings file; `mip config pull` writes one");
         const parts = this.#keys(root, KEYS, "a settings file");
         if (!parts.model) this.#wrong(root, "'model' is missing; name the device");
         if (!parts.settings) this.#wrong(root, "'settings' is missing");
-        const model = parts.model?.text ?? "";
+        const model = parts.model?.value ?? "";
         const settings = parts.settings ? this.#families(parts.settings) : [];
         if (this.#mistakes.length) throw new MipError("format", this.#mistakes.join("\n"));
         return { model, settings };
     }
 
+    /** The nodes of the text, whose values are texts. */
+    #parsed() {
+        const { contents, errors, warnings } = parseDocument(this.text, {
+            schema: "failsafe",
+            uniqueKeys: false,
+            lineCounter: this.#lines,
+            prettyErrors: false,
+        });
+        const [wrong] = [...errors, ...warnings];
+        if (wrong) throw new MipError("format", `${this.#place(wrong.pos[0])}: not YAML: ${wrong.message}`);
+        return contents;
+    }
+
+    /** Returns the line and column of a position in the text: "3:12". */
+    #place(at) {
+        const { line, col } = this.#lines.linePos(at);
+        return `${line}:${col}`;
+    }
+
     #wrong(node, message) {
-        this.#mistakes.push(`${placeOf(this.text, node.at)}: ${message}`);
+        this.#mistakes.push(`${this.#place(node.range[0])}: ${message}`);
     }
 
     /** Runs a function, and records the mistake that it may throw. */
@@ -184,26 +190,28 @@ class File {
     }
 
     #pairs(node, what) {
-        if (node.kind === "scalar" && ["", "~", "null"].includes(node.text)) return [];
-        if (node.kind !== "mapping") {
+        if (isScalar(node) && ["", "~", "null"].includes(node.value)) return [];
+        if (!isMap(node)) {
             this.#wrong(node, `${what} needs keys with values, {name: value}`);
             return [];
         }
         const seen = new Map(); // key -> line
-        return node.entries.filter(({ key }) => {
-            const again = seen.has(key.text);
-            if (key.kind !== "scalar") this.#wrong(key, "a key must be one word");
-            else if (again) this.#wrong(key, `'${key.text}' is already on line ${seen.get(key.text)}; remove one`);
-            else seen.set(key.text, placeOf(this.text, key.at).split(":")[0]);
-            return key.kind === "scalar" && !again;
+        const items = node.items.filter(({ key }) => {
+            const again = seen.has(key.value);
+            if (!isScalar(key)) this.#wrong(key, "a key must be one word");
+            else if (again) this.#wrong(key, `'${key.value}' is already on line ${seen.get(key.value)}; remove one`);
+            else seen.set(key.value, this.#lines.linePos(key.range[0]).line);
+            return isScalar(key) && !again;
         });
+        const nothing = ({ range: [, end] }) => Object.assign(new Scalar(""), { range: [end, end, end] }); // {key}
+        return items.map(({ key, value }) => ({ key, value: value ?? nothing(key) }));
     }
 
     #keys(node, names, what) {
         const found = {};
         for (const { key, value } of this.#pairs(node, what)) {
-            if (names.includes(key.text)) found[key.text] = value;
-            else this.#wrong(key, `${what} has no '${key.text}'${hint(key.text, names)}`);
+            if (names.includes(key.value)) found[key.value] = value;
+            else this.#wrong(key, `${what} has no '${key.value}'${hint(key.value, names)}`);
         }
         return found;
     }
@@ -251,7 +259,7 @@ class File {
         if (this.#mistakes.length > before) return undefined;
         const values = { function: write, ...withReserved(field, given, required) };
         try {
-            return { field, values, packet: packetOf(this.protocol, field.set, [{ field, values }]), place: placeOf(this.text, node.at) };
+            return { field, values, packet: packetOf(this.protocol, field.set, [{ field, values }]), place: this.#place(node.range[0]) };
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
             throw new Wrong(node, `'${field.name}' cannot be sent: ${error.message}`);
@@ -316,13 +324,13 @@ class File {
     }
 
     #text({ name, length }, node) {
-        if (node.kind !== "scalar") throw new Wrong(node, `'${name}' needs one value`);
-        return typeof length === "number" ? node.text.padEnd(length) : node.text;
+        if (!isScalar(node)) throw new Wrong(node, `'${name}' needs one value`);
+        return typeof length === "number" ? node.value.padEnd(length) : node.value;
     }
 
     #items(parameter, node, given, set) {
         const { length, ...item } = parameter;
-        if (node.kind !== "sequence") throw new Wrong(node, `'${parameter.name}' needs a list, [...]`);
+        if (!isSeq(node)) throw new Wrong(node, `'${parameter.name}' needs a list, [...]`);
         if (typeof length === "number" && node.items.length !== length) {
             throw new Wrong(node, `'${parameter.name}' needs ${length} values, not ${node.items.length}`);
         }
@@ -349,13 +357,13 @@ class File {
     }
 
     #flags(type, name, node) {
-        if (node.kind !== "sequence" || node.items.some(({ kind }) => kind !== "scalar")) {
+        if (!isSeq(node) || !node.items.every(isScalar)) {
             const few = type.bits.slice(0, 3).map((bits) => bits.name);
             throw new Wrong(node, `'${name}' needs a list of flags, [${few.join(", ")}]`);
         }
         let sum = 0n;
         for (const one of node.items) {
-            const [flag, number] = one.text.toLowerCase().split("=");
+            const [flag, number] = one.value.toLowerCase().split("=");
             const bits = type.bits.find((each) => each.name === flag);
             const named =
                 number !== undefined && bits?.enum
@@ -364,10 +372,10 @@ class File {
             const held = number === undefined ? undefined : (named ?? wholeOf(number));
             if (!bits && wholeOf(flag) === undefined) {
                 const names = type.bits.map((each) => each.name);
-                throw new Wrong(one, `'${name}' cannot have '${one.text}'${hint(flag, names, `; known: ${names.join(", ")}`)}`);
+                throw new Wrong(one, `'${name}' cannot have '${one.value}'${hint(flag, names, `; known: ${names.join(", ")}`)}`);
             }
             if (bits && number !== undefined && !(held >= 0 && BigInt(held) << BigInt(bits.first) <= maskOf(bits))) {
-                throw new Wrong(one, `'${one.text}' does not fit; ${flag} has ${bits.last - bits.first + 1} bits`);
+                throw new Wrong(one, `'${one.value}' does not fit; ${flag} has ${bits.last - bits.first + 1} bits`);
             }
             sum |= !bits ? BigInt(wholeOf(flag)) : number === undefined ? maskOf(bits) : BigInt(held) << BigInt(bits.first);
         }
@@ -378,20 +386,20 @@ class File {
     /** Reads a number, or the name of one. */
     #number(parameter, node, set) {
         const { name, type, known } = parameter;
-        if (node.kind !== "scalar") throw new Wrong(node, `'${name}' needs one value`);
+        if (!isScalar(node)) throw new Wrong(node, `'${name}' needs one value`);
         const words = wordsOf(this.protocol, parameter, set);
         const scalar = this.protocol.scalar(known?.scalar ?? type);
-        const value = words.get(node.text) ?? this.#plain(scalar, name, node, words);
+        const value = words.get(node.value) ?? this.#plain(scalar, name, node, words);
         if (known?.kind === "enum" && ![...words.values()].includes(Number(value))) {
-            throw new Wrong(node, `'${name}' has no value ${node.text}; known: ${[...words.keys()].join(", ")}`);
+            throw new Wrong(node, `'${name}' has no value ${node.value}; known: ${[...words.keys()].join(", ")}`);
         }
         if (scalar.kind === "bool") return value;
-        if (!isInside(parameter, value, scalar)) throw new Wrong(node, `'${name}' must be ${rangeOf(parameter)}, not ${node.text}`);
+        if (!isInside(parameter, value, scalar)) throw new Wrong(node, `'${name}' must be ${rangeOf(parameter)}, not ${node.value}`);
         return scalar.size === 8 && scalar.kind !== "float" ? BigInt(value) : value;
     }
 
     #plain({ kind }, name, node, words) {
-        const { text } = node;
+        const { value: text } = node;
         if (words.size && !/^\d/.test(text)) {
             const few = words.size <= 12 ? `; known: ${[...words.keys()].join(", ")}` : "";
             throw new Wrong(node, `'${name}' cannot be '${text}'${hint(text, [...words.keys()], few)}`);

@@ -1,4 +1,4 @@
-// Results of the site's search: passages of pages, from text.js, and fields, from fields.js of the workbench. It does
+// Results of the site's search: passages of pages, from text.js, and fields, by the index of the workbench. It does
 // not need a page, so that tests can run it alone.
 globalThis.mipSearch = (() => {
     const MOST = 14;
@@ -61,15 +61,15 @@ globalThis.mipSearch = (() => {
 
     /** Returns how much of a title was asked for, from 0 to 1. */
     function shareOf(title, words) {
-        const own = mipFields.telling(title).map(mipFields.stem);
+        const own = mip.telling(title).map(mip.stem);
         return own.filter((word) => words.includes(word)).length / (own.length || 1);
     }
 
     /** The documents that have the words, the best first, at most `OF_A_PAGE` of a page. */
     function ranked(documents, ranking, text) {
         const { found } = ranking ? ranking.search(text) : plainly(documents, text);
-        const words = ranking ? mipFields.telling(text).map(mipFields.stem) : [];
-        const isSentence = ranking && (words.length > 3 || words.length < mipFields.wordsOf(text).length);
+        const words = ranking ? mip.telling(text).map(mip.stem) : [];
+        const isSentence = ranking && (words.length > 3 || words.length < mip.wordsOf(text).length);
         for (const one of found) {
             const { title, heading, href, less } = documents[one.at];
             one.score *= less;
@@ -89,7 +89,7 @@ globalThis.mipSearch = (() => {
     /** Returns the text around the first of the words. */
     function excerpt({ content }, text) {
         const lower = content.toLowerCase();
-        const words = (globalThis.mipFields ? mipFields.telling(text).map(mipFields.stem) : [text.toLowerCase()]).filter(Boolean);
+        const words = (globalThis.mip ? mip.telling(text).map(mip.stem) : [text.toLowerCase()]).filter(Boolean);
         const places = words.map((word) => lower.indexOf(word)).filter((place) => place >= 0);
         const at = Math.min(...places, lower.length);
         const from = at < 60 || at === lower.length ? 0 : content.indexOf(" ", at - 60) + 1;
@@ -122,8 +122,7 @@ globalThis.mipSearch = (() => {
         if (made[0] !== index || made[1] !== texts) {
             const documents = documentsOf(index, texts);
             const own = (one) => one.texts;
-            const ranking =
-                index && new mipFields.Ranking(documents.map(own), mipFields.WEIGHTS, mipFields.synonymsOf(index.protocol.model));
+            const ranking = index && new mip.Ranking(documents.map(own), mip.WEIGHTS, mip.synonymsOf(index.protocol.model));
             made = [index, texts, documents, ranking];
         }
         return made.slice(2);
@@ -138,9 +137,9 @@ globalThis.mipSearch = (() => {
         const [documents, ranking] = rankingOf(index, texts);
         const { instead = [] } = ranking?.search(text) ?? {};
         for (const [word, other] of instead) text = text.toLowerCase().replace(word, other);
-        const packet = index && mipFields.packetIn(index, text);
-        const code = index && mipFields.codeIn(index, text);
-        const named = index ? mipFields.exactly(index, text).map(({ field }) => ({ field, href: addressOf(field) })) : [];
+        const packet = index && mip.packetIn(index, text);
+        const code = index && mip.codeIn(index, text);
+        const named = index ? mip.exactly(index, text).map(({ field }) => ({ field, href: addressOf(field) })) : [];
         const commands = named.map(({ field }) => field.name);
         const fields = named.filter(({ field }) => !commands.includes(field.command)).slice(0, NAMED);
         const shown = new Set(fields.map(({ href }) => href));

@@ -194,27 +194,27 @@
         }
     }
 
-    /** Returns whether a device supports a field, by the index of fields: yes, likely, assumed, no, or undefined if unknown. */
-    function answerOf(device, name) {
-        const { devices, fields } = mipFields.model;
-        const of = devices.find(({ id }) => id === device.id);
-        const asked = fields.find((field) => field.name === name)?.command ?? name; // a device supports a response with its command
-        const number = fields.findIndex((field) => field.name === asked);
-        return ["yes", "likely", "assumed", "no"].find((answer) => of?.[answer]?.includes(number));
+    /** Returns how certain it is that a device supports a field in one of its sets; undefined if it does not. */
+    function certaintyOf(device, name) {
+        const of = known.model.devices.find(({ id }) => id === device.id);
+        const field = known.fields.get(name);
+        if (!of || !field) return "not known";
+        const found = mip.placesOf(field).map(({ set }) => mip.certaintyOn(known, of, field, set));
+        return Object.keys(SAID).find((one) => found.includes(one));
     }
 
     const SAID = {
-        yes: "supported",
+        "": "supported",
         likely: "likely to be supported",
         assumed: "assumed to be supported",
-        no: "rejected",
-        undefined: "not known to be supported",
+        "not known": "not known to be supported",
+        undefined: "not supported",
     };
 
     /** Creates a remark on whether the reader's device supports a field. */
     function remarkOn(device, name) {
         const link = element("a", { href: `${site}devices/${device.id}.html` }, device.title);
-        return element("p", { class: "mip-mine" }, "On my device, ", link, `: ${SAID[answerOf(device, name)]}.`);
+        return element("p", { class: "mip-mine" }, "On my device, ", link, `: ${SAID[certaintyOf(device, name)]}.`);
     }
 
     /** Adds a choice of the device to its page; the pages of fields and sets then show what it supports. */
@@ -225,12 +225,12 @@
         if (kind === "devices") return chooser(title, { id: name, title: title.firstChild.textContent.trim() });
         const device = mine();
         if (!device) return;
-        await load("fields.js");
+        await protocol();
         if (kind === "fields") return title.after(remarkOn(device, title.id), ...hiding(valuesOfOthers(device)));
         for (const row of document.querySelectorAll("article tbody tr")) {
             const link = row.querySelector("a[href*='fields/']");
-            const answer = link ? answerOf(device, link.hash.slice(1)) : "yes";
-            if (!answer || answer === "no") row.classList.add("mip-other");
+            const certainty = link ? certaintyOf(device, link.hash.slice(1)) : "";
+            if (certainty === undefined || certainty === "not known") row.classList.add("mip-other");
         }
         const words = `Only what the ${device.title}, my device, has or is believed to have.`;
         title.after(element("p", { class: "mip-mine" }, words), ...hiding(document.querySelectorAll(".mip-other")));
@@ -290,7 +290,7 @@
 
     function fieldItem({ field, href }) {
         const title = element("strong", {}, field.title);
-        const link = element("a", { href: site + href }, title, ` ${mipFields.descriptorOf(field)}`);
+        const link = element("a", { href: site + href }, title, ` ${mip.descriptorOf(field)}`);
         const item = element("li", { "data-field": field.name }, link, ` ${field.role} `, element("code", {}, field.name));
         if (field.description) item.append(element("div", {}, field.description));
         if (mine()) item.append(remarkOn(mine(), field.name));
@@ -362,7 +362,8 @@
         const begin = async () => {
             if (index !== undefined) return;
             await load("search.js");
-            index ??= hasTools() ? await load("fields.js").then(() => mipFields.indexOf(new mipFields.Protocol(mipFields.model))) : null;
+            const of = await protocol();
+            index ??= of && mip.indexOf(of);
             show();
             await load("text.js").catch(() => {}); // a site that is built without hooks.py has none
             if (document.activeElement === input) show();

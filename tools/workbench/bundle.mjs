@@ -1,0 +1,92 @@
+// Builds the tools for the browser as pages that open from disk: `make workbench`.
+//
+//     NODE_PATH=NODE_MODULES node bundle.mjs PACKAGE FOLDER
+//
+// PACKAGE is a codec that mipgen generated, such as `generated/javascript`, of any specification. Browsers load no
+// modules from disk, so the tools, the codec and the model become one classic script, `workbench.js`, which defines one
+// global object, `mip`, with the exports of `index.mjs`. FOLDER gets that script, the style sheets, and a page for each
+// tool.
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+const require = createRequire(import.meta.url); // unlike `import`, it reads NODE_PATH
+const { build } = require("esbuild");
+const { strToU8, zlibSync } = require("fflate");
+
+/** The pages, by the function that fills them. */
+const TOOLS = {
+    bandwidth: "Bandwidth calculator",
+    builder: "Packet builder",
+    finder: "Field finder",
+    inspector: "Packet inspector",
+    live: "Live device",
+};
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+const [folder, output] = process.argv.slice(2).map((one) => path.resolve(one));
+const manifest = path.join(folder, "package.json");
+if (!fs.existsSync(manifest)) {
+    console.error(`bundle.mjs: ${manifest} is missing; generate the target javascript first`);
+    process.exit(1);
+}
+const { exports } = JSON.parse(fs.readFileSync(manifest, "utf8"));
+
+const without = (names, of) => Object.fromEntries(Object.entries(of ?? {}).filter(([name]) => !names.includes(name)));
+
+/** Returns a model without the largest parts that no tool reads. */
+function read(model) {
+    return {
+        ...without(["guides", "named_devices", "manuals", "notes"], model),
+        examples: model.examples.map((example) => without(["fields"], example)),
+        simulation: without(["quantities", "effects"], model.simulation),
+        fields: model.fields.map((field) => without(["notes", "uncertain", "affects", "may_affect"], field)),
+        devices: model.devices?.map((device) => without(["notes", "uncertain", "hardware", "sources"], device)),
+    };
+}
+
+/** Finds the codec under the name by which the tools import it, and compresses the model. */
+const codec = {
+    name: "codec",
+    setup({ onResolve, onLoad }) {
+        onResolve({ filter: /^mip-protocol(\/|$)/ }, ({ path: name }) => ({
+            path: path.join(folder, exports[name.replace("mip-protocol", ".")].default),
+            namespace: name.endsWith("/model") ? "model" : "file",
+            sideEffects: false, // as its package.json states
+        }));
+        onLoad({ filter: /^/, namespace: "model" }, async ({ path: file }) => {
+            const { default: model } = await import(pathToFileURL(file));
+            return { contents: zlibSync(strToU8(JSON.stringify(read(model))), { level: 9 }), loader: "binary" };
+        });
+    },
+};
+
+const licences = ["fflate", "yaml"].map((name) => {
+    const home = path.dirname(require.resolve(`${name}/package.json`));
+    return `${name}: ${fs.readFileSync(path.join(home, "LICENSE"), "utf8")}`;
+});
+await build({
+    entryPoints: [path.join(here, "index.mjs")],
+    outfile: path.join(output, "workbench.js"),
+    bundle: true,
+    minify: true,
+    format: "iife",
+    globalName: "mip",
+    target: "es2022",
+    banner: { js: "// The MIP workbench: tools, codec and model as one script. MIT licence; it contains yaml and fflate." },
+    footer: { js: `globalThis.mip = mip; // also where a script is a module\n/*\n${licences.join("\n")}*/` },
+    plugins: [codec],
+    nodePaths: process.env.NODE_PATH.split(path.delimiter),
+});
+
+for (const style of ["page.css", "tools.css"]) fs.copyFileSync(path.join(here, style), path.join(output, style));
+const page = fs.readFileSync(path.join(here, "page.html"), "utf8");
+for (const [name, title] of Object.entries(TOOLS)) {
+    const link = ([one, words]) => `            <a href="${one}.html"${one === name ? ' aria-current="page"' : ""}>${words}</a>`;
+    const values = { name, title, links: Object.entries(TOOLS).map(link).join("\n") };
+    fs.writeFileSync(
+        path.join(output, `${name}.html`),
+        page.replace(/\$(\w+)/g, (_, key) => values[key]),
+    );
+}
