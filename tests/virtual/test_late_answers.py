@@ -58,6 +58,7 @@ class Pairs:
 
 FAULTS = {
     "late": {"late_answer": LATE},
+    "late and twice": {"late_answer": LATE, "double_packet": 0.1},
     "late and lost": {"late_answer": LATE, "lose_answer": 0.05, "lose_packet": 0.03, "command_lose": 0.002},
 }
 
