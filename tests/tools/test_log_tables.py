@@ -481,7 +481,7 @@ def test_text_is_the_same_without_pyarrow(monkeypatch: pytest.MonkeyPatch) -> No
     ]
     forms = (text.csv_lines, text.json_lines)
     both = [b"".join(form(columns)) for form in forms]
-    monkeypatch.setattr(text, "_arrow", lambda: None)
+    monkeypatch.setattr(text, "pyarrow", lambda: None)
     assert [b"".join(form(columns)) for form in forms] == both
     monkeypatch.undo()
     one = [tables.Series("a", numbers[:3], np.array([True, False, True]), {})]

@@ -21,7 +21,7 @@ from mip_tools.logs import report as log_report
 from mip_tools.names.occurrence import occurrence_in
 from mip_tools.names.selection import Selection
 from mip_tools.sentences import Sentences
-from mip_tools.text import clocks, decoding
+from mip_tools.text import clocks, decoding, row_texts
 from mip_tools.text.decoding import decoded, raw_fields
 from pairs import pairwise
 from program import log, mip, run
@@ -135,6 +135,7 @@ def test_dump(
     (tmp_path / "log.bin").write_bytes(stream)
     seen = []
     monkeypatch.setattr(lines, "PART", 3000)
+    monkeypatch.setattr(row_texts, "_MANY", 1)  # pyarrow formats a few rows, too
     whole = lines.lines
     monkeypatch.setattr(lines, "lines", lambda *given: seen.append(1) or whole(*given))
     words = ["dump", tmp_path / "log.bin", *form, *device, *fields]
@@ -258,6 +259,7 @@ def test_messages(
     """The same by columns as packet by packet, of all fields or of some."""
     monkeypatch.setattr(columns_packets, "_PIECE", piece)
     monkeypatch.setattr(messages, "PART", 3 * piece)
+    monkeypatch.setattr(row_texts, "_MANY", 1)
     scanner = scan.Scanner()
     pieces = [*scanner.feed(stream), *scanner.flush()]
     selection = Selection(only, data=True)

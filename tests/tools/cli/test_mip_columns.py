@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from itertools import pairwise
 from pathlib import Path
 
@@ -11,7 +13,7 @@ from mip_protocol import (
     base,
 )
 from mip_tools.columns import tables
-from program import log, mip, run
+from program import ENVIRONMENT, log, mip, run
 from support import later
 
 np, pa, pq, pyplot = (later(name) for name in ("numpy", "pyarrow", "pyarrow.parquet", "matplotlib.pyplot"))
@@ -21,6 +23,14 @@ np, pa, pq, pyplot = (later(name) for name in ("numpy", "pyarrow", "pyarrow.parq
 def path(tmp_path: Path) -> Path:
     (tmp_path / "log.bin").write_bytes(b"noise" + log() + b"\x75\x65\x80")
     return tmp_path / "log.bin"
+
+
+@pytest.mark.parametrize("form", ["csv", "jsonl", "parquet", "arrow"])
+def test_no_export_imports_pandas(form: str, path: Path) -> None:
+    """`pyarrow.array` does so where pandas is installed, which takes longer than most exports."""
+    program = "import sys; from mip_tools.__main__ import main; main(sys.argv[1:]); sys.exit('pandas' in sys.modules)"
+    words = ["export", path, "-o", path.with_suffix(f".{form}"), "--names"]
+    assert subprocess.run([sys.executable, "-c", program, *words], env=ENVIRONMENT).returncode == 0
 
 
 def test_lists_and_texts_in_numpy_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..binding import CLOCKS, MissingExtra, timestamps
-from . import between, resample, tables, timeline
+from . import between, buffers, resample, tables, timeline
 from .column import Column
 from .packets import Kind, Packets
 from .tables import Form, Series
@@ -176,13 +176,16 @@ def _pyarrow(series: Sequence[Series], units: bool) -> Any:
 
 def _pyarrow_column(arrow: Any, series: Series) -> Any:
     values, mask = series.values, series.mask
+    if values.dtype == object and not series.lists[0]:
+        items = objects(series)
+        return buffers.texts(arrow, [item or "" for item in items], np.array([item is None for item in items], bool))
     if values.dtype == object:
         return arrow.array(objects(series), _arrow_type(arrow, *series.lists))
     if values.ndim > 1:
         return _arrow_lists(arrow, values, mask)
     if values.dtype.kind == "M":
-        return arrow.array(values).cast(arrow.timestamp("ns", "UTC"))
-    return arrow.array(np.ascontiguousarray(values), mask=mask)
+        return buffers.array(arrow, values).cast(arrow.timestamp("ns", "UTC"))
+    return buffers.array(arrow, values, mask)
 
 
 def _arrow_type(arrow: Any, depth: int, item: str) -> Any:
@@ -194,7 +197,7 @@ def _arrow_type(arrow: Any, depth: int, item: str) -> Any:
 
 def _arrow_lists(arrow: Any, values: Any, mask: Any) -> Any:
     """Makes variable-size lists, although all have one size: Parquet loses missing lists of a fixed size."""
-    offsets = arrow.array(np.arange(len(values) + 1, dtype=np.int32) * values.shape[1])
+    offsets = buffers.array(arrow, np.arange(len(values) + 1, dtype=np.int32) * values.shape[1])
     inner = values.reshape(-1, *values.shape[2:])
-    items = _arrow_lists(arrow, inner, None) if inner.ndim > 1 else arrow.array(np.ascontiguousarray(inner))
-    return arrow.ListArray.from_arrays(offsets, items, mask=None if mask is None else arrow.array(mask))
+    items = _arrow_lists(arrow, inner, None) if inner.ndim > 1 else buffers.array(arrow, inner)
+    return arrow.ListArray.from_arrays(offsets, items, mask=None if mask is None else buffers.array(arrow, mask))

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..binding import shortest as shortest_text
+from . import buffers
 from .frames import titled
 from .scan import Array
 from .tables import Series
@@ -28,11 +29,11 @@ def csv_head(columns: Sequence[Series]) -> str:
 
 def csv_lines(columns: Sequence[Series]) -> Iterator[bytes]:
     """Yields the lines of a table, many at once; missing values are empty."""
-    if (arrow := _arrow()) is not None:
+    if (arrow := pyarrow()) is not None:
         for part in _parts(columns, _ARROW_ROWS):
             cells = [_cells(arrow, series, False) for series in part]
-            lines = arrow.compute.binary_join_element_wise(*cells, ",", null_handling="replace", null_replacement="")
-            yield _text(arrow, "", lines, "\n")
+            separated = [each for cell in cells for each in (",", cell)]
+            yield _text(buffers.joined(arrow, *separated[1:], "\n"))
         return
 
     def template(there: list[bool], formats: list[str]) -> str:
@@ -45,12 +46,11 @@ def csv_lines(columns: Sequence[Series]) -> Iterator[bytes]:
 def json_lines(columns: Sequence[Series]) -> Iterator[bytes]:
     """Yields an object for each row, many at once; missing values are left out."""
     names = [json.dumps(series.name).replace("%", "%%") for series in columns]
-    if (arrow := _arrow()) is not None:
-        join = arrow.compute.binary_join_element_wise
+    if (arrow := pyarrow()) is not None:
         for part in _parts(columns, _ARROW_ROWS):
-            cells = [join(f",{json.dumps(series.name)}:", _cells(arrow, series, True), "") for series in part]
-            lines = join(*cells, "", null_handling="replace", null_replacement="")
-            yield _text(arrow, "{", arrow.compute.ascii_ltrim(lines, ","), "}\n")
+            cells = [_labelled(arrow, series) for series in part]
+            lines = arrow.compute.ascii_ltrim(buffers.joined(arrow, *cells), ",")
+            yield _text(buffers.joined(arrow, "{", lines, "}\n"))
         return
 
     def template(there: list[bool], formats: list[str]) -> str:
@@ -60,7 +60,7 @@ def json_lines(columns: Sequence[Series]) -> Iterator[bytes]:
     yield from _lines(columns, json_values, template)
 
 
-def _arrow() -> Any:
+def pyarrow() -> Any:
     """Imports pyarrow; None if it is not installed."""
     try:
         return import_module("pyarrow.compute") and import_module("pyarrow")
@@ -74,11 +74,17 @@ def _parts(columns: Sequence[Series], rows: int) -> Iterator[list[Series]]:
         yield [series.rows(slice(at, at + rows)) for series in columns]
 
 
-def _text(arrow: Any, before: str, lines: Any, after: str) -> bytes:
+def _labelled(arrow: Any, series: Series) -> Any:
+    """Formats a column for JSON, each value after a comma and its name; missing values are null."""
+    cells = _cells(arrow, series, True)
+    label = buffers.texts(arrow, [f",{json.dumps(series.name)}:"])[0]
+    return arrow.compute.binary_join_element_wise(label, cells, buffers.texts(arrow, [""])[0])
+
+
+def _text(lines: Any) -> bytes:
     """Returns the bytes of all lines."""
-    whole = arrow.compute.binary_join_element_wise(before, lines, after, "")
-    _, ends, data = whole.buffers()
-    return bytes(memoryview(data)[: int(np.frombuffer(ends, np.int32)[len(whole)])])
+    _, ends, data = lines.buffers()
+    return bytes(memoryview(data)[: int(np.frombuffer(ends, np.int32)[len(lines)])])
 
 
 def _cells(arrow: Any, series: Series, as_json: bool) -> Any:
@@ -86,24 +92,25 @@ def _cells(arrow: Any, series: Series, as_json: bool) -> Any:
     values, mask, compute = series.values, series.mask, arrow.compute
     match values.dtype.kind if values.ndim == 1 else "":
         case "f":
-            texts = _numbers(arrow, values, mask)
+            texts = numbers(arrow, values, mask)
             finite = np.isfinite(values) if mask is None else np.isfinite(values) | mask
             if as_json and not finite.all():
-                texts = compute.if_else(arrow.array(finite), texts, "null")
+                texts = compute.if_else(buffers.array(arrow, finite), texts, buffers.texts(arrow, ["null"])[0])
         case "M":
-            dates = arrow.array(values.astype("M8[ns]"), mask=mask).cast(arrow.string())
+            dates = buffers.array(arrow, values.astype("M8[ns]"), mask).cast(arrow.string())
             quote = '"' if as_json else ""
             texts = compute.replace_substring(dates, " ", "T", max_replacements=1)
-            texts = compute.binary_join_element_wise(quote, texts, f"Z{quote}", "")
+            around = [buffers.texts(arrow, [text])[0] for text in (quote, f"Z{quote}", "")]
+            texts = compute.binary_join_element_wise(around[0], texts, *around[1:])
         case "b" | "i" | "u":
-            return arrow.array(values, mask=mask).cast(arrow.string())
+            return buffers.array(arrow, values, mask).cast(arrow.string())
         case _:
             form, items = (json_values if as_json else csv_values)(series._replace(mask=None))
-            texts = arrow.array(np.array([form % (item,) for item in items], object), arrow.string(), mask=mask)
+            texts = buffers.texts(arrow, [form % (item,) for item in items], mask)
     return texts
 
 
-def _numbers(arrow: Any, values: Array, mask: Array | None) -> Any:
+def numbers(arrow: Any, values: Array, mask: Array | None) -> Any:
     """Formats floats as `repr` does, with as many digits as their size on the wire needs."""
     values = np.ascontiguousarray(values)
     with np.errstate(invalid="ignore"):  # signalling NaNs
@@ -113,13 +120,13 @@ def _numbers(arrow: Any, values: Array, mask: Array | None) -> Any:
     if mask is not None:
         alike, whole = alike | mask, whole & ~mask
     compute = arrow.compute
-    texts = arrow.array(values, mask=mask).cast(arrow.string())
+    texts = buffers.array(arrow, values, mask).cast(arrow.string())
     if whole.any():
-        texts = compute.if_else(arrow.array(whole), compute.binary_join_element_wise(texts, ".0", ""), texts)
+        texts = compute.if_else(buffers.array(arrow, whole), buffers.joined(arrow, texts, ".0"), texts)
     if alike.all():
         return texts
-    others = arrow.array([repr(value) for value in _doubles(values[~alike])], arrow.string())
-    return compute.replace_with_mask(texts, arrow.array(~alike), others)
+    others = buffers.texts(arrow, [repr(value) for value in _doubles(values[~alike])])
+    return compute.replace_with_mask(texts, buffers.array(arrow, ~alike), others)
 
 
 def _lines(

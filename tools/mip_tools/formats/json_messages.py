@@ -94,6 +94,10 @@ def timed(samples: Iterable[T], by_host: bool) -> Iterator[tuple[T, int]]:
     waiting: list[T] = []
     for sample in samples:
         moment = time.time_ns() if by_host else sample.time
+        if moment is not None and not waiting:  # as nearly always
+            last = max(moment, 0)
+            yield sample, last
+            continue
         last = last if moment is None else max(moment, 0)
         waiting.append(sample)
         if last is not None:

@@ -45,7 +45,7 @@ class Lines:
         name = kind.name_in(number).removeprefix(f"{show.set_name(number)}.")
         own = kind.NAME.partition(".")[2]
         parts: list[str] = []
-        values: list[list[Any]] = []
+        values: list[Array] = []
         for p in info(kind).members:
             made = self.texts(p, column)
             if made is None:
@@ -71,7 +71,7 @@ class Lines:
             good = column.valid(p.attribute)
             good = good if good.ndim == 1 else np.asarray(good.all(axis=1))
             if not good.all():
-                return form + "%s", [*arguments, np.where(good, "", " (invalid)").tolist()]
+                return form + "%s", [*arguments, np.where(good, "", " (invalid)")]
         return form, arguments
 
 

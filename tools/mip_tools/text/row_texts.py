@@ -3,27 +3,50 @@
 from __future__ import annotations
 
 import json
-import math
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..binding import Field, Parameter, info, named
+from ..columns import buffers
 from ..columns.scan import Array
 from ..columns.states import different
-from ..columns.text import shortest
+from ..columns.text import numbers, pyarrow, shortest
 
 if TYPE_CHECKING:
     from ..columns.column import Column
 
-#: A format, and a list for each of its arguments, with an item for each row.
-Texts = tuple[str, list[list[Any]]]
+#: A format, and an array for each of its arguments, with an item for each row.
+Texts = tuple[str, list[Array]]
+#: From so many rows on, pyarrow is faster, even if it is not imported yet.
+_MANY = 4096
 
 
-def formatted(template: str, values: list[list[Any]], count: int) -> list[str]:
-    """Formats each row."""
-    return list(map(template.__mod__, zip(*values))) if values else [template % ()] * count
+def formatted(template: str, values: list[Array], count: int) -> list[str]:
+    """Formats each row; with pyarrow, several times as fast."""
+    if not values:
+        return [template % ()] * count
+    pa = pyarrow() if count >= _MANY else None
+    if pa is None:
+        return list(map(template.__mod__, zip(*map(_items, values))))
+    first, *others = (between.replace("%%", "%") for between in re.split("%[rds]", template))
+    cells = [each for value, after in zip(values, others) for each in (_cells(pa, value), after)]
+    texts: list[str] = buffers.joined(pa, first, *cells).to_pylist()
+    return texts
+
+
+def _items(values: Array) -> list[Any]:
+    return list((shortest(values) if values.dtype == np.float32 else values).tolist())
+
+
+def _cells(pa: Any, values: Array) -> Any:
+    if values.dtype.kind == "f":
+        return numbers(pa, values, None)
+    return (
+        buffers.texts(pa, values.tolist()) if values.dtype.kind in "OU" else buffers.array(pa, values).cast(pa.string())
+    )
 
 
 def json_object(
@@ -36,7 +59,7 @@ def json_object(
     """Formats the values of fields as JSON objects, like `to_dict`; None if a text depends on more than one value."""
     between, after = separators
     parts: list[str] = []
-    values: list[list[Any]] = []
+    values: list[Array] = []
     for p in info(kind).members:
         made = _json(p if device is None else p.on(device), column, names, separators)
         if made is None:
@@ -59,7 +82,7 @@ def _json(p: Parameter, column: Column[Any], names_: bool, separators: tuple[str
     single, arguments = singles(values)
     if single == "%r" and not np.isfinite(values).all():
         single = "%s"
-        arguments = [[repr(x) if math.isfinite(x) else "null" for x in each] for each in arguments]
+        arguments = [np.where(np.isfinite(each), formatted("%r", [each], len(each)), "null") for each in arguments]
     if not p.elements:
         return single, arguments
     between, after = separators
@@ -88,10 +111,9 @@ def names(p: Parameter, column: Column[Any], word: Callable[[Any, Any], str]) ->
     values, place = different(column, p.attribute, column[p.attribute])
     as_bool = p.scalar == "bool" and p.type is None
     words = [word(bool(v) if as_bool and v in (0, 1) else v, state) for v, state in values]
-    return "%s", [np.array([*words, ""], object)[place].tolist()]
+    return "%s", [np.array([*words, ""], object)[place]]
 
 
 def singles(values: Array) -> Texts:
-    """Returns the format of one number, and the numbers: a list for each element of a vector."""
-    numbers = shortest(values.reshape(-1)).reshape(values.shape) if values.dtype == np.float32 else values
-    return "%r" if values.dtype.kind == "f" else "%d", numbers.T.tolist() if values.ndim > 1 else [numbers.tolist()]
+    """Returns the format of one number, and the numbers: an array for each element of a vector."""
+    return "%r" if values.dtype.kind == "f" else "%d", list(values.T) if values.ndim > 1 else [values]
