@@ -32,6 +32,7 @@ FILES = {
     "protocol": ("protocol.yaml",),
     "evidence": ("evidence/*.yaml",),
     "packets": ("packets/*.yaml",),
+    "searches": ("searches/*.yaml",),
     "devices": ("devices/*.yaml",),
     "device": ("devices/*.yaml",),
     "device_extension": ("devices/*.yaml",),

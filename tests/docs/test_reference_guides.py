@@ -47,7 +47,7 @@ def test_a_guide_is_short_and_begins_with_its_steps(manual: Manual) -> None:
         for (_, title, why), step in zip(steps, sequence.steps, strict=True):
             assert words(title).startswith(step.command.title)
             then = f" Then {step.host[0].lower()}{step.host[1:]}" if step.host else ""
-            assert words(why) == prose(step.why, manual.model) + then
+            assert words(why) == prose(step.reason, manual.model) + then
         before, _, rest = page_of(manual, guide).partition(f'<a id="{guide.name}.1"></a>')
         assert len(before.splitlines()) <= 20, f"{guide.name}: the steps are far from the beginning"
         assert len((before + rest).splitlines()) <= 400, guide.name

@@ -47,6 +47,7 @@ class BadSpec:
         spec = folder / "spec"
         shutil.copytree(BASE, spec)
         if self.lines:
+            (spec / self.file).parent.mkdir(exist_ok=True)
             text = "".join(f"{line}\n" for line in self.lines)
             (spec / self.file).write_bytes(text.encode(self.options.get("encoding", "utf-8")))
         if "typical" in self.options:

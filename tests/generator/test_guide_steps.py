@@ -21,7 +21,7 @@ sequences:
   - title: One
     devices: [model-a]
     steps:
-      - {{why: So., {step}}}
+      - {{reason: So., {step}}}
 """
 
 

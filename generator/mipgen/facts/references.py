@@ -20,7 +20,7 @@ from mipgen.read.problems import Problems, nearest
 #: Keys with texts for readers, and keys with quotations of a manual.
 PROSE = (
     "description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "reason", "text", "question",
-    "answer", "why", "before", "on_event", "positive", "origin",
+    "answer", "before", "on_event", "positive", "origin",
 )  # fmt: skip
 QUOTATIONS = ("printed", "right")
 

@@ -40,7 +40,7 @@ class Stream:
 class Step:
     """One command, its purpose, and the reply."""
 
-    why: str
+    reason: str
     command: Field
     values: dict[str, Any]
     packet: bytes

@@ -33,6 +33,7 @@ LAYOUT = {
     "set": "sets/*.yaml",
     "evidence": "evidence/*.yaml",
     "packets": "packets/*.yaml",
+    "searches": "searches/*.yaml",
     "device": "devices/*.yaml",
     "examples": "examples/*.yaml",
     "errata": "errata/*.yaml",

@@ -1,4 +1,5 @@
-"""What files beside the definitions state about them, by name: sources in evidence/, typical values in packets/."""
+"""What files beside the definitions state about them, by name: sources in evidence/, typical values in packets/,
+keywords in searches/."""
 
 from __future__ import annotations
 
@@ -22,25 +23,24 @@ def joined(roots: Iterable[Node], key: str, problems: Problems) -> dict[str, tup
     return entries
 
 
-class Evidence:
-    """The sources of sets, types, fields, responses and named descriptors."""
+class Lists:
+    """Lists by the names of definitions, such as the sources of fields."""
 
-    def __init__(self, roots: Iterable[Node], problems: Problems) -> None:
-        self.entries = joined(roots, "sources", problems)
+    def __init__(self, roots: Iterable[Node], key: str, problems: Problems) -> None:
+        self.entries = joined(roots, key, problems)
         self.problems = problems
-        self.names: set[str] = set()  # of everything that can have sources
+        self.names: set[str] = set()  # of everything that can have a list
 
-    def of(self, name: str) -> Sequence[Node]:
-        """Returns the sources of something that exists."""
+    def entries_of(self, name: str) -> Sequence[Node]:
+        """Returns the entries about something that exists."""
         self.names.add(name)
         return list(self.entries[name][1]) if name in self.entries else ()
 
-    def unused(self) -> None:
-        """Reports names of nothing."""
+    def unused(self, what: str) -> None:
+        """Reports names of nothing; `what` can have a list."""
         for name, (place, _) in self.entries.items():
             if name not in self.names:
-                what = "no set, type, field or response is called"
-                self.problems.add(place, f"{what} '{name}'{nearest(name, sorted(self.names))}")
+                self.problems.add(place, f"no {what} is called '{name}'{nearest(name, sorted(self.names))}")
 
 
 def with_typical(types: list[Node], sets: list[Node], packets: list[Node], problems: Problems) -> None:

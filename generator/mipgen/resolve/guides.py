@@ -120,7 +120,7 @@ class _Guide:
         silent = _silent(command, call, values)
         response = self.response(node, command, call, values, silent)
         return Step(
-            why=node["why"].value,
+            reason=node["reason"].value,
             command=command,
             values=values,
             packet=packet,

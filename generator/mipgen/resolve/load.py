@@ -86,7 +86,8 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
         devices={d["device"].value for d in roots["device"]},
         functions=functions,
         selector=_selector(functions),
-        evidence=beside.Evidence(roots["evidence"], problems),
+        evidence=beside.Lists(roots["evidence"], "sources", problems),
+        keywords=beside.Lists(roots["searches"], "keywords", problems),
     )
     types = Types(words, problems, marked=beside.marked_by_bits((*roots["types"], *roots["set"])))
     for node in roots["types"]:
@@ -97,7 +98,8 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
     shared = types.of(None)
     protocol = _protocol(root, types, functions, problems)
     families = Families(types, problems).resolve(roots["set"])
-    words.evidence.unused()
+    words.evidence.unused("set, type, field or response")
+    words.keywords.unused("command or data field")
     model = m.Model(protocol, shared, families)
     if "barrier" in root:
         model = replace(model, protocol=replace(protocol, barrier=_barrier(root["barrier"], model, problems)))

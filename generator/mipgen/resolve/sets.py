@@ -128,6 +128,7 @@ class Families:
             list(node.get("parameters") or ()), family, letters, whole=node, unknown="".join(unknown)
         )
         (occurrences, cited), affects = places.of(node), sentences(node, "affects")
+        keywords = self.types.vocabulary.keywords.entries_of(f"{family}.{node['name'].value}")
         command = m.Field(
             family=family, occurrences=occurrences, name=node["name"].value, descriptor=node[role].value, role=role,
             title=_title(node), description=node["description"].value,
@@ -139,7 +140,7 @@ class Families:
             may_affect=tuple(x[:-1] for x in affects if x[-1] == "?"),
             timeout=node.scalar("timeout"),
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
-            sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"), keywords=sentences(node, "keywords"),
+            sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"), keywords=tuple(k.value for k in keywords),
             needs=self.types.needs(node),
             notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
             short=short_name(node, node["name"].value, self.problems), position=node.position,
@@ -204,7 +205,7 @@ class Families:
     def lengths(self, name: str, command: m.Field) -> dict[str, Node]:
         """Returns the length of a response that each manual prints."""
         manuals, lengths = [s.manual for s in command.sources], {}
-        for entry in self.types.vocabulary.evidence.of(name):
+        for entry in self.types.vocabulary.evidence.entries_of(name):
             manual = entry["manual"]
             if manual.value not in manuals:
                 message = f"the command does not cite the manual '{manual.value}'{nearest(manual.value, manuals)}"

@@ -10,7 +10,7 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems
 
 from . import meaning
-from .beside import Evidence
+from .beside import Lists
 
 
 @dataclass
@@ -23,7 +23,8 @@ class Vocabulary:
     devices: set[str]
     functions: tuple[m.Function, ...]
     selector: m.Enum
-    evidence: Evidence
+    evidence: Lists
+    keywords: Lists
 
     def letters(self, text: str) -> tuple[m.Function, ...]:
         """Returns the functions with these letters, by value."""
@@ -53,7 +54,7 @@ def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.S
 def cited(name: str, vocabulary: Vocabulary, problems: Problems, heading: str | None = None) -> tuple[m.Source, ...]:
     """Returns the sources in evidence/ of what has this name; those of a field may omit the section if it is this
     heading."""
-    return _sources(vocabulary.evidence.of(name), vocabulary, problems, heading)
+    return _sources(vocabulary.evidence.entries_of(name), vocabulary, problems, heading)
 
 
 def _sources(
