@@ -64,7 +64,7 @@ def add(chance: random.Random, p: m.Parameter, values: Values, room: int) -> Non
         for q in (c.parameter for c in p.cases if c.parameter and c.tag.value == values[p.union.tag]):
             add(chance, q, inner, room // 2)
     elif p.open:
-        most = min(p.capacity, room // extent.element(p))
+        most = min(p.capacity, room // extent.item_size(p))
         count = chance.choice((0, 1, most)) if most and chance.random() < 0.4 else chance.randint(0, most)
         values[p.name] = items(chance, p, count)
         if p.counter:

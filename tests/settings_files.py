@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from mip_protocol import Device
 from mip_tools.configuration import parsed, talk
-from mip_tools.configuration.written import text
+from mip_tools.configuration.written import file_text
 from mip_tools.simulator import LivePort, VirtualDevice
 from mipgen import model as m
 from mipgen.lower import codec
@@ -58,10 +58,10 @@ def told(device: m.Device, virtual: VirtualDevice, only: int) -> set[str]:
 def pulled(virtual: VirtualDevice) -> str:
     with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
         it = talk.Talk(link, "PORT", pytest.fail)
-        return text(it.pull(), it.profile, it.model.id, it.listing.firmware, "2026-01-31")
+        return file_text(it.pull(), it.profile, it.model.id, it.listing.firmware, "2026-01-31")
 
 
 def pushed(virtual: VirtualDevice, path: Path) -> talk.Pushed:
     with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
         it = talk.Talk(link, "PORT", pytest.fail)
-        return it.push(parsed.parsed(path, it.profile).commands)
+        return it.push(parsed.parsed_settings(path, it.profile).commands)

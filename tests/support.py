@@ -35,7 +35,7 @@ BUILD = ROOT / "build"
 PYTHONPATH = os.pathsep.join((str(ROOT / "tools"), str(ROOT / "generated/python")))
 
 #: All targets, with those of the folders that MIPGEN_TARGETS names, as `--target-path` does.
-SOURCES = discovery.sources([Path(p).resolve() for p in os.environ.get("MIPGEN_TARGETS", "").split(os.pathsep) if p])
+SOURCES = discovery.targets([Path(p).resolve() for p in os.environ.get("MIPGEN_TARGETS", "").split(os.pathsep) if p])
 
 #: Target -> the operations that its conformance driver offers, of those that have a driver.
 OFFERS: dict[str, tuple[str, ...]] = {
@@ -115,7 +115,7 @@ def each(*operations: str) -> Any:
 def model(spec: str) -> m.Model:
     """The model of a specification. It is kept between runs: resolving it takes longer than most tests."""
     folder = SPECS[spec][0]
-    key = stamp.key([folder], "model")
+    key = stamp.run_key([folder], "model")
     assert key is not None
     known = kept.get("model", key)
     if known is None:

@@ -120,7 +120,7 @@ def test_names_of_the_core_are_taken() -> None:
     own = [p.partition("\n")[2] for p in parts if re.match(rf'"{source}/mip/(?!types|protocol)', p)]
     found = set(re.findall(r"\bmip_\w+", " ".join(own))) - {"mip_ack_code"}
     found |= set(re.findall(r"^#define (MIP_\w+) \S", "\n".join(own), re.M))
-    assert len(found) > 200 and found - set(runtime.names()) == set()
+    assert len(found) > 200 and found - set(runtime.runtime_names()) == set()
     assert {"to_string", "basic_result", "print_to", "detail", "layout", "outcome"} <= runtime.in_namespace()
     assert not {"value", "data", "type", "Response", "count"} & runtime.in_namespace()
 

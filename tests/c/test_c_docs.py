@@ -154,7 +154,7 @@ def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, li
     for p in record.parameters:
         told = [prose(p.description, of), *said(describe.parameter(p, record, of))]
         told += said(describe.case(c, p, record) for c in p.cases if c.parameter is None)
-        if p not in members.members(record):
+        if p not in members.stored(record):
             yield name, [f"- {p.name}:", *told]
             continue
         yield f"{name}.{names.member(p.name)}", told

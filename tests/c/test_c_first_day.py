@@ -51,7 +51,7 @@ def test_the_rates_are_those_of_all_devices() -> None:
     """The same as in Python, in the same order."""
     script = "from mip_protocol.baud import rates; print(*rates())"
     environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    session = calls.session(model("real"))
+    session = calls.session_calls(model("real"))
     assert session is not None
     done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
     assert tuple(map(int, done.stdout.split())) == session.of.bauds
@@ -59,7 +59,7 @@ def test_the_rates_are_those_of_all_devices() -> None:
 
 def test_a_part_without_these_commands_has_no_such_files() -> None:
     """The small specification has none of them."""
-    assert calls.session(model("invented")) is None
+    assert calls.session_calls(model("invented")) is None
     assert not (folder("invented") / "src/mip/connect.h").exists()
     assert (folder("real") / "src/mip/connect.h").exists()
 

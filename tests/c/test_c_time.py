@@ -110,7 +110,7 @@ def validities(of: m.Model) -> list[tuple[m.Field, list[m.Parameter], str, bool]
     found = []
     for f in of.fields:
         flagged = [p for p in f.parameters if p.valid or any(v.valid for v in p.variants)]
-        for function in validity.functions(f, of):
+        for function in validity.validity_functions(f, of):
             own = [p for p in flagged if function.name == f"{names.field_name(f)}_{names.member(p.name)}_valid"]
             found.append((f, own or flagged, function.name, len(function.declarations) > 1))
     return found

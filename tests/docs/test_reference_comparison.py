@@ -133,7 +133,7 @@ def test_meanings(manual: Manual) -> None:
         (
             f"{v.field.title} {number(v.field)}",
             v.parameter.name,
-            seen(describe.difference(v.variant, v.parameter, v.field, manual.model)),
+            seen(describe.variant_text(v.variant, v.parameter, v.field, manual.model)),
             d.id,
         )
         for d in manual.model.devices

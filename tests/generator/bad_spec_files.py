@@ -122,7 +122,7 @@ def problems(spec: Path, target: str | None = None) -> list[str]:
     try:
         model = load_model(spec)
         if target is not None:
-            build.check_names(model, [discovery.sources([TARGETS])[target]])
+            build.check_names(model, [discovery.targets([TARGETS])[target]])
     except SpecError as error:
         return [str(p).replace(f"{spec}/", "").replace(str(spec), ".") for p in error.problems]
     return []

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from audit.__main__ import main
-from audit.manuals import audit
+from audit.manuals import audit_manuals
 from support import ROOT, model
 
 GOOD = """\
@@ -27,7 +27,7 @@ GOOD += "".join(f"# {1 + i}. **{section}**\n" for i, section in enumerate(SECTIO
 def findings(tmp_path: Path, text: str, manual: str = "guide") -> list[str]:
     path = tmp_path / "manual.txt"
     path.write_text(text, "utf-8")
-    return [str(f) for f in audit(model("invented"), manual, path)]
+    return [str(f) for f in audit_manuals(model("invented"), manual, path)]
 
 
 def test_what_the_specification_has_is_no_finding(tmp_path: Path) -> None:
@@ -64,7 +64,7 @@ def test_a_section_of_a_page_comes_after_its_title(tmp_path: Path) -> None:
 
     def found(text: str) -> list[str]:
         (tmp_path / "manual.txt").write_text(text, "utf-8")
-        return [f"{f.line}: {f.message}" for f in audit(paged, "leaflet", tmp_path / "manual.txt")]
+        return [f"{f.line}: {f.message}" for f in audit_manuals(paged, "leaflet", tmp_path / "manual.txt")]
 
     assert found("# Setup\n# Events\n## Setup\n") == []
     assert found("# Setup\n# Events\n") == ["2: the manual has no section 'Events > Setup'"]

@@ -6,7 +6,7 @@ import re
 
 import pytest
 import yaml
-from audit.devices import compare, debt
+from audit.devices import compared_devices, debt
 from support import model
 
 INVENTED = model("invented")
@@ -36,7 +36,7 @@ readings:
 
 
 def differences(text: str, manuals: dict[str, set[str]]) -> list[str]:
-    found = [finding for _, finding in compare(INVENTED, yaml.safe_load(text), manuals)]
+    found = [finding for _, finding in compared_devices(INVENTED, yaml.safe_load(text), manuals)]
     return [f"{x.at}: {x.text}" for x in found if x]
 
 

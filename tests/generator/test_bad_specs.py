@@ -27,16 +27,17 @@ MODULES = (
 )  # fmt: skip
 
 #: What reports a problem: calls of these, `raise Wrong(...)`, the faults that `syntax` returns, and the messages that
-#: `loader.messages` yields, with what `_fault_of_value` returns.
+#: `loader.error_messages` yields, with what `_fault_of_value` returns.
 REPORTERS = {"add", "problem", "complain", "wrong", "named", "_fits", "Wrong", "_fault", "Fault", "_unclosed"}
 
 FAULTS = {"_fault", "Fault", "_unclosed"}
 
 #: Sites that no specification can reach; each has its own test.
 UNREACHABLE = {
-    "loader: problems.add(Position(shown(folder), 1, 1), f'this overlay contains none of these files: {files}')":
+    "loader: problems.add(Position(display_path(folder), 1, 1), f'this overlay contains none of these files: {files}')":
         "test_overlay.py::test_messages",
-    "loader: problems.add(Position(shown(folder), 1, 1), 'this folder contains no witnesses, that is, no .yaml files')":
+    "loader: problems.add(Position(display_path(folder), 1, 1), "
+    "'this folder contains no witnesses, that is, no .yaml files')":
         "test_witness.py::test_command_line",
     "checks: problems.add(model.protocol.acknowledge.position, 'no set contains a field; add one to a file in sets/')":
         "test_no_field_at_all",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from mipgen import model as m
-from mipgen.facts.misprints import differences
+from mipgen.facts.misprints import misprint_text
 from mipgen.lower.lengths import computed_length
 from small_specs import field
 from support import model
@@ -70,7 +70,7 @@ def example(string: str | None = None, table: str | None = None, role: str = "co
     ],
 )
 def test_differences(printed: m.Example, found: list[str]) -> None:
-    assert differences(printed) == found
+    assert misprint_text(printed) == found
 
 
 def test_examples_of_the_invented_specification() -> None:

@@ -35,7 +35,7 @@ def test_a_new_specification_is_valid_and_generates(tmp_path: Path, capsys: pyte
     assert f"mipgen generate --spec {spec}" in capsys.readouterr().out
     assert cli.main(["generate", "--spec", str(spec), "--out", str(out)]) == 0
     assert capsys.readouterr().out.endswith("nothing was left out\n")
-    assert {p.name for p in out.iterdir()} == set(discovery.names())
+    assert {p.name for p in out.iterdir()} == set(discovery.target_names())
     assert cli.main(["new", str(tmp_path / "my device")]) == 0
     assert f"mipgen generate --spec '{tmp_path}/my device'\n" in capsys.readouterr().out
     assert cli.main(["validate", "--spec", str(spec)]) == 0
@@ -239,7 +239,7 @@ def test_targets(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["targets"]) == 0
     assert "c          C99, library mip\n" in capsys.readouterr().out
     assert cli.main(["targets", "--names"]) == 0
-    assert capsys.readouterr().out.split() == discovery.names()
+    assert capsys.readouterr().out.split() == discovery.target_names()
 
 
 def completed(script: Path, words: str, folder: Path) -> list[str]:
@@ -422,9 +422,9 @@ def test_so_is_each_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_a_folder_that_is_too_large_is_not_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "a").write_bytes(bytes(100))
-    assert stamp.key([tmp_path]) is not None
+    assert stamp.run_key([tmp_path]) is not None
     monkeypatch.setattr(stamp, "TOO_MUCH", 99)
-    assert stamp.key([tmp_path]) is None
+    assert stamp.run_key([tmp_path]) is None
 
 
 def test_the_same_files_in_other_folders_are_another_input(tmp_path: Path) -> None:
@@ -433,9 +433,9 @@ def test_the_same_files_in_other_folders_are_another_input(tmp_path: Path) -> No
     for name in ("first/a", "first/b", "second/c"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(name)
-    before = stamp.key([first, second])
+    before = stamp.run_key([first, second])
     (first / "b").rename(second / "b")
-    assert stamp.key([first, second]) != before
+    assert stamp.run_key([first, second]) != before
 
 
 def test_a_file_that_was_valid_once_is_judged_when_it_changes(tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from mipgen.compare.changes import CLASSES, Report, compare
+from mipgen.compare.changes import CLASSES, Report, compare_models
 from mipgen.resolve.load import load_model
 from support import ROOT, SPECS, model
 
@@ -20,7 +20,7 @@ def changed(folder: Path, file: str, old: str, new: str) -> Report:
     text = (spec / file).read_text()
     assert text.count(old) >= 1, text
     (spec / file).write_text(text.replace(old, new))
-    return compare(load_model(BASE), load_model(spec))
+    return compare_models(load_model(BASE), load_model(spec))
 
 
 TOOLS, DATA, TYPES = "sets/tools.yaml", "sets/measurements.yaml", "types/types.yaml"
@@ -111,10 +111,10 @@ def test_verdict(tmp_path: Path, file: str, old: str, new: str, verdict: str, sa
 
 def test_a_field_less_and_a_field_more() -> None:
     real, more = model("real"), load_model(SPECS["real"][0], ROOT / "tests/overlay")
-    assert not [c for c in compare(real, more).changes if c.verdict == "same"]
-    assert compare(real, more).verdict == "compatible" and compare(more, real).verdict == "source"
-    assert compare(real, real).verdict == "same" and compare(real, real).changes == ()
-    assert "payload.lamp" in {c["subject"] for c in compare(more, real).plain()["changes"]}
+    assert not [c for c in compare_models(real, more).changes if c.verdict == "same"]
+    assert compare_models(real, more).verdict == "compatible" and compare_models(more, real).verdict == "source"
+    assert compare_models(real, real).verdict == "same" and compare_models(real, real).changes == ()
+    assert "payload.lamp" in {c["subject"] for c in compare_models(more, real).plain()["changes"]}
 
 
 def test_a_device_of_which_only_the_name_is_known(tmp_path: Path) -> None:
@@ -127,7 +127,7 @@ def test_a_device_of_which_only_the_name_is_known(tmp_path: Path) -> None:
         shutil.copytree(BASE, tmp_path / name)
         (tmp_path / name / "devices/other.yaml").write_text(text)
     known, named, called = (load_model(tmp_path / name) for name in texts)
-    changes = [compare(*pair).changes for pair in ((known, named), (named, known), (named, called))]
+    changes = [compare_models(*pair).changes for pair in ((known, named), (named, known), (named, called))]
     assert [str(c) for each in changes for c in each] == [
         "source     profile       other: profile removed: only the name is known",
         "compatible profile       other: profile added: only the name was known",
@@ -141,11 +141,11 @@ def test_a_set_that_a_device_may_now_have() -> None:
     lacking = next(d for d in real.devices if any(e.sets for e in d.evidence))
     able = replace(lacking, evidence=tuple(replace(e, sets=()) for e in lacking.evidence))
     new = replace(real, devices=tuple(able if d is lacking else d for d in real.devices))
-    assert [c.what for c in compare(real, new).changes] == ["profile differs: absent sets"]
+    assert [c.what for c in compare_models(real, new).changes] == ["profile differs: absent sets"]
 
 
 def test_the_worst_comes_first() -> None:
-    report = compare(model("real"), model("invented"))
+    report = compare_models(model("real"), model("invented"))
     order = ["wire", "source", "compatible", "same"]
     found = [c.verdict for c in report.changes]
     assert found == sorted(found, key=order.index) and report.verdict == "wire"
@@ -172,16 +172,16 @@ def test_layouts_that_only_their_size_tells_apart(tmp_path: Path) -> None:
             file.write(more)
     one, two = load_model(tmp_path / "one"), load_model(tmp_path / "two")
     added = "compatible added         tools.longer: added (0x01,0x90)"
-    assert added in [str(c) for c in compare(one, two).changes]
-    assert not [c for c in compare(one, two).changes if c.verdict != "compatible"]
-    assert [str(c) for c in compare(two, one).changes if "removed" in c.what] == [
+    assert added in [str(c) for c in compare_models(one, two).changes]
+    assert not [c for c in compare_models(one, two).changes if c.verdict != "compatible"]
+    assert [str(c) for c in compare_models(two, one).changes if "removed" in c.what] == [
         "source     removed       tools.longer: removed (0x01,0x90)"
     ]
 
 
 def test_each_change_has_a_class_and_a_place(tmp_path: Path) -> None:
     """The changes in the table of classes, of two specifications that have little in common."""
-    report = compare(model("real"), model("invented"))
+    report = compare_models(model("real"), model("invented"))
     assert {c.kind for c in report.changes} <= set(CLASSES)
     changes = changed(tmp_path, DATA, "unit: m, frame: sensor, valid: flags.ready", "unit: s, default: [0, 0, 1]")
     assert [(c.verdict, c.kind) for c in changes.changes] == [
@@ -194,5 +194,5 @@ def test_what_a_new_device_reads_is_part_of_it(tmp_path: Path) -> None:
     shutil.copytree(BASE, tmp_path / "spec")
     text = (BASE / "devices/spare.yaml").read_text().replace("spare", "other").replace("Spare", "Other")
     (tmp_path / "spec/devices/other.yaml").write_text(text.replace("base_rates", READING))
-    found = [str(c) for c in compare(load_model(BASE), load_model(tmp_path / "spec")).changes]
+    found = [str(c) for c in compare_models(load_model(BASE), load_model(tmp_path / "spec")).changes]
     assert found == ["compatible added         other: added"]

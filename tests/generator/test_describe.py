@@ -370,7 +370,7 @@ def test_what_is_usual_where_a_variant_differs() -> None:
         f = some(INVENTED.field(field))
         p = next(p for p in f.parameters if p.name == parameter)
         v = next(v for v in p.variants if v.key == key)
-        return plain(describe.usual(v, p, f, INVENTED))
+        return plain(describe.usual_text(v, p, f, INVENTED))
 
     assert said("tools.settings", "mode", "model-c") == "values of <mode>; deprecated"
     assert said("tools.status", "selector", "model-c") == "any value"
@@ -389,7 +389,7 @@ def test_what_is_usual_where_a_variant_differs() -> None:
 )
 def test_how_a_manual_counts_lengths(manual: str, counts: str) -> None:
     found = next(x for x in INVENTED.protocol.manuals if x.id == manual)
-    assert plain(describe.lengths(found, INVENTED)) == counts
+    assert plain(describe.length_facts(found, INVENTED)) == counts
 
 
 @pytest.mark.parametrize("own", [INVENTED, REAL], ids=["invented", "real"])

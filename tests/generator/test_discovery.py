@@ -79,7 +79,7 @@ def test_a_new_language_is_one_folder(folder: Path, capsys: pytest.CaptureFixtur
     assert len(rows) == len(load_model(SPEC).fields) + 1
     assert "0x01,0x01,tools.ping," in rows
     assert made(folder, "csv/.manifest") == f"{output.HEADER}\nLICENSE\nfields.csv\n"
-    assert {p.name for p in (folder.parent / "out").iterdir()} == {"csv", *render.names()}
+    assert {p.name for p in (folder.parent / "out").iterdir()} == {"csv", *render.all_names()}
     capsys.readouterr()
     assert cli.main(["targets", "--target-path", str(folder)]) == 0
     assert f"csv        a table of all fields  [{folder / 'csv'}]\n" in capsys.readouterr().out

@@ -95,10 +95,10 @@ def test_it_works_without_a_cache(cache_folder: str, monkeypatch: pytest.MonkeyP
 def test_the_cache_is_where_the_user_keeps_caches(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("MIPGEN_CACHE")
     monkeypatch.setenv("XDG_CACHE_HOME", "/var/caches")
-    assert cache.folder() == Path("/var/caches/mipgen")
+    assert cache.cache_folder() == Path("/var/caches/mipgen")
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setenv("HOME", "/home/ada")
-    assert cache.folder() == Path("/home/ada/.cache/mipgen")
+    assert cache.cache_folder() == Path("/home/ada/.cache/mipgen")
 
 
 def test_the_cache_does_not_grow_without_end(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

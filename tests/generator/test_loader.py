@@ -145,7 +145,7 @@ def test_no_folder_at_all(tmp_path: Path) -> None:
 
 def words(schema: dict[str, Any], value: Any) -> list[str]:
     found = jsonschema.Draft7Validator(schema).iter_errors(value)
-    return [message for error in found for _, message in loader.messages(error, "the file")]
+    return [message for error in found for _, message in loader.error_messages(error, "the file")]
 
 
 def test_a_rule_without_words() -> None:
@@ -189,7 +189,7 @@ def test_usual_spellings_are_ours() -> None:
     for word, spellings in spelling.SYNONYMS.items():
         assert word in ours | keys, word
         for spelled in spellings:
-            assert spelling.usual(spelled, [word]) == word
+            assert spelling.usual_word(spelled, [word]) == word
             assert spelled not in ours or word in keys or (word, spelled) == ("u8", "byte")
     assert len({s.casefold() for x in spelling.SYNONYMS.values() for s in x}) == sum(
         map(len, spelling.SYNONYMS.values())

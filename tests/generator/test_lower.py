@@ -27,21 +27,21 @@ def test_a_counter_inside_a_structure_has_its_path() -> None:
     f = field(
         "[{name: a, type: tail}]", types="{tail: {struct: [{name: n, type: u8}, {name: b, type: u16, count: n}]}}"
     )
-    assert str(extent.exact(f.parameters[0], "it.")) == "1 + 2*it.a.n"
+    assert str(extent.exact_size(f.parameters[0], "it.")) == "1 + 2*it.a.n"
     assert extent.size(f.parameters[0]) == (1, 253)
 
 
 def test_what_has_no_exact_extent() -> None:
     f = field("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u16, count: rest}}}]")
     union = f.parameters[1]
-    assert extent.exact(union) is None and extent.exact(union.alternatives[0]) is None
+    assert extent.exact_size(union) is None and extent.exact_size(union.alternatives[0]) is None
     assert extent.size(union) == (0, 252)
 
 
 def test_an_unknown_tag_has_no_data() -> None:
     f = field("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {type: u16}, fast: {type: u32}}}]")
     assert [e.fixed for e in extent.extents(f.parameters[1])] == [2, 4]
-    assert extent.shortest([f.parameters[1]]) == Extent()
+    assert extent.shortest_size([f.parameters[1]]) == Extent()
 
 
 def test_no_field_is_larger_than_the_largest() -> None:
@@ -88,7 +88,7 @@ def bytes_of(r: runs.Run, value: Any) -> bytes:
     if isinstance(value, str) and r.scalar.kind == "char":
         return value.encode("latin-1")
     one = m.Parameter("item", r.scalar, None)
-    return b"".join(codec.put(one, v) for v in (value if r.count is not None else [value]))
+    return b"".join(codec.encode_value(one, v) for v in (value if r.count is not None else [value]))
 
 
 @pytest.mark.parametrize(
@@ -112,20 +112,20 @@ def test_what_varies_or_is_checked_has_no_runs(parameters: str) -> None:
 
 def test_memory() -> None:
     f = field("[{name: a, type: u8}, {name: b, type: double}, {name: c, type: char, count: 3}, {name: d, type: u16}]")
-    assert memory.record(f) == memory.Room(24, 8, 20)  # 1, 7 unused, 8, 3 and a NUL, 2, 2 unused
-    assert memory.record(field("[]")).size == 1
+    assert memory.record_memory(f) == memory.Room(24, 8, 20)  # 1, 7 unused, 8, 3 and a NUL, 2, 2 unused
+    assert memory.record_memory(field("[]")).size == 1
     optional = field("[{name: a, type: u32, optional: true}]")
-    assert memory.record(optional) == memory.Room(8, 4, 4)
+    assert memory.record_memory(optional) == memory.Room(8, 4, 4)
     filling = field("[{name: a, type: u16, count: rest}]")
-    assert memory.record(filling) == memory.Room(2 + 2 * 126, 2, 2)
+    assert memory.record_memory(filling) == memory.Room(2 + 2 * 126, 2, 2)
 
 
 def test_the_widest_gaps_are_never_less() -> None:
     for record in RECORDS:
-        usual, most = memory.record(record), memory.record(record, memory.widest)
+        usual, most = memory.record_memory(record), memory.record_memory(record, memory.widest)
         assert usual.size <= most.size and usual.last <= most.last
     assert memory.largest(INVENTED) % memory.MAX_ALIGNMENT == 0
-    assert memory.largest(INVENTED) >= max(memory.record(f).size for f in INVENTED.fields)
+    assert memory.largest(INVENTED) >= max(memory.record_memory(f).size for f in INVENTED.fields)
 
 
 # --------------------------------------------------------------------------- calls

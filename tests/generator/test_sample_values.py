@@ -199,10 +199,13 @@ def test_descriptors_are_known() -> None:
             number = descriptors.set_of(p, record, of)
             for one in value if isinstance(value, list) else [value]:
                 if p.shown == "set" and one >= 0x80:
-                    assert descriptors.meant(p, one, None, of), f.full_name
+                    assert descriptors.named_by_value(p, one, None, of), f.full_name
                     seen += 1
                 if p.shown == "field" and number is not None:
-                    assert number < 0x80 or one == 0 or descriptors.meant(p, one, number, of), (f.full_name, one)
+                    assert number < 0x80 or one == 0 or descriptors.named_by_value(p, one, number, of), (
+                        f.full_name,
+                        one,
+                    )
                     seen += 1
     assert seen > 30
 

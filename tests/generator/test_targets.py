@@ -90,7 +90,7 @@ def test_generated_text_says_nothing_of_the_machine() -> None:
 
 
 def test_every_folder_stands_alone() -> None:
-    for name in render.names():
+    for name in render.all_names():
         folder = OUTPUT / name
         assert (folder / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
         assert (folder / "README.md").is_file()
@@ -102,7 +102,7 @@ def test_command_line_names_what_is_wrong(capsys: pytest.CaptureFixture[str], tm
     assert cli.main(["validate", "--spec", str(tmp_path)]) == 1
     assert "protocol.yaml is missing" in capsys.readouterr().err
     assert cli.main(["generate", "--spec", str(SPECS["real"][0]), "--target", "cobol"]) == 1
-    assert f"unknown target 'cobol'; known: {', '.join(render.names())}" in capsys.readouterr().err
+    assert f"unknown target 'cobol'; known: {', '.join(render.all_names())}" in capsys.readouterr().err
 
 
 # --------------------------------------------------------------------------- counts, derived and held together

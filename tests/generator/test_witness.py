@@ -81,7 +81,7 @@ def report(folder: Path, facts: str = FACTS, accepted: str = "") -> witnesses.Re
     (folder / "book.yaml").write_text(facts, "utf-8")
     if accepted:
         (folder / "accepted.yaml").write_text(accepted, "utf-8")
-    return witnesses.audit(load(SPEC), folder)
+    return witnesses.audit_all(load(SPEC), folder)
 
 
 def findings(folder: Path, facts: str = FACTS, accepted: str = "") -> list[str]:
@@ -197,17 +197,17 @@ def test_another_revision_of_the_sdk(tmp_path: Path) -> None:
     accepted = 'differences:\n- {at: {sdk: [radio.move]}, reason: It is so., texts: ["speed: unit s, witness m"]}\n'
     (folder / "sdk.yaml").write_text(FACTS.replace("unit: sec}", "unit: meters}", 1), "utf-8")
     (folder / "accepted.yaml").write_text(accepted, "utf-8")
-    assert witnesses.audit(load(SPEC), folder).lines() == []
+    assert witnesses.audit_all(load(SPEC), folder).lines() == []
     more = '- {key: "0x05,0x07", role: command, name: Sing, parameters: [{name: key, type: u16}]}\nstructs:'
     revision.write_text(FACTS.replace("structs:", more, 1).replace("named: {}", 'named: {"0x05,0x09": HUM}'), "utf-8")
-    assert [str(d) for d in witnesses.audit(load(SPEC), folder, witnesses.read(revision)).differences] == [
+    assert [str(d) for d in witnesses.audit_all(load(SPEC), folder, witnesses.read_witness(revision)).differences] == [
         "0x05,0x07: no such command; the witness has Sing: key:u16 (sdk)",
         "0x05,0x09: not listed; the witness names it HUM (sdk)",
     ]
 
 
 def test_the_specification_agrees_with_its_witnesses() -> None:
-    found = witnesses.audit(model("real"), ROOT / "spec/witness")
+    found = witnesses.audit_all(model("real"), ROOT / "spec/witness")
     assert found.lines() == []
     assert found.counts["layouts"] > 600
     assert found.counts["units"] > 1200
@@ -250,7 +250,7 @@ Reply Field 2\t0x09\t0xA0\tU8 - Enable float - Time (sec)
 def test_tables_of_a_manual(tmp_path: Path) -> None:
     path = tmp_path / "manual.txt"
     path.write_text(MANUAL, "utf-8")
-    facts = tables.extract("book", path)
+    facts = tables.extract_manual("book", path)
     layouts = {layout["key"]: layout for layout in facts["layouts"]}
     assert list(layouts) == ["0x05,0x10", "0x05,0x90", "0x85,0x04", "0x05,0x20"]  # whose rows make up its length
     rate = layouts["0x05,0x10"]
@@ -270,7 +270,7 @@ def test_tables_of_a_manual(tmp_path: Path) -> None:
     ]
     assert facts["units"] == {"m/s": ["meters/second"], "rad": ["radians"], "s": ["sec", "second"]}
     (tmp_path / "book.yaml").write_text(tables.dump(facts, "by a test"), "utf-8")
-    assert [d.at for d in witnesses.audit(load(SPEC), tmp_path).differences] == list(layouts)
+    assert [d.at for d in witnesses.audit_all(load(SPEC), tmp_path).differences] == list(layouts)
 
 
 # --------------------------------------------------------------------------- a working copy of the SDK
@@ -457,7 +457,7 @@ def working_copy(folder: Path) -> Path:
 
 
 def test_a_working_copy_of_the_sdk(tmp_path: Path) -> None:
-    facts = sdk.extract(working_copy(tmp_path))
+    facts = sdk.extract_sdk(working_copy(tmp_path))
     tune, reply = facts["layouts"]
     about = {"key": "0x05,0x01", "role": "command", "name": "commands_radio::Tune", "functions": "WR"}
     assert {key: tune[key] for key in about} == about
@@ -505,14 +505,14 @@ def test_auditing_a_working_copy(tmp_path: Path, capsys: pytest.CaptureFixture[s
     spec = tmp_path / "spec"
     shutil.copytree(ROOT / "spec", spec)
     assert main(["--spec", str(spec), "--sdk", str(copy), "--extract"]) == 0
-    assert witnesses.read(spec / "witness/sdk.yaml")["layouts"] == sdk.extract(copy)["layouts"]
+    assert witnesses.read_witness(spec / "witness/sdk.yaml")["layouts"] == sdk.extract_sdk(copy)["layouts"]
 
 
 def test_a_working_copy_of_another_form(tmp_path: Path) -> None:
     copy = working_copy(tmp_path)
     (copy / "src/cpp/mip/definitions/commands_radio.cpp").write_text("// empty\n", "utf-8")
     with pytest.raises(Failure, match="definitions have an unknown format: nothing defines 'Tune"):
-        sdk.extract(copy)
+        sdk.extract_sdk(copy)
 
 
 # --------------------------------------------------------------------------- rules
@@ -543,13 +543,13 @@ def test_a_rule(tmp_path: Path, fact: str, other: str, message: str) -> None:
     (tmp_path / "rules.yaml").write_text(RULES, "utf-8")
     spec = SPEC.replace("default: low", "default: none").replace("size, type: u8", "size, type: u8, unit: s")
     spec = spec.replace("{name: speed, type: float, unit: s", "{name: speed, type: float, range: [0, ~], unit: s")
-    assert [d.text for d in witnesses.audit(load(spec), tmp_path).differences] == []
+    assert [d.text for d in witnesses.audit_all(load(spec), tmp_path).differences] == []
     assert spec.count(fact) == 1
-    found = witnesses.audit(load(spec.replace(fact, other)), tmp_path).differences
+    found = witnesses.audit_all(load(spec.replace(fact, other)), tmp_path).differences
     assert message in {f"{d.at}: {d.text}" for d in found}
 
 
 def test_a_rule_of_a_frame(tmp_path: Path) -> None:
     (tmp_path / "rules.yaml").write_text("rules: [{names: [pl*], frame: [ned]}]\n", "utf-8")
-    (found,) = witnesses.audit(load(SPEC), tmp_path).differences
+    (found,) = witnesses.audit_all(load(SPEC), tmp_path).differences
     assert f"{found.at}: {found.text}" == "radio.move: place: frame sensor, a rule has ned"

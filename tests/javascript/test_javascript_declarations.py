@@ -68,7 +68,7 @@ def test_every_fact_of_a_type_is_declared(spec: str) -> None:
             ]
         parts = t.values if isinstance(t, m.Enum) else t.bits if isinstance(t, m.Bitfield) else ()
         for part in parts:
-            missing += [] if f" readonly {blocks.key(names.constant(part.name))}: " in body else [part.name]
+            missing += [] if f" readonly {blocks.object_key(names.constant(part.name))}: " in body else [part.name]
             facts = describe.value(part, of) if isinstance(part, m.EnumValue) else describe.bits(part, of)
             missing += [s for s in sentences(facts, where) if s not in body]
         assert not missing, f"{t.name}: {missing}"

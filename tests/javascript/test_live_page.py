@@ -283,10 +283,10 @@ def test_settings_go_from_the_page_to_the_command_and_back(page: browser.Page, t
         connected(page, at)
         page.run("fold('Settings'); press('Save to a file'); until(() => saved.length)")
         path.write_text(page.run("saved[0].text()"))
-        held = parsed.parsed(path).commands
+        held = parsed.parsed_settings(path).commands
         path_of_command = tmp_path / "command.yaml"
         path_of_command.write_text(wanted)
-        theirs = parsed.parsed(path_of_command).commands
+        theirs = parsed.parsed_settings(path_of_command).commands
         assert [*held.keys() ^ theirs.keys()] == []
         assert not [place for place in held if talk.differs(held[place], theirs[place])]
     other = VirtualDevice(DEVICE)
@@ -302,7 +302,7 @@ def test_settings_go_from_the_page_to_the_command_and_back(page: browser.Page, t
         ends = [place for place in theirs if ends_talk(place)]
         now = pulled(at.device)
         path.write_text(now)
-        mine = parsed.parsed(path).commands
+        mine = parsed.parsed_settings(path).commands
         assert {p for p in mine if talk.differs(mine[p], theirs[p])} <= {*ends}
         assert f"{len(theirs)} already as in the file" in load(page, now)
 

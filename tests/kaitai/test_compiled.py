@@ -24,7 +24,7 @@ from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
 from mipgen.targets import kaitai
-from mipgen.targets.kaitai.names import joined, member, type_name
+from mipgen.targets.kaitai.names import camel_case, member, type_name
 from spec_defaults import filled
 from support import (
     ROOT,
@@ -175,7 +175,7 @@ def test_every_bit_is_in_its_place(spec: str) -> None:
     mip = compiled_python(spec)
     asked = 0
     for t in (t for t in model(spec).all_types if isinstance(t, m.Bitfield)):
-        kind = joined(type_name(t))
+        kind = camel_case(type_name(t))
         cls = getattr(mip, kind[0].upper() + kind[1:])
         for b in t.bits:
             for number in {1 << b.first, 1 << b.last, b.mask, ((1 << 8 * t.size) - 1) ^ b.mask}:

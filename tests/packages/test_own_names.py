@@ -143,7 +143,7 @@ def accepted(kind: str, target: str, folder: Path) -> tuple[m.Model, int]:
             (folder / path).write_text(text, "utf-8")
         try:
             model = load_model(folder)
-            build.check_names(model, [discovery.sources()[target]])
+            build.check_names(model, [discovery.targets()[target]])
             return model, refused
         except SpecError as error:
             bad = set()

@@ -243,7 +243,7 @@ def test_values_of_bitfields_are_not_kept() -> None:
     assert len(kind._value2member_map_) <= before + 8  # Python 3.10 keeps single bits
     named = next(iter(kind))
     assert kind(int(named)) is named
-    known = real.codec.Known(kind)
+    known = real.codec.MemberCache(kind)
     assert all(known[n % 256] == n % 256 for n in range(5000)) and len(known) <= known.SIZE
 
 

@@ -130,7 +130,7 @@ def check(package: Package, p: m.Parameter, r: m.Record, row: Any, of: m.Model) 
     assert row.default == default and type(row.default) is type(default)
     assert (row.optional, row.reserved, row.deprecated) == (p.optional, p.reserved is not None, p.deprecated)
     assert row.required == tuple(names.member(f.name) for f in p.required_for)
-    bounds = describe.limits(p.minimum, p.maximum, p.above, p.below)
+    bounds = describe.limits_text(p.minimum, p.maximum, p.above, p.below)
     assert row.range.replace(".0", "") == bounds.replace(".0", "")
 
 

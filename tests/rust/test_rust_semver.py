@@ -134,7 +134,7 @@ def release(tmp_path: Path) -> Iterator[Path | None]:
     if tag is None:
         yield None
         return
-    with revisions.folder(tag, ROOT / "generated/rust") as folder:
+    with revisions.spec_folder(tag, ROOT / "generated/rust") as folder:
         yield folder
 
 

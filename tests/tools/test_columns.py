@@ -560,7 +560,7 @@ def test_more_kinds_of_fields_than_compiled_code_tells_apart(built: Path, monkey
     stream = b"".join(many)
     assert real.mip_tools.columns.native.kernel is not None
     data = np.frombuffer(stream + bytes(300), np.uint8)
-    at, _ = real.mip_tools.columns.scan.packets(data, 0, len(stream), len(stream))
+    at, _ = real.mip_tools.columns.scan.find_packets(data, 0, len(stream), len(stream))
     assert real.mip_tools.columns.native.kernel.fields(data, at) is None
     compare(real, stream)
 

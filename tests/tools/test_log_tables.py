@@ -134,7 +134,7 @@ def check(found: list[dict[str, Any]], wanted: list[dict[str, Any]]) -> None:
 
 def all_data(log: Any, by: str) -> tuple[list[Any], Form]:
     form = Form(by, wanted=lambda set, descriptor: set >= 0x80)
-    kinds, clocks = tables.survey(log, form)
+    kinds, clocks = tables.survey_tables(log, form)
     assert clocks[:2] == ("gps", "device")
     return kinds, form._replace(dated="gps")
 
@@ -159,7 +159,7 @@ def test_rows_are_those_that_plain_python_finds(by: str, near: int, monkeypatch:
         check(as_rows(frame), wanted)
         for size in (200, 1500, 1 << 22):
             monkeypatch.setattr(tables, "PART", size)
-            parts = [table for table, _ in tables.parts(log, kinds, form)]
+            parts = [table for table, _ in tables.table_parts(log, kinds, form)]
             made = [tables_as_arrow(table) for table in parts]
             assert all(one.schema.equals(made[0].schema, check_metadata=True) for one in made)
             check(as_rows(pa.concat_tables(made)), wanted)
@@ -188,7 +188,7 @@ def test_frames_of_all_libraries_and_all_files_have_one_schema(tmp_path: Path) -
         kinds, form = all_data(log, options["by"])
         form = form._replace(**options, undated="device")
         words = [w for name, value in options.items() for w in (f"--{name}", value)]
-        base = tables_as_arrow(next(iter(tables.parts(log, kinds, form)))[0])
+        base = tables_as_arrow(next(iter(tables.table_parts(log, kinds, form)))[0])
         assert base.num_rows > 100
         files = {}
         for form_ in ("parquet", "arrow", "npz", "csv", "jsonl"):
@@ -379,7 +379,7 @@ def test_clocks_are_merged_and_stated(library: str) -> None:
 @pytest.mark.parametrize("rate", ["fast", "0Hz", -1, "10 miles", "2h", float("nan"), "1GHz"])
 def test_rates_that_cannot_be(rate: Any) -> None:
     with pytest.raises(ValueError, match="write '100Hz', '10ms', or a number in Hz"):
-        resample.step(rate)
+        resample.parse_step(rate)
 
 
 def test_what_cannot_be_resampled() -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from mip_tools.logs import inputs
-from mip_tools.logs.recognize import UNKNOWN, from_text, packets, recognized, without_checksum
+from mip_tools.logs.recognize import UNKNOWN, count_packets, from_text, recognized, without_checksum
 from program import log, mip
 from support import ROOT
 
@@ -187,7 +187,7 @@ def test_what_is_no_log_is_named_with_the_next_step(what: str, tmp_path: Path) -
     found = recognized(OTHERS[what])
     assert found.what.startswith(what) and found.remedy, found
     (tmp_path / "log.bin").write_bytes(OTHERS[what])
-    if what != "MIP as text" and not packets(OTHERS[what]):
+    if what != "MIP as text" and not count_packets(OTHERS[what]):
         for command in ("info", "dump", "doctor"):
             code, out, error = mip(command, tmp_path / "log.bin")
             assert code == 1 and (found is UNKNOWN or found.what in out + error), out + error

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from mip_protocol import Parser, gnss_data, registry
 from mip_tools.columns import read_log
-from mip_tools.devices.facts import VALUES, FieldValues, shown
+from mip_tools.devices.facts import VALUES, FieldValues, value_sources
 from mip_tools.simulator import VirtualDevice
 from program import run
 
@@ -126,12 +126,12 @@ def test_a_name_of_both_receivers_is_refused(words: list[str], log: Path, capsys
 
 def test_a_set_shows_its_own_values_else_those_of_the_family(monkeypatch: pytest.MonkeyPatch) -> None:
     position = gnss_data.LlhPosition
-    one, two = shown(position, ONE), shown(position, TWO)
+    one, two = value_sources(position, ONE), value_sources(position, TWO)
     assert one is VALUES["gnss_data.llh_position"] and two is VALUES["gnss_2.llh_position"] and one != two
-    assert shown(Dop, TWO) is VALUES["gnss_data.dop"]
-    assert shown(registry.by_name("sensor.scaled_accel"), 0x80) is VALUES["sensor.scaled_accel"]
+    assert value_sources(Dop, TWO) is VALUES["gnss_data.dop"]
+    assert value_sources(registry.by_name("sensor.scaled_accel"), 0x80) is VALUES["sensor.scaled_accel"]
     monkeypatch.delitem(VALUES, "gnss_data.dop")
-    assert shown(Dop, TWO) == FieldValues()
+    assert value_sources(Dop, TWO) == FieldValues()
 
 
 def test_two_receivers_of_a_device_differ() -> None:

@@ -54,7 +54,7 @@ def audit(options: argparse.Namespace) -> int:
     if options.witness is not None and compared is None:
         if not options.witness.is_dir():
             raise Failure(f"'{options.witness}': no such folder; write --witness FOLDER")
-        compared = witnesses.audit(model, options.witness)
+        compared = witnesses.audit_all(model, options.witness)
         print(compared.summary())
     lines += compared.lines() if compared else []
     print("".join(f"{line}\n" for line in lines), end="")
@@ -74,9 +74,9 @@ def _audit_manuals(options: argparse.Namespace, model: Model) -> list[str]:
         if not Path(file).is_file():
             raise Failure(f"'{argument}': no such file; write --manual {manual}=FILE")
         if options.extract:
-            _extract(options, manual, tables.extract(manual, Path(file)), f"MANUALS={manual}=FILE")
+            _extract(options, manual, tables.extract_manual(manual, Path(file)), f"MANUALS={manual}=FILE")
         else:
-            lines += map(str, manuals.audit(model, manual, Path(file)))
+            lines += map(str, manuals.audit_manuals(model, manual, Path(file)))
     return lines
 
 
@@ -87,11 +87,11 @@ def _audit_sdk(options: argparse.Namespace, model: Model) -> witnesses.Report | 
     copy = sdk.is_working_copy(options.sdk)
     if not copy and not (options.sdk / WITNESS).is_file():
         raise Failure(f"'{options.sdk}' is neither a working copy of the SDK nor a folder with {WITNESS}")
-    revision = sdk.extract(options.sdk) if copy else witnesses.read(options.sdk / WITNESS)
+    revision = sdk.extract_sdk(options.sdk) if copy else witnesses.read_witness(options.sdk / WITNESS)
     if copy and options.extract:
         _extract(options, sdk.NAME, revision, "SDK=FOLDER")
         return None
-    return witnesses.audit(model, options.witness or options.spec / "witness", revision, sdk.NAME)
+    return witnesses.audit_all(model, options.witness or options.spec / "witness", revision, sdk.NAME)
 
 
 def _extract(options: argparse.Namespace, name: str, facts: dict[str, Any], arguments: str) -> None:

@@ -23,7 +23,9 @@ class Finding:
     text: str
 
 
-def compare(model: m.Model, facts: dict[str, Any], manuals: dict[str, Any]) -> Iterator[tuple[str, Finding | None]]:
+def compared_devices(
+    model: m.Model, facts: dict[str, Any], manuals: dict[str, Any]
+) -> Iterator[tuple[str, Finding | None]]:
     """Yields the kind of each fact, and the difference or None. `manuals` has the layouts of each device's manual."""
     devices: tuple[m.Device | m.NamedDevice, ...] = (*model.devices, *model.named)
     for device_id, stated in facts["models"].items():
@@ -56,20 +58,20 @@ def compare(model: m.Model, facts: dict[str, Any], manuals: dict[str, Any]) -> I
 
 def debt(model: m.Model, facts: dict[str, Any], manuals: dict[str, Any]) -> Counter[str]:
     """Counts the facts of devices that neither the witness nor the layouts of their manuals state, by kind."""
-    found: Counter[str] = Counter()
+    missing: Counter[str] = Counter()
     for device in model.devices:
         stated = facts["models"].get(device.id, {})
         for kind, value in _facts(device).items():
             for key, here in value.items() if kind in SEVERAL else (("", value),):
                 there = stated.get(kind, {}).get(key) if kind in SEVERAL else stated.get(kind)
                 if kind not in ("yes", "likely", "assumed"):
-                    found[kind] += there is None
+                    missing[kind] += there is None
                     continue
                 printed = manuals.get(device.id, ()) if kind == "yes" else ()
-                found[kind] += len({x for x in {*here} - {*(there or ())} if f"{_key(key)},0x{x:02X}" not in printed})
+                missing[kind] += len({x for x in {*here} - {*(there or ())} if f"{_key(key)},0x{x:02X}" not in printed})
         readings = {(path, d) for path, rows in facts["readings"].items() for row in rows for d in row["devices"]}
-        found["readings"] += len({(v.path, device.id) for v in device.variants} - readings)
-    return +found
+        missing["readings"] += len({(v.path, device.id) for v in device.variants} - readings)
+    return +missing
 
 
 def _facts(device: m.Device) -> dict[str, Any]:

@@ -34,7 +34,7 @@ class Finding:
         return f"{self.file}:{self.line}: {self.message}"
 
 
-def audit(model: m.Model, manual: str, path: Path) -> list[Finding]:
+def audit_manuals(model: m.Model, manual: str, path: Path) -> list[Finding]:
     lines = path.read_text("utf-8", errors="replace").splitlines()
     findings = [
         *_sections(model, manual, lines),

@@ -23,7 +23,7 @@ class Finding:
     position: m.Position | None
 
 
-def compare(model: m.Model, rules: list[dict[str, Any]]) -> Iterator[tuple[str, Finding | None]]:
+def compare_rules(model: m.Model, rules: list[dict[str, Any]]) -> Iterator[tuple[str, Finding | None]]:
     """Yields the kind of each fact that a rule checks, and the difference or None. The first applicable rule counts."""
     for at, record in _records(model):
         for p in record:
@@ -38,7 +38,7 @@ def compare(model: m.Model, rules: list[dict[str, Any]]) -> Iterator[tuple[str, 
                         yield kind, Finding(at, f"{p.name}: {text}", p.position) if text else None
 
 
-def constants(model: m.Model, stated: dict[str, Any]) -> Iterator[tuple[str, Finding | None]]:
+def compare_constants(model: m.Model, stated: dict[str, Any]) -> Iterator[tuple[str, Finding | None]]:
     """Yields the kind of each fact of the protocol, a unit, a clock, a command or a formula, and the difference or
     None."""
     protocol, fields = model.protocol, {f.full_name: f for f in model.fields}

@@ -62,7 +62,7 @@ def is_working_copy(folder: Path) -> bool:
     return (folder / DEFINITIONS).is_dir()
 
 
-def extract(folder: Path) -> dict[str, Any]:
+def extract_sdk(folder: Path) -> dict[str, Any]:
     """Returns the facts of a working copy in the format of a `spec/witness` file."""
     try:
         return _facts(folder)
@@ -372,7 +372,7 @@ class _Definitions:
         if {"enum", "bitfield", "struct"} & {*p} or p["type"] == "union":
             return {}
         plain = re.sub(r"<br */?>|</?[bui]>|//$", " ", text)
-        facts = tables.described(plain, p["type"], about if "noise" in p["name"] else "")
+        facts = tables.stated_value(plain, p["type"], about if "noise" in p["name"] else "")
         listed = _listed(plain) if p["type"].startswith("u") else []
         numbers = {re.sub(r"\W+", "_", words).upper(): number for words, number, _ in listed}
         if "itfield" in text and numbers:

@@ -75,7 +75,7 @@ _CELL = re.compile(r"<tr>\s*<td>([^<]*)</td>\s*<td>([^<]*)</td>")
 _NUMBER = r"-?\d+(?:\.\d+)?"
 
 
-def extract(manual: str, path: Path) -> dict[str, Any]:
+def extract_manual(manual: str, path: Path) -> dict[str, Any]:
     """Returns the facts of a manual in the format of a `spec/witness` file."""
     lines = path.read_text("utf-8", errors="replace").splitlines()
     layouts = [layout for section in _sections(lines) for layout in _layouts(*section)]
@@ -292,7 +292,7 @@ def _parameter(name: str, kind: str, text: str, about: str) -> dict[str, Any] | 
     words = words.replace("Bit(s)", " ")
     if meaning is None and re.search(r"0 ?- ?invalid,? ?1 ?-? ?valid", words, re.IGNORECASE):
         p["values"] = {"invalid": 0, "valid": 1}
-    facts = described(words, element, about if "noise" in label else "")
+    facts = stated_value(words, element, about if "noise" in label else "")
     return p | {key: fact for key, fact in facts.items() if key != "unit" or meaning is None}
 
 
@@ -300,7 +300,7 @@ def _label(text: str) -> str:
     return re.sub(r"\W+", "_", text.strip())
 
 
-def described(text: str, element: str, about: str) -> dict[str, Any]:
+def stated_value(text: str, element: str, about: str) -> dict[str, Any]:
     """Returns the unit, the frames, the range and the exclusive lower bound that a text states."""
     facts: dict[str, Any] = {}
     unit = next((u for u in map(_unit, _units(text)) if u), None)
@@ -393,7 +393,7 @@ def _command(title: str, number: int, descriptor: int, rows: Rows, about: str) -
         if named:
             layout["frames"] = named
         if len(parameters) == 1 and not answer:
-            parameters[0] |= {k: v for k, v in described(about, parameters[0]["type"], "").items() if k == "range"}
+            parameters[0] |= {k: v for k, v in stated_value(about, parameters[0]["type"], "").items() if k == "range"}
         modes = [row for row in rows if "default" in " ".join(row[1:]) and re.fullmatch(f"0x{_HEX}", row[0])]
         if len(parameters) == 1 and not answer and len(modes) == 1:
             parameters[0]["default"] = int(modes[0][0], 16)
@@ -402,7 +402,7 @@ def _command(title: str, number: int, descriptor: int, rows: Rows, about: str) -
 
 def _item(kind: str, words: str, about: str) -> dict[str, Any]:
     name = _label(re.sub(r"\(.*|[:,.].*", "", words).strip()).strip("_").lower()
-    return {"label": name or "value", "type": kind} | described(words, kind, about)
+    return {"label": name or "value", "type": kind} | stated_value(words, kind, about)
 
 
 def _offsets(title: str, number: int, descriptor: int, rows: Rows, about: str) -> Iterator[Layout]:

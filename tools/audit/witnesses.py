@@ -63,7 +63,7 @@ class Report:
         return f"witnesses: {facts}; {rest}" + f"; nor have these facts of devices: {debt}" * bool(debt)
 
 
-def read(path: Path) -> dict[str, Any]:
+def read_witness(path: Path) -> dict[str, Any]:
     """Returns the facts of one file. Raises SpecError if it cannot be read."""
     problems = Problems()
     document = loader.load_witness(path, problems)
@@ -73,7 +73,7 @@ def read(path: Path) -> dict[str, Any]:
     return facts
 
 
-def audit(model: m.Model, folder: Path, revision: dict[str, Any] | None = None, name: str = "sdk") -> Report:
+def audit_all(model: m.Model, folder: Path, revision: dict[str, Any] | None = None, name: str = "sdk") -> Report:
     """Compares the model with all files of a folder, or with another SDK revision only: the facts in `revision`, as the
     witness `name`. Accepted differences are then not reported as stale. Raises SpecError if a file cannot be read."""
     problems = Problems()
@@ -153,13 +153,13 @@ class _Compared:
             for layout in facts["layouts"]:
                 self.layout(name, facts, layout)
             for key in facts.get("named", {}):
-                if not self.known(*_numbers(key)):
+                if not self.has_descriptor(*_numbers(key)):
                     text = f"not listed; the witness names it {facts['named'][key]}"
                     self.differences.append(Difference(name, key, text))
             for x in self.accepted:
                 self.standalone(name, facts, x)
 
-    def known(self, number: int, descriptor: int) -> bool:
+    def has_descriptor(self, number: int, descriptor: int) -> bool:
         named = (n.descriptor for f in self.model.families for s in f.sets if s.number == number for n in f.named)
         return bool(self.model.candidates(number, descriptor)) or descriptor in named
 
@@ -168,20 +168,22 @@ class _Compared:
         manuals = {
             name: {x["key"] for x in w["layouts"] if x["role"] != "response"} for name, w in self.witnesses.items()
         }
-        for kind, finding in devices.compare(self.model, facts, {x: keys for x, keys in manuals.items() if x in ids}):
+        for kind, finding in devices.compared_devices(
+            self.model, facts, {x: keys for x, keys in manuals.items() if x in ids}
+        ):
             self.counts[kind] += 1
             if finding:
                 self.differences.append(Difference("devices", finding.at, finding.text))
         self.debt = devices.debt(self.model, facts, manuals)
 
     def constants(self, stated: dict[str, Any]) -> None:
-        for kind, finding in rules.constants(self.model, stated):
+        for kind, finding in rules.compare_constants(self.model, stated):
             self.counts[kind] += 1
             if finding:
                 self.differences.append(Difference("rules", finding.at, finding.text, finding.position))
 
     def rules(self, witness_rules: list[dict[str, Any]]) -> None:
-        for kind, finding in rules.compare(self.model, witness_rules):
+        for kind, finding in rules.compare_rules(self.model, witness_rules):
             self.counts[f"{kind} by rule".replace("if_", "").replace("_of", "")] += 1
             if finding:
                 self.differences.append(Difference("rules", finding.at, finding.text, finding.position))

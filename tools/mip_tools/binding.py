@@ -38,7 +38,7 @@ def use(package: str) -> None:
     """
     global _wanted
     before, _wanted = _wanted, package
-    if name.cache_info().currsize and _found(_named()) != name():
+    if name.cache_info().currsize and _location(_named()) != name():
         message, _wanted = f"{name()} is already in use; select {package} before any other call", before
         raise NoBinding(message)
     name()
@@ -47,10 +47,10 @@ def use(package: str) -> None:
 @cache
 def name() -> str:
     """Returns the name of the package. Raises NoBinding with the remedy."""
-    return _found(_named())
+    return _location(_named())
 
 
-def wanted() -> str:
+def use_argument() -> str:
     """Returns the argument of `use` that loads the same package in another process."""
     package = _named()
     return str(Path(package).resolve()) if Path(package).exists() and package != name() else package
@@ -60,7 +60,7 @@ def _named() -> str:
     return _wanted or os.environ.get(VARIABLE) or USUAL
 
 
-def _found(wanted: str) -> str:
+def _location(wanted: str) -> str:
     if all(word.isidentifier() for word in wanted.split(".")) and _importable(wanted):
         if not _importable(f"{wanted}.{_MARK}"):
             raise NoBinding(f"{wanted} is not a package that mipgen has generated")

@@ -11,7 +11,7 @@ from .binding import Data
 from .devices.profiles import device_named
 from .errors import Misuse
 from .names.occurrence import Occurrence
-from .names.selection import fields
+from .names.selection import matching_fields
 from .ports.silence import Line
 
 #: Fields with rates.
@@ -137,7 +137,7 @@ def _hertz(text: str) -> float:
 
 
 def _of_one_set(name: str) -> list[Occurrence]:
-    occurrences = [occurrence for occurrence in fields(name) if issubclass(occurrence.kind, Data)]
+    occurrences = [occurrence for occurrence in matching_fields(name) if issubclass(occurrence.kind, Data)]
     if not occurrences:
         raise Misuse(f"{name} is not a data field, and only these have a rate; `mip fields` lists them")
     if len(occurrences) > 1:

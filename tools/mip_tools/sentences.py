@@ -60,10 +60,10 @@ def last(line: bytes | bytearray) -> tuple[int, str] | None:
     return None
 
 
-def checksum(text: str) -> str:
+def nmea_checksum(text: str) -> str:
     """Computes the checksum of the text between `$` and `*`.
 
-    >>> checksum("PMSRA,221336.93,-0.172,-0.681,3.072")
+    >>> nmea_checksum("PMSRA,221336.93,-0.172,-0.681,3.072")
     '5D'
     """
     value = 0

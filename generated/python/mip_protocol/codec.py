@@ -70,7 +70,7 @@ def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
     return opened
 
 
-class Known(dict[int, Any]):
+class MemberCache(dict[int, Any]):
     """A bounded cache of members of an enumeration or a bitfield; faster than calling the type."""
 
     SIZE = 1024
@@ -86,9 +86,9 @@ class Known(dict[int, Any]):
         return member
 
 
-class _Caches(dict[Any, Known]):
-    def __missing__(self, kind: Any) -> Known:
-        made = self[kind] = Known(kind)
+class _Caches(dict[Any, MemberCache]):
+    def __missing__(self, kind: Any) -> MemberCache:
+        made = self[kind] = MemberCache(kind)
         return made
 
 

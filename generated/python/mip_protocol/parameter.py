@@ -12,7 +12,7 @@ from . import prose
 from .codec import with_article
 from .described import Described
 from .exceptions import EncodeError
-from .text import bits_of, listed, number, one, several, with_unit, word
+from .text import bits_of, json_value, listed, number, several, with_unit, word
 
 #: The differences for the members of a structure, by attribute.
 Inside = dict[str, dict[str, Any]]
@@ -120,12 +120,12 @@ class Parameter:
     @property
     def layout(self) -> str:
         """Its type on the wire: "u16", "float[3]", "u8[num_points]", or a structure's class."""
-        one = "union" if self.tag else self.scalar or self.type.__name__
+        form = "union" if self.tag else self.scalar or self.type.__name__
         if self.scalar == "bits":
-            one = f"u8[{self.size}]"
+            form = f"u8[{self.size}]"
         counts = [self.length] if self.length is not None else []
         counts += [len(self.elements)] if self.elements else []
-        return one + "".join(f"[{count}]" for count in counts)
+        return form + "".join(f"[{count}]" for count in counts)
 
     @property
     def text(self) -> str:
@@ -234,7 +234,7 @@ def meant(p: Parameter, value: Any) -> Any:
 
 def named(p: Parameter, value: Any, holder: object = None) -> Any:
     """Converts a value of an enumeration, a bitfield or a Boolean as `to_dict` does for JSON."""
-    return one(meant(p, value), True, True, holder)
+    return json_value(meant(p, value), True, True, holder)
 
 
 def here(p: Parameter, holder: Described, device: str | None, inside: Inside | None) -> Parameter:
@@ -275,8 +275,8 @@ def to_json(
         vectors = [_vector(p, x, names, json) for x in ((value,) if alone else value)]
         return vectors[0] if alone else vectors
     if several(value):
-        return [one(x, names, json) for x in value]
-    return one(value, names, json, holder)
+        return [json_value(x, names, json) for x in value]
+    return json_value(value, names, json, holder)
 
 
 def _vector(p: Parameter, value: Any, names: bool, json: bool) -> Any:

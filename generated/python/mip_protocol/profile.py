@@ -102,18 +102,18 @@ class Device:
 
     @cached_property
     def certain(self) -> frozenset[tuple[int, int]]:
-        return frozenset(key for key, e in self._said.items() if e.answer is Support.YES)
+        return frozenset(key for key, e in self._evidence.items() if e.answer is Support.YES)
 
     @cached_property
     def likely(self) -> frozenset[tuple[int, int]]:
-        return frozenset(key for key, e in self._said.items() if e.answer is Support.LIKELY)
+        return frozenset(key for key, e in self._evidence.items() if e.answer is Support.LIKELY)
 
     @cached_property
     def assumed(self) -> frozenset[tuple[int, int]]:
-        return frozenset(key for key, e in self._said.items() if e.answer is Support.ASSUMED)
+        return frozenset(key for key, e in self._evidence.items() if e.answer is Support.ASSUMED)
 
     @cached_property
-    def _said(self) -> dict[tuple[int, int], Evidence]:
+    def _evidence(self) -> dict[tuple[int, int], Evidence]:
         return {(s, d): e for e in self.evidence for s, ds in e.descriptors.items() for d in ds}
 
     @cached_property
@@ -133,8 +133,8 @@ class Device:
 
     def why(self, set: int, descriptor: int) -> Evidence | None:
         """Returns the evidence for the answer of `support`; None if there is none."""
-        shared = self._said.get((0xFF, descriptor)) if set >= 0x80 else None
-        return self._said.get((set, descriptor)) or self._whole.get(set, shared)
+        shared = self._evidence.get((0xFF, descriptor)) if set >= 0x80 else None
+        return self._evidence.get((set, descriptor)) or self._whole.get(set, shared)
 
     def decimation(self, set: int, rate: float) -> int:
         """Returns the decimation, at least 1, for the rate closest to a desired one in Hz. If the

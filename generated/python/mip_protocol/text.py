@@ -73,7 +73,7 @@ def bits_set(
     return (*words, f"0x{rest:X}") if rest else tuple(words)
 
 
-def one(value: Any, names: bool, json: bool, holder: object = None) -> Any:
+def json_value(value: Any, names: bool, json: bool, holder: object = None) -> Any:
     """Converts one value to JSON's types; a member of an enumeration or bitfield, to its names."""
     if names and isinstance(value, IntEnum):
         return names_of(type(value)).get(int(value), int(value))

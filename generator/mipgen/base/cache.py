@@ -17,7 +17,7 @@ _OVERHEAD = 4096  # of a file, about
 _DIGEST = 32  # each entry begins with the SHA-256 of the rest
 
 
-def folder() -> Path | None:
+def cache_folder() -> Path | None:
     """Returns the folder of the cache, if it is enabled."""
     chosen = os.environ.get("MIPGEN_CACHE")
     if chosen is not None:
@@ -74,12 +74,12 @@ def put(kind: str, entries: dict[str, bytes]) -> None:
 
 
 def _path(kind: str, name: str) -> Path | None:
-    base = folder()
+    base = cache_folder()
     return None if base is None else base / kind / name
 
 
 def _prune(kind: str) -> None:
-    base = folder()
+    base = cache_folder()
     if base is None:
         return
     try:

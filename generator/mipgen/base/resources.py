@@ -31,10 +31,10 @@ def package() -> Traversable:
     return importlib.resources.files("mipgen")
 
 
-def files(folder: Traversable, under: str = "") -> Iterator[tuple[str, Traversable]]:
+def files_in(folder: Traversable, under: str = "") -> Iterator[tuple[str, Traversable]]:
     """Yields all files below a folder with their paths, in order, without hidden files and Python's caches."""
     for entry in sorted(folder.iterdir(), key=lambda e: e.name):
         if entry.is_file():
             yield under + entry.name, entry
         elif entry.name != "__pycache__" and not entry.name.startswith("."):
-            yield from files(entry, f"{under}{entry.name}/")
+            yield from files_in(entry, f"{under}{entry.name}/")

@@ -119,7 +119,7 @@ def parser() -> argparse.ArgumentParser:
         return added
 
     new = command("new", "new", "write a small specification to start from")
-    new.add_argument("folder", type=folder, metavar="FOLDER", help="a new or empty folder")
+    new.add_argument("folder", type=folder_argument, metavar="FOLDER", help="a new or empty folder")
 
     validate = command("validate", "validate", "check a specification and write nothing")
     _spec(validate)
@@ -169,7 +169,7 @@ def parser() -> argparse.ArgumentParser:
     return made
 
 
-def folder(text: str) -> Path:
+def folder_argument(text: str) -> Path:
     """Parses a path. Rejects an empty text, which comes from an unset shell variable and does not mean this folder."""
     if not text:
         raise argparse.ArgumentTypeError("the path is empty; specify a folder ('.' is the current one)")
@@ -179,7 +179,7 @@ def folder(text: str) -> Path:
 def _spec(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--spec",
-        type=folder,
+        type=folder_argument,
         action="append",
         metavar="FOLDER",
         help="folder of the specification (default: ./spec); further ones are overlays of the first",
@@ -200,7 +200,7 @@ def _part(command: argparse.ArgumentParser) -> None:
 def _out(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--out",
-        type=folder,
+        type=folder_argument,
         default=Path("generated"),
         metavar="FOLDER",
         help="folder of the output (default: ./generated)",
@@ -235,7 +235,7 @@ def _target_path(group: Any) -> None:
     group.add_argument(
         "--target-path",
         action="append",
-        type=folder,
+        type=folder_argument,
         default=[],
         metavar="FOLDER",
         help="folder with your own targets, or with templates that replace built-in ones; may be repeated",

@@ -61,7 +61,7 @@ def generate(options: Namespace) -> int:
         _remember(options, key, summary, outputs)
     for name, title, files, changed in rows:
         print(f"{name:10} {files:4} files, {changed} changed  ({title})")
-    others = discovery.sources(options.target_path, options.plugins).keys() - {source.name for source in sources}
+    others = discovery.targets(options.target_path, options.plugins).keys() - {source.name for source in sources}
     rest = f"left out: {', '.join(sorted(others))}" if others else "nothing was left out"
     print(f"{options.out}: {sum(r[2] for r in rows)} files, {sum(r[3] for r in rows)} changed; {rest}")
     return 0
@@ -83,13 +83,13 @@ def check(options: Namespace) -> int:
         print(f"mipgen: {_count(others, 'file')} that mipgen did not write; move or delete {it}", file=sys.stderr)
     if len(differences) > others:
         wrong = _count(len(differences) - others, "file")
-        print(f"mipgen: {wrong} to update; run: mipgen generate{_given(options)}", file=sys.stderr)
+        print(f"mipgen: {wrong} to update; run: mipgen generate{_repeated_options(options)}", file=sys.stderr)
     if not differences:
         print(f"{options.out} is up to date")
     return 1 if differences else 0
 
 
-def _given(options: Namespace) -> str:
+def _repeated_options(options: Namespace) -> str:
     """Returns the options of this run, to repeat them in another command."""
     arguments = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
     arguments += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
@@ -106,7 +106,7 @@ def _asked(options: Namespace) -> tuple[list[Source], str | None]:
     if any(source.module or source.program for source in sources):
         return sources, None  # the inputs of a user's module or program are unknown
     names = (source.name for source in sources)
-    return sources, stamp.key([*specs, *options.target_path], options.run, _part(options), str(len(specs)), *names)
+    return sources, stamp.run_key([*specs, *options.target_path], options.run, _part(options), str(len(specs)), *names)
 
 
 def _part(options: Namespace) -> str:
@@ -221,7 +221,7 @@ def diff(options: Namespace) -> int:
     spec, *overlays = _specs(options) if options.spec or not all(map(_is_spec, sides)) or len(sides) < 2 else [Path()]
     old, _ = _of_another_time(options.old, spec)
     new, folder = (_of_this_time(spec, overlays), "") if options.new is None else _of_another_time(options.new, spec)
-    report = ignored.without(changes.compare(old, new).moved(folder, f"{spec}/"), listed)
+    report = ignored.without_ignored(changes.compare_models(old, new).moved(folder, f"{spec}/"), listed)
     _print(options, report, options.old)
     return EXIT_STATUS[report.verdict]
 
@@ -253,7 +253,7 @@ def _since_release(options: Namespace, listed: list[Entry]) -> int:
         return 0
     new = _of_this_time(spec, overlays)
     try:
-        report = ignored.without(changes.compare(_of_another_time(tag, spec)[0], new), listed)
+        report = ignored.without_ignored(changes.compare_models(_of_another_time(tag, spec)[0], new), listed)
     except Unreadable:
         report = changes.unreadable(tag.removeprefix("v"), new)
     _print(options, report, tag)
@@ -277,12 +277,12 @@ def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
     """Loads the specification of a folder or a revision, which may be too old for this program. Also returns the path
     below which the files of a revision were unpacked."""
     from mipgen.compare import revisions
-    from mipgen.read.loader import shown
+    from mipgen.read.loader import display_path
     from mipgen.read.problems import SpecError
     from mipgen.resolve.load import load_model
 
-    with revisions.folder(name, spec) as folder:
-        prefix = "" if _is_spec(name) else f"{shown(folder)}/"
+    with revisions.spec_folder(name, spec) as folder:
+        prefix = "" if _is_spec(name) else f"{display_path(folder)}/"
         try:
             return load_model(folder), prefix
         except SpecError as error:
@@ -313,7 +313,7 @@ def new(options: Namespace) -> int:
     try:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise Failure("this folder is not empty; specify a new or empty folder", str(folder))
-        for path, file in (*resources.files(resources.package() / "new"), *resources.files(schemas, "schema/")):
+        for path, file in (*resources.files_in(resources.package() / "new"), *resources.files_in(schemas, "schema/")):
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_bytes(file.read_bytes())
     except OSError as error:
@@ -337,7 +337,7 @@ def completion(options: Namespace) -> int:
 
     parser = arguments.parser()
     for action in _actions(parser):
-        if action.type is arguments.folder:
+        if action.type is arguments.folder_argument:
             action.complete = shtab.DIRECTORY
         elif action.dest == "targets":
             action.complete = shtab.cmd("mipgen targets --names")

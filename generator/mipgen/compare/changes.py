@@ -113,7 +113,7 @@ def _annotation(c: Change) -> str:
     return f"::{LEVELS[c.verdict]} {place}title={title}::{escaped(f'{c.subject}: {c.what}')}"
 
 
-def compare(old: m.Model, new: m.Model) -> Report:
+def compare_models(old: m.Model, new: m.Model) -> Report:
     unplaced = sorted(
         {
             *_fields(old, new),

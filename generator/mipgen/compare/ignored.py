@@ -70,7 +70,7 @@ def _entry(node: Node, problems: Problems) -> Entry | None:
     return Entry(node["subject"].value, kind, node["reason"].value, node.position)
 
 
-def without(report: Report, listed: list[Entry]) -> Report:
+def without_ignored(report: Report, listed: list[Entry]) -> Report:
     """Moves these changes to the ignored ones of the report; raises SpecError if an entry matches no change."""
     problems = Problems()
     for entry in listed:

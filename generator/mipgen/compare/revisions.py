@@ -17,7 +17,7 @@ RELEASES = "v[0-9]*"
 
 
 @contextmanager
-def folder(name: str, spec: Path) -> Iterator[Path]:
+def spec_folder(name: str, spec: Path) -> Iterator[Path]:
     """Provides the folder of that name, or else the folder `spec` from the Git revision of that name."""
     if name and Path(name).is_dir():
         yield Path(name)

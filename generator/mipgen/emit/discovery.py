@@ -71,22 +71,22 @@ class Source:
         return target
 
 
-def names() -> list[str]:
+def target_names() -> list[str]:
     """Returns the names of the built-in targets, in order."""
     return sorted(module.name for module in pkgutil.iter_modules(importlib.import_module(BUILT_IN).__path__))
 
 
-def sources(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str, Source]:
+def targets(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str, Source]:
     """Returns all targets by name, in order; earlier folders take precedence."""
-    targets = {name: built_in(name) for name in names()}
+    by_name = {name: built_in(name) for name in target_names()}
     for path in reversed(paths):
         for folder in _folders(path):
             name, module = folder.name, folder / MODULE
-            before = targets.get(name)
+            before = by_name.get(name)
             if before is None and not module.is_file():
-                near = _nearest(name, targets)
+                near = _nearest(name, by_name)
                 raise Failure(f"{MODULE} is missing, and there is no target '{name}'{near}", str(folder))
-            targets[name] = Source(
+            by_name[name] = Source(
                 name,
                 (folder, *(before.folders if before else ())),
                 (folder / RUNTIME, *(before.runtimes if before else ())),
@@ -96,12 +96,12 @@ def sources(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str
         from .plugins import parse
 
         name, program = parse(plugin)
-        if name in targets:
+        if name in by_name:
             raise Failure(
                 f"a target '{name}' already exists; choose another name: --plugin NAME=PROGRAM", f"plugin {plugin}"
             )
-        targets[name] = Source(name, (), (), program=program)
-    return dict(sorted(targets.items()))
+        by_name[name] = Source(name, (), (), program=program)
+    return dict(sorted(by_name.items()))
 
 
 def built_in(name: str) -> Source:
@@ -111,11 +111,11 @@ def built_in(name: str) -> Source:
 
 def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> list[Source]:
     """Returns the selected targets, or all; plugins are always included."""
-    targets = sources(paths, plugins)
+    by_name = targets(paths, plugins)
     for name in wanted or ():
-        if name not in targets:
-            raise Failure(f"unknown target '{name}'{_nearest(name, targets)}")
-    return [source for name, source in targets.items() if not wanted or name in wanted or source.program]
+        if name not in by_name:
+            raise Failure(f"unknown target '{name}'{_nearest(name, by_name)}")
+    return [source for name, source in by_name.items() if not wanted or name in wanted or source.program]
 
 
 def _folders(path: Path) -> Iterator[Path]:
@@ -127,7 +127,7 @@ def _folders(path: Path) -> Iterator[Path]:
     yield from folders
 
 
-def _nearest(name: str, targets: Iterable[str]) -> str:
+def _nearest(name: str, names: Iterable[str]) -> str:
     from mipgen.read.problems import nearest  # imports the model, which is not needed if nothing has changed
 
-    return nearest(name, targets)
+    return nearest(name, names)

@@ -92,7 +92,7 @@ def judge(target: str, identifiers: Iterable[Identifier], grammar: Grammar | Non
         words = [i for i in names if i.word]
         invalid(target, words, grammar, problems)
         if grammar.longest is not None:
-            lengths(target, words, grammar.longest, problems)
+            check_lengths(target, words, grammar.longest, problems)
 
 
 def invalid(target: str, identifiers: Iterable[Identifier], grammar: Grammar, problems: Problems) -> None:
@@ -107,7 +107,7 @@ def invalid(target: str, identifiers: Iterable[Identifier], grammar: Grammar, pr
             )
 
 
-def lengths(target: str, identifiers: Iterable[Identifier], longest: int, problems: Problems) -> None:
+def check_lengths(target: str, identifiers: Iterable[Identifier], longest: int, problems: Problems) -> None:
     """Reports names with the same first `longest` characters; of the names of one thing, only the first."""
     seen: dict[tuple[str, str], Identifier] = {}
     reported: set[tuple[str, Position | None]] = set()

@@ -47,7 +47,7 @@ def admit(path: str, made: Collection[str], place: str) -> None:
         raise Failure(f"{path} is made twice", place)
 
 
-def finished(made: Mapping[str, bytes], place: str) -> dict[str, bytes]:
+def with_manifest(made: Mapping[str, bytes], place: str) -> dict[str, bytes]:
     """Returns all files of a target, with the manifest."""
     both = sorted(made.keys() & _parents(made))
     if both:

@@ -52,7 +52,7 @@ def run(name: str, program: str, document: bytes) -> tuple[str, dict[str, bytes]
     for path, content in answer["files"].items():
         output.admit(path, made, place)
         made[path] = _bytes(content, f"{place}: {path}")
-    return answer.get("title", f"made by {program}"), output.finished(made, place)
+    return answer.get("title", f"made by {program}"), output.with_manifest(made, place)
 
 
 def _output(program: str, document: bytes, place: str) -> bytes:

@@ -24,14 +24,14 @@ if TYPE_CHECKING:
     from mipgen.model.guides import Guide
 
 
-def names() -> list[str]:
+def all_names() -> list[str]:
     """Returns the names of all built-in targets, in order."""
-    return discovery.names()
+    return discovery.target_names()
 
 
 def target(name: str) -> Target:
     """Loads a built-in target."""
-    return discovery.sources()[name].load()
+    return discovery.targets()[name].load()
 
 
 def language(name: str) -> dict[str, Any]:
@@ -46,7 +46,7 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     from .templating import Templates  # imports Jinja, which checking names does not need
 
     if isinstance(source, str):
-        source = discovery.sources()[source]
+        source = discovery.targets()[source]
     target, place = source.load(), f"target {source.name}"
     templates = Templates(source, target.filters, {"model": model, "version": model.protocol.version})
     made = {"LICENSE": (resources.root() / "LICENSE").read_bytes(), **target.runtime(_runtime(source), model)}
@@ -62,7 +62,7 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
         made[path] = (text if rename is None else rename(text)).encode("utf-8")
     if target.formatter is not None:
         made = formatting.formatted(target.formatter, made)
-    return output.finished(made, place)
+    return output.with_manifest(made, place)
 
 
 def paths(source: Source, model: Model) -> Iterator[Identifier]:
@@ -93,5 +93,5 @@ def _runtime(source: Source) -> dict[str, bytes]:
     made: dict[str, bytes] = {}
     for runtime in reversed(source.runtimes):
         if runtime.is_dir():
-            made |= {path: file.read_bytes() for path, file in resources.files(runtime)}
+            made |= {path: file.read_bytes() for path, file in resources.files_in(runtime)}
     return made

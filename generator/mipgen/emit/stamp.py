@@ -20,7 +20,7 @@ from . import output
 TOO_MUCH = 100 * 1024 * 1024  # bytes of input; a larger folder is not just a specification
 
 
-def key(folders: Sequence[Path], *options: str) -> str | None:
+def run_key(folders: Sequence[Path], *options: str) -> str | None:
     """Computes a key of the program, its options and all files in these folders; None if there is too much input."""
     parts: list[bytes | str] = [fingerprint.program(), repr(options)]
     size = 0

@@ -11,14 +11,14 @@ from __future__ import annotations
 from mipgen import model as m
 
 from . import fields, parameters
-from .devices import device, evidence, lengths, summary, why
+from .devices import device, evidence, length_facts, summary, why
 from .fields import changed, condition, conditions
-from .measures import default, limits
+from .measures import default_text, limits_text
 from .parameters import case
 from .parts import bits, bits_place, type_facts, value
 from .remarks import sources, uncertain
 from .texts import Fact, Ref, Text, Thing, fact, joined, measured, number, prose, quotation, say, topics
-from .variants import difference, usual, variants
+from .variants import usual_text, variant_text, variants
 
 __all__ = [
     "Fact",
@@ -31,15 +31,14 @@ __all__ = [
     "changed",
     "condition",
     "conditions",
-    "default",
+    "default_text",
     "device",
-    "difference",
     "evidence",
     "field",
     "in_code",
     "joined",
-    "lengths",
-    "limits",
+    "length_facts",
+    "limits_text",
     "measured",
     "number",
     "parameter",
@@ -51,8 +50,9 @@ __all__ = [
     "topics",
     "type_facts",
     "uncertain",
-    "usual",
+    "usual_text",
     "value",
+    "variant_text",
     "variants",
     "why",
 ]
@@ -70,14 +70,14 @@ class _Composed:
     def field(self, f: m.Field) -> list[Fact]:
         if id(f) not in self.fields:
             self.alive.append(f)
-            self.fields[id(f)] = list(fields.facts(f, self.model))
+            self.fields[id(f)] = list(fields.field_facts(f, self.model))
         return list(self.fields[id(f)])
 
     def parameter(self, p: m.Parameter, record: m.Record) -> list[Fact]:
         key = id(p), id(record)
         if key not in self.parameters:
             self.alive += (p, record)
-            self.parameters[key] = parameters.facts(p, record, self.model)
+            self.parameters[key] = parameters.parameter_facts(p, record, self.model)
         return list(self.parameters[key])
 
 

@@ -17,7 +17,7 @@ def set_of(p: m.Parameter, values: Mapping[str, Any], model: m.Model) -> int | N
     return named.number if named else None
 
 
-def meant(p: m.Parameter, value: int, set_number: int | None, model: m.Model) -> m.Set | m.Field | None:
+def named_by_value(p: m.Parameter, value: int, set_number: int | None, model: m.Model) -> m.Set | m.Field | None:
     """Returns the data set or the field whose number is the value of a parameter, if that is known."""
     if p.shown == "set":
         data_set = model.set(value)

@@ -35,7 +35,7 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
     other = model.device(d.like) if d.like else None
     if other is not None:
         facts.append(fact("like", (device_ref(other),), "Same as the {}, except as stated here."))
-    facts += hardware(d.hardware)
+    facts += hardware_facts(d.hardware)
     if d.complete:
         sets = joined([(thing_ref(s),) for s in d.complete])
         facts.append(fact("complete", sets, "Sets known completely from the manual: {}."))
@@ -48,7 +48,7 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
     return facts + uncertain(d, model)
 
 
-def hardware(has: m.Hardware) -> list[Fact]:
+def hardware_facts(has: m.Hardware) -> list[Fact]:
     """Returns the facts about the hardware of a device, as far as it is known."""
     facts = []
     if has.sensors is not None:
@@ -87,7 +87,7 @@ def summary(d: m.Device) -> str:
     return f"{d.id}: {parts}{'; there may be more' if d.incomplete else ''}"
 
 
-def lengths(manual: m.Manual, model: m.Model) -> Text:
+def length_facts(manual: m.Manual, model: m.Model) -> Text:
     """States how a manual counts field lengths, and for how many fields that makes a difference."""
     if manual.lengths == "none":
         return ("not given",)

@@ -10,7 +10,7 @@ from mipgen import model as m
 from mipgen.lower import codec
 
 
-def plain(parameters: tuple[m.Parameter, ...], values: codec.Values) -> bool:
+def is_plain(parameters: tuple[m.Parameter, ...], values: codec.Values) -> bool:
     """True if all values and bits have names, numbers and texts can be written, and no set depends on the device."""
     return all(
         _is_plain(p, values[p.name])
@@ -22,7 +22,7 @@ def plain(parameters: tuple[m.Parameter, ...], values: codec.Values) -> bool:
 
 def _is_plain(p: m.Parameter, value: Any) -> bool:
     if p.struct:
-        return plain(p.struct.parameters, value)
+        return is_plain(p.struct.parameters, value)
     if p.union:
         return all(_is_plain(q, value[q.name]) for q in p.alternatives if q.name in value)
     if p.kind == "text":

@@ -25,7 +25,7 @@ from .texts import (
 )
 
 
-def facts(f: m.Field, model: m.Model) -> Iterator[Fact]:
+def field_facts(f: m.Field, model: m.Model) -> Iterator[Fact]:
     """Yields the facts about a field besides its description."""
     yield from _status(f, model)
     yield from _exchange(f, model)

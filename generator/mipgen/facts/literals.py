@@ -97,7 +97,7 @@ class Alternative:
 Literal: TypeAlias = "Decimal | Truth | Whole | Choice | Flags | Octets | Text | Items | Structure | Alternative"
 
 
-def record(parameters: tuple[m.Parameter, ...], values: Mapping[str, Any]) -> dict[str, Literal]:
+def record_values(parameters: tuple[m.Parameter, ...], values: Mapping[str, Any]) -> dict[str, Literal]:
     """Converts the given values of some parameters, in wire order."""
     return {p.name: literal(p, values[p.name]) for p in parameters if p.constant is None and p.name in values}
 
@@ -105,7 +105,7 @@ def record(parameters: tuple[m.Parameter, ...], values: Mapping[str, Any]) -> di
 def literal(p: m.Parameter, value: Any) -> Literal:
     """Converts a value of a parameter from the form of the codec."""
     if p.struct:
-        return Structure(p.struct, record(p.struct.parameters, value))
+        return Structure(p.struct, record_values(p.struct.parameters, value))
     if p.union:
         return _alternative(p.union, value)
     if p.kind == "bits" and isinstance(p.element, m.Bitfield):
@@ -134,15 +134,15 @@ def _number(p: m.Parameter, value: Any) -> Literal:
     if isinstance(named, m.Enum):
         return Choice(named, number, next((v for v in named.values if v.value == value), None))
     if isinstance(named, m.Bitfield):
-        return Flags(named, number, flags(named, value))
+        return Flags(named, number, flags_of_value(named, value))
     return number
 
 
-def flags(t: m.Bitfield, value: int) -> tuple[m.Bits, ...]:
+def flags_of_value(t: m.Bitfield, value: int) -> tuple[m.Bits, ...]:
     """Returns the flags that make up a value; none if it also has other bits, or numbers.
 
     >>> t = m.Bitfield("b", m.SCALARS["u8"], 1, (m.Bits("a", 0, 0, "", False), m.Bits("n", 1, 2, "", False)), "", None)
-    >>> [b.name for b in flags(t, 1)], flags(t, 3), flags(t, 128)
+    >>> [b.name for b in flags_of_value(t, 1)], flags_of_value(t, 3), flags_of_value(t, 128)
     (['a'], (), ())
     """
     named = tuple(b for b in t.bits if b.width == 1 and not b.alias and value & b.mask)

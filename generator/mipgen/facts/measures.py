@@ -22,9 +22,9 @@ def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Ite
         word = next(w for w in model.protocol.frames if w.symbol == of.frame)
         yield fact("frame", (Ref(word, word.symbol),), "Frame: {}.")
     above, below = (of.above, of.below) if isinstance(of, m.Parameter) else (None, None)
-    bounds = limits(of.minimum, of.maximum, above, below, lambda x: numeral(p, x))
+    bounds = limits_text(of.minimum, of.maximum, above, below, lambda x: numeral(p, x))
     if isinstance(of, m.Parameter) and of.magnitude != (None, None):
-        bounds = ", ".join(filter(None, (bounds, f"magnitude {limits(*of.magnitude)}")))
+        bounds = ", ".join(filter(None, (bounds, f"magnitude {limits_text(*of.magnitude)}")))
     if bounds:
         yield fact("range", (bounds,), "Range: {}.")
     if isinstance(of, m.Parameter) and of.at_rest:
@@ -32,7 +32,7 @@ def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Ite
     if isinstance(of, m.Parameter) and of.positive:
         yield fact("positive", prose(of.positive, model), "Positive: {}.")
     if of.default is not None:
-        yield fact("default", default(of.default, p), "Default: {}.")
+        yield fact("default", default_text(of.default, p), "Default: {}.")
 
 
 def rest(p: m.Parameter) -> str:
@@ -46,16 +46,16 @@ def rest(p: m.Parameter) -> str:
 Bound = float | int | None
 
 
-def limits(
+def limits_text(
     low: Bound, high: Bound, above: Bound = None, below: Bound = None, say: Callable[[float | int], str] = number
 ) -> str:
     """Words bounds; `low` and `high` are inclusive, `above` and `below` exclusive.
 
-    >>> limits(1, 2.5), limits(0, None), limits(None, 10)
+    >>> limits_text(1, 2.5), limits_text(0, None), limits_text(None, 10)
     ('1 to 2.5', 'at least 0', 'at most 10')
-    >>> limits(None, 10, above=0), limits(None, None, below=1)
+    >>> limits_text(None, 10, above=0), limits_text(None, None, below=1)
     ('greater than 0, at most 10', 'less than 1')
-    >>> limits(-pi, pi)
+    >>> limits_text(-pi, pi)
     '-pi to pi'
     """
 
@@ -73,7 +73,7 @@ def numeral(p: m.Parameter, value: float | int) -> str:
     return descriptors.hexadecimal(p, int(value)) if p.shown else number(value)
 
 
-def default(value: object, p: m.Parameter) -> Text:
+def default_text(value: object, p: m.Parameter) -> Text:
     """Writes a factory default, with the names of values and bits."""
     if isinstance(value, bool):
         return (str(value).lower(),)
@@ -84,7 +84,7 @@ def default(value: object, p: m.Parameter) -> Text:
         if isinstance(p.element, m.Bitfield) and all(isinstance(v, str) for v in value):
             bits = {b.name: b for b in p.element.bits}
             return joined([(Ref(bits[name], name, p.element),) for name in value]) if value else ("0",)
-        return interleaved([default(v, p) for v in value], ", ")
+        return interleaved([default_text(v, p) for v in value], ", ")
     return (numeral(p, value) if isinstance(value, (int, float)) else str(value),)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from mipgen import model as m
 
 
-def differences(e: m.Example) -> list[str]:
+def misprint_text(e: m.Example) -> list[str]:
     """Words the differences between the bytes of an example in the manual and the correct ones."""
     correct = e.packet[4:-2] if e.role == "field" else e.packet
     sentences = []

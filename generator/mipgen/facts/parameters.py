@@ -12,7 +12,7 @@ from .texts import Fact, Ref, fact, functions
 from .variants import variants
 
 
-def facts(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
+def parameter_facts(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
     """Composes the facts about a parameter, or the parameter of a union's case, besides its description."""
     beside = {q.name: q for q in record.parameters}
     facts: list[Fact] = []

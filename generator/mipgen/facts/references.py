@@ -37,7 +37,7 @@ _REPLY = re.compile(r"\b(?:answer|reply|response)s? (?:of|to) (?:the )?((?:[^\s.
 _BARE = re.compile(r"(?<![\w.`])[a-z0-9]+(?:_[a-z0-9]+)+(?![\w])|(?<![\w.])\w+\.\w+(?![\w*])")
 
 
-def check(roots: Iterable[Node], model: m.Model, problems: Problems) -> None:
+def check_references(roots: Iterable[Node], model: m.Model, problems: Problems) -> None:
     """Reports malformed names, and names of things that do not exist."""
     names = _Names(model, problems.add)
     for root in roots:

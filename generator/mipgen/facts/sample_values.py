@@ -16,9 +16,9 @@ from mipgen.lower import codec
 from mipgen.model.parameters import alike
 from mipgen.model.simulation import Value
 
-from .examples import plain
+from .examples import is_plain
 from .records import Filled, lists
-from .simulated_values import named, parameter_at, place, shown, valid_flags
+from .simulated_values import number_of_name, parameter_at, set_path, simulated_value, valid_flags
 
 
 @dataclass(frozen=True)
@@ -95,20 +95,20 @@ class SampleValues:
             p = parameter_at(f.parameters, v.path)
             value = None if p is None else self._shown(v, p)
             if value is not None:
-                place(simulated, v.path, value)
+                set_path(simulated, v.path, value)
         for flags, bits in valid_flags(f.parameters).items():
             simulated[flags] = simulated.get(flags, 0) | bits
         return simulated
 
     def _shown(self, v: Value, p: m.Parameter) -> Any:
         if v.names or v.bits:
-            return named(p, v)
+            return number_of_name(p, v)
         value: Any = v.number if v.number is not None else v.text
         if v.quantity:
             value = self._quantities.get(v.quantity)  # a missing quantity is reported elsewhere
         if value is None:
             return None
-        return shown(p, value, v.factor)
+        return simulated_value(p, value, v.factor)
 
     def shown(self, f: m.Field) -> list[m.Call]:
         """Returns the forms of a command that show its use: the first one, and the first one that requests values."""
@@ -166,7 +166,7 @@ class SampleValues:
         for x in self.model.examples:
             for part in x.fields:
                 f = self.model.field(part.field) if part.field else None
-                if f is None or part.values is None or part.trailing or not plain(f.parameters, part.values):
+                if f is None or part.values is None or part.trailing or not is_plain(f.parameters, part.values):
                     continue
                 function: Any = part.values.get("function") if f.selector else None
                 printed.setdefault(f.full_name, {}).setdefault(function, part.values)

@@ -9,16 +9,16 @@ from mipgen.lower import codec
 from mipgen.model.simulation import Value
 
 
-def shown(p: m.Parameter, quantity: Any, factor: float) -> Any:
+def simulated_value(p: m.Parameter, quantity: Any, factor: float) -> Any:
     """Converts a quantity to a value of a parameter, in the form of the codec. Raises ValueError if it cannot.
 
     >>> p = m.Parameter("a", m.SCALARS["float"], None)
-    >>> shown(p, 9.80665, 1 / 9.80665)
+    >>> simulated_value(p, 9.80665, 1 / 9.80665)
     '0x3f800000'
     """
     names = (quantity,) if isinstance(quantity, str) else tuple(quantity) if isinstance(quantity, list) else ()
     if names and all(isinstance(x, str) for x in names) and any(v.type for v in p.readings):
-        return named(p, Value("", names=names)) or named(p, Value("", bits=names))
+        return number_of_name(p, Value("", names=names)) or number_of_name(p, Value("", bits=names))
     if isinstance(quantity, list) and p.kind == "array":
         return codec.canonical(p, [_scaled(p, number, factor) for number in quantity], p.name)
     if p.kind == "array" and p.count is not None:  # one number for all elements
@@ -36,7 +36,7 @@ def _scaled(p: m.Parameter, quantity: Any, factor: float) -> Any:
     return quantity if factor == 1 else float(f"{quantity * factor:.{6 if scalar.size == 4 else 10}g}")
 
 
-def named(p: m.Parameter, v: Value) -> Any:
+def number_of_name(p: m.Parameter, v: Value) -> Any:
     """Returns the number of the first name that a type of the parameter defines, or of all bits that the names
     select."""
     types = [p.element, *(x.type for x in p.readings)]
@@ -67,10 +67,10 @@ def parameter_at(parameters: tuple[m.Parameter, ...], path: str) -> m.Parameter 
     return parameter_at(p.element.parameters, rest) if p and rest and isinstance(p.element, m.Struct) else p
 
 
-def place(values: codec.Values, path: str, value: Any) -> None:
+def set_path(values: codec.Values, path: str, value: Any) -> None:
     name, _, rest = path.partition(".")
     if rest:
-        place(values.setdefault(name, {}), rest, value)
+        set_path(values.setdefault(name, {}), rest, value)
     else:
         values[name] = value
 

@@ -23,13 +23,13 @@ def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tup
             same.append(v)
     facts = []
     for group in groups:
-        text = difference(group[0], p, record, model)
+        text = variant_text(group[0], p, record, model)
         sentence = (*_condition(group, record, model), ": ", *text, ".")
         facts.append((tuple(group), Fact("variant", text, sentence)))
     return facts
 
 
-def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
+def variant_text(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
     """Words a variant, which may be about a member of a structure."""
     within = p.element if v.member and isinstance(p.element, m.Struct) else None
     if within is not None:
@@ -62,7 +62,7 @@ def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -
     return text
 
 
-def usual(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
+def usual_text(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
     """Words the general case of a parameter, as far as a variant differs from it."""
     if v.member:
         return ("as on its page",)

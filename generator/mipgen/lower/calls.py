@@ -23,6 +23,6 @@ def replies(f: m.Field, function: m.Function | None, model: m.Model) -> list[m.R
     return [r for r in model.replies(f) if function is None or function in r.functions]
 
 
-def answers(f: m.Field, function: m.Function | None, model: m.Model) -> list[m.Field]:
+def possible_layouts(f: m.Field, function: m.Function | None, model: m.Model) -> list[m.Field]:
     """Returns the layouts of the possible responses to a command with this function."""
     return [layout for r in replies(f, function, model) for layout in r.layouts]

@@ -173,7 +173,7 @@ def _chosen(union: m.Union, values: Values) -> tuple[m.Parameter, ...]:
 
 
 def _count(p: m.Parameter, reader: _Reader, values: Values) -> int:
-    size, left = extent.element(p), len(reader.data) - reader.at
+    size, left = extent.item_size(p), len(reader.data) - reader.at
     if p.count is not None:
         return p.count
     if p.counter is None:
@@ -274,7 +274,7 @@ def _octets(p: m.Parameter, value: Any, values: Values) -> bytes:
     return _bytes(p.scalar, value)
 
 
-def put(p: m.Parameter, value: Any) -> bytes:
+def encode_value(p: m.Parameter, value: Any) -> bytes:
     """Encodes one value, independently of the other values of its record."""
     out = bytearray()
     _put(p, value, {}, out)

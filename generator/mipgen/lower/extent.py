@@ -70,8 +70,8 @@ def extents(p: m.Parameter, prefix: str = "", unknown: bool = False) -> list[Ext
     if not p.several:
         return [Extent(p.size)]
     if p.count is not None:
-        return [Extent(p.count * element(p))]
-    return [Extent(0, (Term(element(p), prefix + p.counter if p.counter else m.REST, p.capacity),))]
+        return [Extent(p.count * item_size(p))]
+    return [Extent(0, (Term(item_size(p), prefix + p.counter if p.counter else m.REST, p.capacity),))]
 
 
 def totals(parameters: Iterable[m.Parameter], start: Extent, prefix: str = "", unknown: bool = False) -> list[Extent]:
@@ -89,13 +89,13 @@ def _distinct(several: Iterable[Extent]) -> list[Extent]:
 # --------------------------------------------------------------------------- what is asked of them
 
 
-def exact(p: m.Parameter, prefix: str = "") -> Extent | None:
+def exact_size(p: m.Parameter, prefix: str = "") -> Extent | None:
     """Returns the size of a parameter; None unless the parameters before it determine the size."""
     several = extents(p, prefix)
     return several[0] if len(several) == 1 and not several[0].filling else None
 
 
-def shortest(parameters: Iterable[m.Parameter], prefix: str = "") -> Extent:
+def shortest_size(parameters: Iterable[m.Parameter], prefix: str = "") -> Extent:
     """Returns the minimum size of parameters, given their counters."""
     return totals(parameters, Extent(), prefix, unknown=True)[0]
 
@@ -119,6 +119,6 @@ def most(parameters: Iterable[m.Parameter]) -> int:
     return min(m.MAX_FIELD_DATA, sum(size(p)[1] for p in parameters))
 
 
-def element(p: m.Parameter) -> int:
+def item_size(p: m.Parameter) -> int:
     """Returns the size in bytes of one item of an array or string."""
     return size(p.item)[1]

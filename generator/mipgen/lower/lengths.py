@@ -6,7 +6,7 @@ import re
 
 from mipgen import model as m
 
-from .extent import Extent, shortest
+from .extent import Extent, shortest_size
 
 
 def computed_length(f: m.Field, rule: str) -> str:
@@ -16,7 +16,7 @@ def computed_length(f: m.Field, rule: str) -> str:
     formulas, but neither vectors nor structures nor unions.
     """
     counted = (p for p in f.parameters if rule == "wire" or p.open or _is_number(p))
-    return str(Extent(2) + shortest(counted))
+    return str(Extent(2) + shortest_size(counted))
 
 
 def _is_number(p: m.Parameter) -> bool:

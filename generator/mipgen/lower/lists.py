@@ -11,7 +11,7 @@ from dataclasses import dataclass, fields, replace
 
 from mipgen import model as m
 
-from .extent import exact
+from .extent import exact_size
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +74,7 @@ def _in_record(parameters: tuple[m.Parameter, ...], of: Listing, at: int, model:
             listed = replace(of, set=named.number if named else None, set_at=places.get(p.fields_of, 0))
             has_list = True
             yield _entries(p, listed, at, places, parameters)
-        size = exact(p)
+        size = exact_size(p)
         if size is None or size.terms:
             return
         at += size.fixed

@@ -45,25 +45,25 @@ def packed(_place: int, _alignment: int) -> int:
 
 def has_gaps(of: m.Field) -> bool:
     """True if a structure may have bytes before its last number that the field lacks: padding, or the NUL of a text."""
-    tight = record(of, packed)
-    return tight.size != of.max_size or tight.last != record(of).last
+    tight = record_memory(of, packed)
+    return tight.size != of.max_size or tight.last != record_memory(of).last
 
 
-def members(record: m.Record) -> list[m.Parameter]:
+def stored(record: m.Record) -> list[m.Parameter]:
     """Returns the parameters with a member: all except constants and unions without alternatives."""
     return [p for p in record.parameters if p.constant is None and (not p.union or p.alternatives)]
 
 
 def largest(model: m.Model) -> int:
     """Returns an upper bound of the size of any field's structure, a multiple of the largest alignment."""
-    sizes = [record(f).size for f in (model.protocol.acknowledge, *model.fields)]
+    sizes = [record_memory(f).size for f in (model.protocol.acknowledge, *model.fields)]
     return max(size + natural(size, MAX_ALIGNMENT) for size in sizes)
 
 
-def record(of: m.Record, gap: Gap = natural) -> Room:
+def record_memory(of: m.Record, gap: Gap = natural) -> Room:
     """Computes the memory of a structure."""
     rooms = [Room(1)] if isinstance(of, m.Field) and of.optional else []
-    for p in members(of):
+    for p in stored(of):
         rooms += [Room(1)] if p.fills else []
         rooms.append(_room(p, gap))
     return _in_a_row(rooms or [Room(1)], gap)
@@ -71,7 +71,7 @@ def record(of: m.Record, gap: Gap = natural) -> Room:
 
 def _room(p: m.Parameter, gap: Gap) -> Room:
     if p.struct:
-        return record(p.struct, gap)
+        return record_memory(p.struct, gap)
     if p.union:
         return _union([_alternative(q, gap) for q in p.alternatives], gap)
     if p.kind == "text":

@@ -66,4 +66,4 @@ def _inside(p: m.Parameter, path: Path, offset: int) -> Iterator[Run]:
         yield from _all(p.struct.parameters, path, offset)
     else:
         for i in range(p.count or 0):
-            yield from _inside(p.item, (*path, i), offset + i * extent.element(p))
+            yield from _inside(p.item, (*path, i), offset + i * extent.item_size(p))

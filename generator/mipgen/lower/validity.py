@@ -96,7 +96,7 @@ def _reading(parameters: tuple[m.Parameter, ...], record: m.Record, device: str 
     undefined = 0
     for p in parameters:
         own = [v.valid for v in p.variants if v.by_device and v.key == device and v.valid is not None and not v.member]
-        places = flags((own[0] if own else p.valid) or (), record, device)
+        places = flags_named((own[0] if own else p.valid) or (), record, device)
         all_flags += places
         for flag in places:
             bits = _named(_holder(flag.parameter, record), device)
@@ -104,7 +104,7 @@ def _reading(parameters: tuple[m.Parameter, ...], record: m.Record, device: str 
     return Reading((), tuple(all_flags if len(parameters) == 1 else dict.fromkeys(all_flags)), undefined)
 
 
-def flags(paths: Iterable[str], record: m.Record, device: str | None = None) -> tuple[Flag, ...]:
+def flags_named(paths: Iterable[str], record: m.Record, device: str | None = None) -> tuple[Flag, ...]:
     """Returns the flags with these names: one, or one for each element. None if the bit depends on the device, which is
     not known."""
     places = []

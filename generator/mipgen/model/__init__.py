@@ -52,7 +52,7 @@ from .fields import (
     Role,
     Set,
 )
-from .parameters import DEVICE, REST, Case, Group, Parameter, Shape, Shown, Union, Variant, groups
+from .parameters import DEVICE, REST, Case, Group, Parameter, Shape, Shown, Union, Variant, optional_groups
 from .protocol import OWN_PACKAGE, Chapter, Clock, Conversion, Older, Protocol, Session, Usage, Word
 from .specification import Model
 from .types import (
@@ -148,8 +148,8 @@ __all__ = [
     "Variant",
     "Vector",
     "Word",
-    "groups",
     "letters",
+    "optional_groups",
     "strength",
     "structs",
     "unit_symbols",

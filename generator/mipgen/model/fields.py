@@ -9,7 +9,7 @@ from typing import Final, Literal
 
 from mipgen.read.position import Position
 
-from .parameters import Group, Parameter, groups
+from .parameters import Group, Parameter, optional_groups
 from .types import Function, Source, Struct, Type
 
 COMMAND: Final = "command"
@@ -226,7 +226,7 @@ class Field:
     @cached_property
     def groups(self) -> tuple[Group, ...]:
         """The parameters that may be absent."""
-        return tuple(groups(self.parameters[len(self.always) :], 0 if self.selector else len(self.always)))
+        return tuple(optional_groups(self.parameters[len(self.always) :], 0 if self.selector else len(self.always)))
 
     @property
     def signature(self) -> tuple[tuple[int, bytes], ...]:

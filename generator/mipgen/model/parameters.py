@@ -282,7 +282,7 @@ class Group:
     parameters: tuple[Parameter, ...]
 
 
-def groups(parameters: Sequence[Parameter], before: int) -> Iterator[Group]:
+def optional_groups(parameters: Sequence[Parameter], before: int) -> Iterator[Group]:
     """Yields the groups of parameters that may be absent, after `before` others; a counter stays with its array."""
     group, arrays, names = list[Parameter](), set[str](), {p.name for p in parameters}
     for number, p in enumerate(parameters, before + 1):

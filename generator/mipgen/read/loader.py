@@ -60,7 +60,7 @@ OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.ite
 def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
     """Reads all files of a specification and its overlays; adds their mistakes to `problems`."""
     if not (spec / "protocol.yaml").is_file():
-        problems.add(Position(shown(spec), 1, 1), "this is not a specification: it has no protocol.yaml")
+        problems.add(Position(display_path(spec), 1, 1), "this is not a specification: it has no protocol.yaml")
         return []
     documents = overlay.lay([], _documents(spec, LAYOUT, False, problems), problems)
     _strays(spec, LAYOUT, problems)
@@ -69,7 +69,7 @@ def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Docum
         _strays(folder, OVERLAY, problems)
         if not more and not problems:
             files = ", ".join(OVERLAY.values())
-            problems.add(Position(shown(folder), 1, 1), f"this overlay contains none of these files: {files}")
+            problems.add(Position(display_path(folder), 1, 1), f"this overlay contains none of these files: {files}")
         documents = overlay.lay(documents, more, problems)
     return documents
 
@@ -85,7 +85,7 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
             if data is not None:
                 of, root = pickle.loads(data)
             else:
-                root = read(path, shown(path), problems)
+                root = read(path, display_path(path), problems)
                 if root is None:
                     continue
                 of = _schema(kind, root, over)
@@ -111,20 +111,20 @@ def load_witnesses(folder: Path, problems: Problems) -> list[Document]:
     """Reads the witnesses of a specification, with the rules and the accepted differences."""
     documents = _documents(folder, {kind: Path(pattern).name for kind, pattern in WITNESSES.items()}, False, problems)
     if not documents and not problems:
-        problems.add(Position(shown(folder), 1, 1), "this folder contains no witnesses, that is, no .yaml files")
+        problems.add(Position(display_path(folder), 1, 1), "this folder contains no witnesses, that is, no .yaml files")
     return documents
 
 
 def load_witness(path: Path, problems: Problems) -> Document | None:
     """Reads a witness file, in any folder; None if it cannot be read."""
-    root = read(path, shown(path), problems)
+    root = read(path, display_path(path), problems)
     return Document("witness", path.name, root) if root is not None and _valid("witness", root, problems) else None
 
 
 def _key(path: Path, kind: str, over: bool) -> str:
     """Returns the cache key for the nodes of a file, whose positions contain the path as shown. Empty if unreadable."""
     try:
-        return cache.key(fingerprint.program(), kind, str(over), shown(path), path.read_bytes())
+        return cache.key(fingerprint.program(), kind, str(over), display_path(path), path.read_bytes())
     except OSError:
         return ""
 
@@ -139,7 +139,7 @@ def _schema(kind: str, root: Node, over: bool) -> str:
     return SEVERAL[kind] if kind in SEVERAL and any(many in root for many in PARTS.values()) else kind
 
 
-def shown(path: Path) -> str:
+def display_path(path: Path) -> str:
     """Returns a path as a user would write it on the command line."""
     here = Path.cwd()
     absolute = path.absolute()
@@ -161,7 +161,7 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
             continue
         if not made.isdisjoint(path.parents):
             continue
-        problems.add(Position(shown(path), 1, 1), f"this file is ignored; only these are read: {read_ones}")
+        problems.add(Position(display_path(path), 1, 1), f"this file is ignored; only these are read: {read_ones}")
 
 
 def _matches(_: Any, pattern: str, value: Any, schema: Any) -> Iterator[Any]:
@@ -184,7 +184,7 @@ def _validators() -> dict[str, Any]:
     # With "$schema", the library would use its own validator for references instead of this one.
     files = {
         name: {key: rule for key, rule in schema.items() if key != "$schema"}
-        for name, schema in schemas.files().items()
+        for name, schema in schemas.schema_files().items()
     }
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (schema["$id"], DRAFT7.create_resource(schema)) for schema in files.values()
@@ -197,12 +197,12 @@ def _validators() -> dict[str, Any]:
 
 def _valid(kind: str, root: Node, problems: Problems) -> bool:
     """Validates a file against its schema, and adds its mistakes to `problems`; True if there are none."""
-    if schemas.fits(kind, root):
+    if schemas.fits_schema(kind, root):
         return True
     errors = list(_validators()[kind].iter_errors(root.plain()))
     for error in errors:
         path = list(error.absolute_path)
-        for extra, message in messages(error, "the file"):
+        for extra, message in error_messages(error, "the file"):
             problems.add(root.at([*path, *extra]) if extra else root.value_at(path), message)
     return not errors
 
@@ -210,7 +210,7 @@ def _valid(kind: str, root: Node, problems: Problems) -> bool:
 _ALONE = "; write only the number if the name needs no description"
 
 
-def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
+def error_messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
     """Words a schema error and its remedy; each message has the path of the key in question, if there is one."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     inside = _inside(list(error.absolute_path), root)

@@ -235,7 +235,7 @@ class _Reader:
         return Node(mapping, position, keys)
 
 
-def number(text: str) -> int | float:
+def parse_number(text: str) -> int | float:
     """Converts a number as it is written in a specification."""
     value: int | float = _scalar(text)
     return value

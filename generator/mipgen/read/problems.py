@@ -30,23 +30,23 @@ class Problems:
     """Collects problems, so that an author sees all of them in one run."""
 
     def __init__(self) -> None:
-        self._found: set[Problem] = set()
+        self._problems: set[Problem] = set()
 
     def add(self, position: Position | None, message: str) -> None:
         at = position or Position("<spec>", 1, 1)
-        self._found.add(Problem(at.file, at.line, at.column, message))
+        self._problems.add(Problem(at.file, at.line, at.column, message))
 
     def __bool__(self) -> bool:
-        return bool(self._found)
+        return bool(self._problems)
 
     def __len__(self) -> int:
-        return len(self._found)
+        return len(self._problems)
 
     def sorted(self) -> list[Problem]:
-        return sorted(self._found)
+        return sorted(self._problems)
 
     def raise_if_any(self) -> None:
-        if self._found:
+        if self._problems:
             raise SpecError(self.sorted())
 
 
@@ -82,7 +82,7 @@ def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:
 def close(word: str, choices: Iterable[str], guess: bool = True) -> str:
     """Returns the word that was probably meant; empty if there is none."""
     words = _ordered(choices)
-    if usual := spelling.usual(word, words):
+    if usual := spelling.usual_word(word, words):
         return f", did you mean '{usual}'?"
     straight = spelling.straight(word)
     similar = [straight] if straight in words else difflib.get_close_matches(straight, words, n=1) if guess else []

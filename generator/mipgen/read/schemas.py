@@ -51,22 +51,22 @@ def pattern(text: str) -> re.Pattern[str]:
     return re.compile(text.replace("$", r"\Z"))
 
 
-def fits(kind: str, root: Node) -> bool:
+def fits_schema(kind: str, root: Node) -> bool:
     """True if a file fits the schema of its kind."""
     return _referenced(kind + SUFFIX, "")(root.value)
 
 
 @functools.cache
-def files() -> dict[str, Any]:
+def schema_files() -> dict[str, Any]:
     """Reads the schemas, by file name."""
     folder = resources.root() / "spec/schema"
-    return {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
+    return {name: json.loads(file.read_text("utf-8")) for name, file in resources.files_in(folder)}
 
 
 @functools.cache
 def _referenced(file: str, pointer: str) -> Check:
     """Compiles the schema at a pointer such as `/definitions/name`."""
-    schema = files()[file]
+    schema = schema_files()[file]
     for step in pointer.split("/")[1:]:
         schema = schema[step]
     return _compiled(schema, file)

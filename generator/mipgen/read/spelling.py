@@ -79,12 +79,12 @@ _STRAIGHT = str.maketrans(
 _USUAL = {spelling.casefold(): word for word, spellings in SYNONYMS.items() for spelling in spellings}
 
 
-def usual(word: str, words: Collection[str]) -> str | None:
+def usual_word(word: str, words: Collection[str]) -> str | None:
     """Returns the known word with the same meaning, if there is one.
 
-    >>> usual("uint32_t", ["u16", "u32"]), usual("deg/sec", ["deg/s"]), usual("HZ", ["Hz"])
+    >>> usual_word("uint32_t", ["u16", "u32"]), usual_word("deg/sec", ["deg/s"]), usual_word("HZ", ["Hz"])
     ('u32', 'deg/s', 'Hz')
-    >>> usual("km/h", ["m/s"]), usual("uint32_t", ["m/s"])
+    >>> usual_word("km/h", ["m/s"]), usual_word("uint32_t", ["m/s"])
     (None, None)
     """
     folded = word.casefold().strip()

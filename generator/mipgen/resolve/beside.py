@@ -11,7 +11,7 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
 
-def joined(roots: Iterable[Node], key: str, problems: Problems) -> dict[str, tuple[m.Position, Node]]:
+def merged_entries(roots: Iterable[Node], key: str, problems: Problems) -> dict[str, tuple[m.Position, Node]]:
     """Returns the entries of all files by name, each with the position of its name."""
     entries: dict[str, tuple[m.Position, Node]] = {}
     for root in roots:
@@ -27,7 +27,7 @@ class Lists:
     """Lists by the names of definitions, such as the sources of fields."""
 
     def __init__(self, roots: Iterable[Node], key: str, problems: Problems) -> None:
-        self.entries = joined(roots, key, problems)
+        self.entries = merged_entries(roots, key, problems)
         self.problems = problems
         self.names: set[str] = set()  # of everything that can have a list
 
@@ -45,7 +45,7 @@ class Lists:
 
 def with_typical(types: list[Node], sets: list[Node], packets: list[Node], problems: Problems) -> None:
     """Adds typical values to the parameters in files of types and sets."""
-    values = joined(packets, "typical", problems)
+    values = merged_entries(packets, "typical", problems)
     names: set[str] = set()
     for roots, owned in ((types, False), (sets, True)):
         roots[:] = [_filled(root, f"{root['name'].value}." if owned else "", values, names, problems) for root in roots]

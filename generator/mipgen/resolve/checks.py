@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import PurePath
 
 from mipgen import model as m
-from mipgen.facts.misprints import differences
+from mipgen.facts.misprints import misprint_text
 from mipgen.lower.lengths import computed_length, same
 from mipgen.lower.validity import NANOSECONDS
 from mipgen.read.problems import Problems, nearest
@@ -46,18 +46,18 @@ ANSWERS = {
 
 def check_definitions(model: m.Model, problems: Problems) -> None:
     for check in (
-        fields,
+        check_any_field,
         set_numbers,
-        descriptors,
-        named,
-        names,
+        check_descriptors,
+        check_named,
+        check_names,
         titles,
-        words,
+        check_words,
         enumerations,
         bitfields,
-        replies,
-        clocks,
-        session,
+        check_replies,
+        check_clocks,
+        check_session,
         fields_of,
     ):
         check(model, problems)
@@ -65,11 +65,11 @@ def check_definitions(model: m.Model, problems: Problems) -> None:
 
 def check_evidence(model: m.Model, problems: Problems) -> None:
     """Runs the checks that need correct definitions."""
-    for check in (package, descriptions, units, states, printed_lengths, printed_bytes, references):
+    for check in (check_package, descriptions, check_units, states, printed_lengths, printed_bytes, check_errata):
         check(model, problems)
 
 
-def fields(model: m.Model, problems: Problems) -> None:
+def check_any_field(model: m.Model, problems: Problems) -> None:
     """Requires at least one field: pages and packages begin with one."""
     if not model.fields:
         problems.add(model.protocol.acknowledge.position, "no set contains a field; add one to a file in sets/")
@@ -102,7 +102,7 @@ def set_numbers(model: m.Model, problems: Problems) -> None:
         seen[s.number] = s
 
 
-def descriptors(model: m.Model, problems: Problems) -> None:
+def check_descriptors(model: m.Model, problems: Problems) -> None:
     for s in model.families:
         seen: dict[int, list[m.Field]] = {}
         for f in s.fields:
@@ -148,7 +148,7 @@ def _told_apart(a: m.Field, b: m.Field) -> bool:
     return fixed and differ
 
 
-def named(model: m.Model, problems: Problems) -> None:
+def check_named(model: m.Model, problems: Problems) -> None:
     """Requires that a descriptor is either defined or only named."""
     for s in model.families:
         seen = {f.descriptor: f.name for f in s.fields}
@@ -162,7 +162,7 @@ def named(model: m.Model, problems: Problems) -> None:
             seen.setdefault(x.descriptor, x.name)
 
 
-def names(model: m.Model, problems: Problems) -> None:
+def check_names(model: m.Model, problems: Problems) -> None:
     """Requires unique names for the types and fields of a set, including their other names."""
     for s in model.families:
         fields = [(f.name, f.position) for f in s.fields]
@@ -189,7 +189,7 @@ def titles(model: m.Model, problems: Problems) -> None:
                     problems.add(o.position, f"'{f.name}' has the title '{o.title}' of '{other}'; give it another")
 
 
-def words(model: m.Model, problems: Problems) -> None:
+def check_words(model: m.Model, problems: Problems) -> None:
     """Requires the words of the vocabulary in names; names in an overlay are free."""
     vocabulary = model.protocol.vocabulary
     usual = {other: usage.word for usage in vocabulary for other in usage.instead_of}
@@ -203,7 +203,7 @@ def words(model: m.Model, problems: Problems) -> None:
             problems.add(place, f"the name '{name}': the vocabulary uses '{word}' for '{match[1]}'; write '{word}'")
 
 
-def package(model: m.Model, problems: Problems) -> None:
+def check_package(model: m.Model, problems: Problems) -> None:
     """Rejects names that begin with `mip` in a package with another name: they would be renamed, too."""
     own, package = m.OWN_PACKAGE, model.protocol.package
     if package == own:
@@ -215,7 +215,7 @@ def package(model: m.Model, problems: Problems) -> None:
             problems.add(place, f"the name '{name}' would become '{renamed}' in the package '{package}'; rename it")
 
 
-def clocks(model: m.Model, problems: Problems) -> None:
+def check_clocks(model: m.Model, problems: Problems) -> None:
     """Requires timestamps to be data fields that contain a time, of one clock each, or of one with an epoch and one
     without."""
     names = {f.name_in(o.set) for f in model.fields if f.role == m.DATA for o in f.occurrences}
@@ -235,27 +235,29 @@ def clocks(model: m.Model, problems: Problems) -> None:
             seen.setdefault((name, dated), clock.name)
 
 
-def session(model: m.Model, problems: Problems) -> None:
+def check_session(model: m.Model, problems: Problems) -> None:
     """Requires session commands whose parameters and responses programs can handle."""
     session = model.protocol.session
     if session is None:
         return
     for role, (types, words) in SESSION.items():
-        if problem := _unfit(role, getattr(session, role), types, words, model, session):
+        if problem := _role_problem(role, getattr(session, role), types, words, model, session):
             problems.add(session.position, problem)
     for name in session.descriptors:
-        if problem := _unfit("descriptors", name, (), "no parameters", model, session):
+        if problem := _role_problem("descriptors", name, (), "no parameters", model, session):
             problems.add(session.position, problem)
     sets = {s.name for s in model.sets if s.kind == "data"}
     for older in session.older:
         if older.set not in sets:
             problems.add(older.position, f"`older`: no data set '{older.set}'{nearest(older.set, sets)}")
         for role, (types, words) in OLDER.items():
-            if problem := _unfit(role, getattr(older, role), types, words, model, session):
+            if problem := _role_problem(role, getattr(older, role), types, words, model, session):
                 problems.add(older.position, problem)
 
 
-def _unfit(role: str, name: str, types: tuple[str, ...], words: str, model: m.Model, session: m.Session) -> str | None:
+def _role_problem(
+    role: str, name: str, types: tuple[str, ...], words: str, model: m.Model, session: m.Session
+) -> str | None:
     """Returns the reason why a command cannot have a role in a session; None if it can."""
     f = model.field(name)
     if f is None or f.role != m.COMMAND:
@@ -367,7 +369,7 @@ def bitfields(model: m.Model, problems: Problems) -> None:
 # --------------------------------------------------------------------------- fields
 
 
-def replies(model: m.Model, problems: Problems) -> None:
+def check_replies(model: m.Model, problems: Problems) -> None:
     """Requires a response for each command that can be read, and a read function for each such response."""
     for f in model.fields:
         if f.role != m.COMMAND or not f.functions:
@@ -401,7 +403,7 @@ def descriptions(model: m.Model, problems: Problems) -> None:
                 problems.add(case.parameter.position, f"the case '{case.tag.name}' has no description; add one")
 
 
-def units(model: m.Model, problems: Problems) -> None:
+def check_units(model: m.Model, problems: Problems) -> None:
     """Requires a unit for each float, even if it is "1"; otherwise a forgotten unit would go unnoticed."""
     for parameter in _parameters(model):
         for p in (parameter, *(case.parameter for case in parameter.cases if case.parameter)):
@@ -480,9 +482,9 @@ def printed_bytes(model: m.Model, problems: Problems) -> None:
     """Requires an erratum for each example whose printed bytes are wrong, and wrong bytes for each such erratum."""
     claimed = {c.subject for e in model.errata for c in e.claims if c.kind == "example"}
     by_id = {e.id: e for e in model.examples}
-    differing = {e.id for e in model.examples if differences(e)}
+    differing = {e.id for e in model.examples if misprint_text(e)}
     for name in sorted(differing - claimed):
-        what = "; ".join(differences(by_id[name]))
+        what = "; ".join(misprint_text(by_id[name]))
         problems.add(
             by_id[name].position,
             f"the bytes of '{name}' in the manual are wrong ({what}); add an erratum that claims example: {name}",
@@ -497,7 +499,7 @@ def printed_bytes(model: m.Model, problems: Problems) -> None:
                 problems.add(c.position, f"the bytes of '{c.subject}' in the manual are correct; remove the claim")
 
 
-def references(model: m.Model, problems: Problems) -> None:
+def check_errata(model: m.Model, problems: Problems) -> None:
     """Rejects an erratum that calls a reference undefined if it is defined."""
     for e in model.errata:
         for c in e.claims:

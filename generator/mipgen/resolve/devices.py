@@ -11,10 +11,10 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
 from . import inheritance, meaning
-from .hardware import check_able, check_needs, hardware, left, needs
+from .hardware import check_able, check_needs, hardware, left, needed_hardware
 from .types import Types
-from .variation import UNKNOWN, variant
-from .vocabulary import sentences, sources
+from .variation import UNKNOWN, resolve_variant
+from .vocabulary import sources_of_node, texts_of_node
 
 #: The keys that a profile must have unless it is declared incomplete.
 REQUIRED = ("supports", "base_rates", "ack_codes")
@@ -133,7 +133,7 @@ def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> I
             near = nearest(last, [p.name for p in f.parameters])
             problems.add(spec.keys[path], f"'{name}' has no parameter '{last}'{near}")
             continue
-        v = variant(case, p, m.DEVICE, device, None, types.scope(f.family))
+        v = resolve_variant(case, p, m.DEVICE, device, None, types.scope(f.family))
         for entry in (*(case.get("values") or ()), *(case.get("bits") or ())) if case.value != UNKNOWN else ():
             named = next((x for x in v.only if x.name == entry.value), None)
             check_able(entry.value, owned.lacking(named.needs) if named else None, entry, problems)
@@ -234,11 +234,11 @@ class _Device:
             name=node["name"].value,
             title=node["title"].value,
             description=node.scalar("description", ""),
-            also=sentences(node, "also"),
+            also=texts_of_node(node, "also"),
             model_number=node.scalar("model_number"),
             generation=node.scalar("generation"),
             manual=manual.value if manual else None,
-            sources=sources(node, self.types.vocabulary, self.problems),
+            sources=sources_of_node(node, self.types.vocabulary, self.problems),
             like=like if like in self.types.vocabulary.devices else None,
             hardware=hardware(node),
             complete=complete,
@@ -263,8 +263,8 @@ class _Device:
             ),
             variants=tuple(self.model.derived(_by_device).get(self.id, ())),
             ack_codes=self.codes(),
-            incomplete=sentences(node, "incomplete"),
-            uncertain=sentences(node, "uncertain"),
+            incomplete=texts_of_node(node, "incomplete"),
+            uncertain=texts_of_node(node, "uncertain"),
             position=node.position,
         )  # fmt: skip
 
@@ -272,7 +272,7 @@ class _Device:
         """Requires all keys, unless the profile is declared incomplete."""
         if "description" not in self.node:
             self.problems.add(self.node.position, "'description' is missing; describe the device in one short sentence")
-        for key in REQUIRED if not sentences(self.node, "incomplete") else ():
+        for key in REQUIRED if not texts_of_node(self.node, "incomplete") else ():
             if key not in self.node or (key != "base_rates" and not self.node[key].value):
                 place = self.node.position
                 self.problems.add(place, f"'{key}' is missing; add it, or state in 'incomplete' what is unknown")
@@ -299,11 +299,11 @@ class _Device:
         undefined = node.get("undefined")
         return m.Evidence(
             kind=kind,
-            sources=sources(node, self.types.vocabulary, self.problems),
+            sources=sources_of_node(node, self.types.vocabulary, self.problems),
             of=tuple(name.value for name in of),
             firmware=node.scalar("firmware"),
             date=node.scalar("date"),
-            note=" ".join(sentences(node, "notes")),
+            note=" ".join(texts_of_node(node, "notes")),
             undefined=tuple(self.undefined(undefined)) if undefined else (),
         )
 
@@ -384,7 +384,7 @@ class _Device:
         for name, entry in ((n, x) for node, e in statements if e.answer != "no" for n, xs in node.items() for x in xs):
             full = f"{name}.{entry.value}"
             f = self.model.field(full)
-            check_able(full, has.lacking(needs(f, sets.get(name))) if f else None, entry, self.problems)
+            check_able(full, has.lacking(needed_hardware(f, sets.get(name))) if f else None, entry, self.problems)
 
     def absent_sets(self, supports: tuple[m.Support, ...]) -> dict[str, m.Evidence]:
         """Returns hardware that the device lacks, and evidence against the data sets that require it."""
@@ -402,7 +402,7 @@ class _Device:
         for number in sorted({s.set for s in supports if s.evidence.answer != "no"}):
             of = next(s for s in self.model.sets if s.number == number)
             for f in self.model.derived(_asked)[number].values():
-                lacked = has.lacking(needs(f, of))
+                lacked = has.lacking(needed_hardware(f, of))
                 if lacked is not None and f.name_in(number) not in stated:
                     yield m.Support(f, number, (), without.get(lacked) or m.Evidence("hardware", needs=lacked))
 
@@ -511,7 +511,7 @@ class _Device:
             name, dot, bit = word.partition(".")
             flags = next((q for q in f.parameters if q.name == name), None)
             bits = self.bits(flags) if dot and flags else None
-            if bits is not None and flags is not None and bit in meaning.bits(flags) - bits:
+            if bits is not None and flags is not None and bit in meaning.bit_names(flags) - bits:
                 remedy = f"add the bit that marks '{p.name}' as valid, {path}: {{valid: ...}}, or ~ if there is none"
                 self.problems.add(self.place("varies"), f"'{name}' has no bit '{bit}' on the device; {remedy}")
 

@@ -16,7 +16,7 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
 from . import meaning
-from .vocabulary import sentences
+from .vocabulary import texts_of_node
 
 #: Bytes as in the manual; None for an unspecified byte.
 Octets = tuple[int | None, ...]
@@ -83,7 +83,7 @@ class _Example:
     def resolve(self) -> m.Example | None:
         node = self.node
         manuals = {x.id: x for x in self.model.protocol.manuals}
-        manual, section = meaning.citation(node, manuals, self.problems.add)
+        manual, section = meaning.resolve_citation(node, manuals, self.problems.add)
         printed = node.scalar("string")
         try:
             table = self.octets("table")
@@ -102,7 +102,7 @@ class _Example:
             table=table,
             packet=packet,
             fields=fields,
-            note=" ".join(sentences(node, "notes")),
+            note=" ".join(texts_of_node(node, "notes")),
             device=self.device(manual),
             synthetic=printed is None and table is None,
             position=node["id"].position,
@@ -281,22 +281,21 @@ class _Example:
     def compare(self, field: m.Field, values: codec.Values, stated: codec.Values, node: Node) -> None:
         for name, value in stated.items():
             if values.get(name) != value:
-                message = (
-                    f"{field.full_name}.{name} is {shown(values.get(name))} in the bytes, but {shown(value)} is stated"
-                )
+                actual, wanted = readable(values.get(name)), readable(value)
+                message = f"{field.full_name}.{name} is {actual} in the bytes, but {wanted} is stated"
                 raise Wrong(node.value_at([*node.value, name] if isinstance(node.value, dict) else []), message)
 
 
-def shown(value: object) -> str:
+def readable(value: object) -> str:
     """Writes a value for readers: floats, which are the text of their bits, also as numbers.
 
-    >>> shown("0x41accccd"), shown("0x7fc00000"), shown([1, {"x": "0x41ac0000"}]), shown("text")
+    >>> readable("0x41accccd"), readable("0x7fc00000"), readable([1, {"x": "0x41ac0000"}]), readable("text")
     ("21.6 ('0x41accccd')", "'0x7fc00000'", "[1, {'x': 21.5 ('0x41ac0000')}]", "'text'")
     """
     if isinstance(value, list):
-        return f"[{', '.join(map(shown, value))}]"
+        return f"[{', '.join(map(readable, value))}]"
     if isinstance(value, dict):
-        return f"{{{', '.join(f'{name!r}: {shown(inner)}' for name, inner in value.items())}}}"
+        return f"{{{', '.join(f'{name!r}: {readable(inner)}' for name, inner in value.items())}}}"
     if isinstance(value, str) and re.fullmatch("0x([0-9a-f]{8}|[0-9a-f]{16})", value):
         raw = bytes.fromhex(value[2:])
         if math.isfinite(struct.unpack(">f" if len(raw) == 4 else ">d", raw)[0]):
@@ -357,7 +356,7 @@ def errata(roots: Iterable[Node], manuals: Mapping[str, m.Manual], problems: Pro
     errata: dict[str, m.Erratum] = {}
     for severity, node in ((key, n) for root in roots for key in SEVERITIES if key in root for n in _errata(root[key])):
         name = node["id"].value
-        manual, section = meaning.citation(node, manuals, problems.add)
+        manual, section = meaning.resolve_citation(node, manuals, problems.add)
         if name in errata:
             problems.add(node["id"].position, f"two errata are called '{name}'; rename one")
         errata[name] = m.Erratum(

@@ -6,7 +6,7 @@ from mipgen import model as m
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems
 
-from .vocabulary import Vocabulary, sources
+from .vocabulary import Vocabulary, sources_of_node
 
 #: Groups of parallel or perpendicular directions, each with the number of its line, negative for the opposite one.
 #: The first three of a group are right-handed.
@@ -39,7 +39,7 @@ def _frame(symbol: str, node: Node, vocabulary: Vocabulary, problems: Problems) 
             _conversion(name, n, axes, problems)
             for name, n in (node["conversions"].items() if "conversions" in node else ())
         ),
-        sources=sources(node, vocabulary, problems),
+        sources=sources_of_node(node, vocabulary, problems),
     )
 
 

@@ -17,7 +17,7 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
 from . import evidence
-from .vocabulary import Vocabulary, sentences, sources
+from .vocabulary import Vocabulary, sources_of_node, texts_of_node
 
 
 def resolve(roots: Iterable[Node], model: m.Model, words: Vocabulary, problems: Problems) -> tuple[Guide, ...]:
@@ -69,13 +69,13 @@ class _Guide:
             sequences=tuple(self.sequence(n) for n in node.get("sequences") or ()),
             picture=_picture(node.get("picture")),
             lead=node.scalar("lead", ""),
-            before=sentences(node, "before"),
+            before=texts_of_node(node, "before"),
             questions=tuple(_question(n) for n in node.get("questions") or ()),
-            notes=sentences(node, "notes"),
+            notes=texts_of_node(node, "notes"),
             tables=tuple(n.value for n in node.get("tables") or ()),
             migration=self.migration(migration) if migration is not None else None,
             see=tuple(n.value for n in node.get("see") or ()),
-            sources=sources(node, words, self.problems),
+            sources=sources_of_node(node, words, self.problems),
             position=node["guide"].position,
         )
 
@@ -88,7 +88,7 @@ class _Guide:
                 chosen[n.value] = d
         devices = tuple(chosen.values())
         steps = tuple(s for n in node["steps"] if (s := self.step(n, devices)) is not None)
-        return Sequence(node["title"].value, devices, steps, sentences(node, "notes"))
+        return Sequence(node["title"].value, devices, steps, texts_of_node(node, "notes"))
 
     def device(self, node: Node) -> m.Device | None:
         device = self.model.device(node.value)
@@ -250,7 +250,7 @@ class _Guide:
         if before is after:
             self.problems.add(node["to"].position, f"'{after.id}' is also the device in 'from'; choose a different one")
         changes = tuple(
-            Change(self.those(n, "fields", before), self.those(n, "by", after), " ".join(sentences(n, "notes")))
+            Change(self.those(n, "fields", before), self.those(n, "by", after), " ".join(texts_of_node(n, "notes")))
             for n in node["changes"]
         )
         named = {f.full_name for c in changes for f in c.fields}

@@ -15,7 +15,7 @@ def hardware(node: Node) -> m.Hardware:
     return m.Hardware(sensors, *(node.scalar(key) for key in m.COUNTED))
 
 
-def needs(f: m.Field, of: m.Set | None) -> tuple[str, ...]:
+def needed_hardware(f: m.Field, of: m.Set | None) -> tuple[str, ...]:
     """Returns the hardware that a field requires in a set."""
     return (*(of.needs if of else ()), *f.needs)
 

@@ -13,7 +13,7 @@ from mipgen import model as m
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
-from .hardware import hardware, needs
+from .hardware import hardware, needed_hardware
 
 #: Keys that are inherited as a whole, unless they are given.
 TAKEN = ("generation", "sensors", "receivers", "antennas", "description", "ack_codes", "incomplete", "uncertain")
@@ -139,7 +139,9 @@ class _Heir:
         whole = self.own["complete"].plain() if "complete" in self.own else ()
         names = {*_fields(self.parent.get("supports")), *self.kinds}
         fields = {name: f for name in names if (f := self.model.field(name)) is not None}
-        lacking = {x for x, f in fields.items() if has.lacking(needs(f, of.get(x.partition(".")[0]))) is not None}
+        lacking = {
+            x for x, f in fields.items() if has.lacking(needed_hardware(f, of.get(x.partition(".")[0]))) is not None
+        }
         return lacking | {name for name in names if name.partition(".")[0] in whole}
 
     def supports(self, lacked: set[str]) -> Node:

@@ -15,7 +15,7 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import nearest
 
 from . import meaning, variation
-from .vocabulary import sentences
+from .vocabulary import texts_of_node
 
 if TYPE_CHECKING:
     from .types import Types
@@ -190,33 +190,33 @@ class Layout:
         """Adds the meaning of the value to the parameter's layout."""
         words = self.types.vocabulary
         named = p.element if isinstance(p.element, (m.Enum, m.Bitfield, m.Struct)) else None
-        if limits := meaning.limits(node, p, self.problem):
+        if limits := meaning.resolve_range(node, p, self.problem):
             p = replace(p, **limits)
-        frame = meaning.frame(node, words.frames, self.problem)
-        elements = meaning.elements(p, frame, words.frames)
+        frame = meaning.resolve_frame(node, words.frames, self.problem)
+        elements = meaning.frame_elements(p, frame, words.frames)
         if elements and isinstance(p.element, m.Vector):
             wanted = f"vectors in the frame {frame} have the elements {', '.join(elements)}"
             remedy = f"{p.element.name} has {', '.join(p.element.elements)}; use another type"
             self.problem(node["type"].position, f"{wanted}, but {remedy}")
         return replace(
             p,
-            reserved=meaning.reserved(node, p, self.problem),
+            reserved=meaning.resolve_reserved(node, p, self.problem),
             description=node.scalar("description", named.description if named else ""),
-            units=meaning.units(node, p, words.units, self.problem),
+            units=meaning.resolve_units(node, p, words.units, self.problem),
             any_unit="unit" in node and node["unit"].value is None,
             frame=frame,
             at_rest=meaning.at_rest(node, p, self.problem),
             positive=node.scalar("positive", ""),
-            default=meaning.default(node, p, self.problem),
+            default=meaning.resolve_default(node, p, self.problem),
             shown=node.scalar("shown"),
             fields_of=node.scalar("fields_of", ""),
-            valid=meaning.valid(node),  # judged in `finish`, because the flags usually come last
+            valid=meaning.resolve_valid(node),  # judged in `finish`, because the flags usually come last
             required_for=self.presence(node, p),
             optional=self.may_be_absent(node, p),
             by_device=variation.differs_by_device(node),
             deprecated=node.scalar("deprecated", False),
-            notes=sentences(node, "notes"),
-            uncertain=sentences(node, "uncertain"),
+            notes=texts_of_node(node, "notes"),
+            uncertain=texts_of_node(node, "uncertain"),
         )
 
     def presence(self, node: Node, p: m.Parameter) -> tuple[m.Function, ...]:
@@ -318,7 +318,7 @@ class Layout:
             if not ("valid" in node or p.name == flags or p.derived or p.reserved is not None)
         ]
         for i in concerned:
-            self.done[i] = replace(self.done[i], valid=meaning.valid(whole))
+            self.done[i] = replace(self.done[i], valid=meaning.resolve_valid(whole))
         if concerned:
             meaning.valid_bits(whole, self.done[concerned[0]], self.done, self.problem)
         else:
@@ -352,7 +352,7 @@ class Layout:
 
     def check_groups(self, parameters: Sequence[m.Parameter]) -> None:
         """Requires that the presence of optional parameters is detectable, and the same for a counter and its array."""
-        for group in m.groups(parameters, 0):
+        for group in m.optional_groups(parameters, 0):
             first, last = group.parameters[0], group.parameters[-1]
             if all(p.constant is not None for p in group.parameters):
                 self.problem(
@@ -389,7 +389,7 @@ class Layout:
             if isinstance(p.length, str):
                 before, behind = self.done[: i + 1], self.done[i + 1 :]
                 always = [*before, *(q for q in behind if not (self.functions or q.optional))]
-                most = max(0, m.MAX_FIELD_DATA - self.taken(always)) // max(1, extent.element(p))
+                most = max(0, m.MAX_FIELD_DATA - self.taken(always)) // max(1, extent.item_size(p))
                 counter = self.earlier(p.length)
                 if counter is not None and isinstance(counter.element, m.Scalar):
                     most = min(most, (1 << counter.element.width) - 1)

@@ -19,7 +19,7 @@ from . import beside, checks, devices, evidence, frames, guides, simulation
 from .meaning import unknown_unit
 from .sets import Families
 from .types import Types
-from .vocabulary import Vocabulary, sources
+from .vocabulary import Vocabulary, sources_of_node
 
 
 def load_model(spec: Path, *overlays: Path) -> m.Model:
@@ -48,7 +48,7 @@ def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:
 
 def _programs() -> tuple[tuple[str, str], ...]:
     """Returns the example programs and the parts of READMEs that come with this program, by file name."""
-    files = (f for folder in resources.PROGRAMS for f in resources.files(resources.root() / folder))
+    files = (f for folder in resources.PROGRAMS for f in resources.files_in(resources.root() / folder))
     return tuple((name, file.read_text("utf-8")) for name, file in files)
 
 
@@ -69,7 +69,7 @@ def resolve(documents: Sequence[Document], problems: Problems) -> m.Model:
         simulated = simulation.resolve(roots["simulation"], model, problems)
         model = replace(model, simulation=simulated)
         model = replace(model, guides=guides.resolve(roots["guide"], model, types.vocabulary, problems))
-        references.check((root for several in roots.values() for root in several), model, problems)
+        references.check_references((root for several in roots.values() for root in several), model, problems)
     return model
 
 
@@ -148,7 +148,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
     if len(codes) != 1:
         problems.add(node.keys["parameters"], "the acknowledge field needs exactly one enumeration: the code")
         codes.append(types.vocabulary.selector)  # as a substitute, to find further problems
-    cited = sources(node, types.vocabulary, problems)
+    cited = sources_of_node(node, types.vocabulary, problems)
     acknowledge = m.Field(
         family="protocol", occurrences=(m.Occurrence(0, "protocol", node["title"].value, cited),),
         everywhere=m.COMMAND_SETS, name=node["name"].value, descriptor=node["descriptor"].value, role=m.RESPONSE,
@@ -174,7 +174,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         frames=frames.resolve(root["frames"], types.vocabulary, problems),
         manuals=tuple(types.vocabulary.manuals.values()),
         notes=tuple(
-            m.Chapter(n["title"].value, tuple(n["text"].plain()), sources(n, types.vocabulary, problems))
+            m.Chapter(n["title"].value, tuple(n["text"].plain()), sources_of_node(n, types.vocabulary, problems))
             for n in root.get("notes") or ()
         ),
         vocabulary=_vocabulary(root.get("vocabulary")),

@@ -9,18 +9,18 @@ from functools import cache
 from typing import Any
 
 from mipgen import model as m
-from mipgen.read.nodes import Node, number
+from mipgen.read.nodes import Node, parse_number
 from mipgen.read.problems import Problems, close, nearest
 
 Problem = Callable[[m.Position, str], None]
 Number = int | float
 
 
-def unknown(what: str, word: str, choices: Iterable[str], home: str, guess: bool = True) -> str:
+def unknown_word(what: str, word: str, choices: Iterable[str], home: str, guess: bool = True) -> str:
     """Words the message for a word that is not in a vocabulary; `home` is the vocabulary's file.
 
-    >>> unknown("unit", "sec", ["m", "s"], "protocol.yaml"), unknown("unit", "km/h", ["m", "s"], "protocol.yaml")
-    ("unknown unit 'sec', did you mean 's'?", "unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml")
+    >>> unknown_word("unit", "sec", ["m", "s"], "spec.yaml"), unknown_word("unit", "km/h", ["m", "s"], "spec.yaml")
+    ("unknown unit 'sec', did you mean 's'?", "unknown unit 'km/h'; known: m, s; add a new one to spec.yaml")
     """
     choices = list(choices)
     remedy = close(word, choices, guess) or f"{nearest(word, choices, guess)}; add a new one to {home}"
@@ -28,7 +28,7 @@ def unknown(what: str, word: str, choices: Iterable[str], home: str, guess: bool
 
 
 def unknown_unit(word: str, choices: Iterable[str]) -> str:
-    return unknown("unit", word, choices, "protocol.yaml", guess=False)  # units may differ by one letter
+    return unknown_word("unit", word, choices, "protocol.yaml", guess=False)  # units may differ by one letter
 
 
 def unit(node: Node, units: Iterable[m.Word], problems: Problems) -> m.Unit | None:
@@ -42,10 +42,10 @@ def unit(node: Node, units: Iterable[m.Word], problems: Problems) -> m.Unit | No
 
 
 def unknown_manual(word: str, choices: Iterable[str]) -> str:
-    return unknown("manual", word, choices, "manuals/")
+    return unknown_word("manual", word, choices, "manuals/")
 
 
-def citation(
+def resolve_citation(
     node: Node, manuals: Mapping[str, m.Manual], problem: Problem, heading: str | None = None
 ) -> tuple[str, str]:
     """Resolves the manual and the section that a source, an example or an erratum names. A source of a field may omit
@@ -79,7 +79,7 @@ def _plain(heading: str) -> str:
 _WITHOUT_UNIT = {"bool": "true or false", "char": "a text"}
 
 
-def units(node: Node, p: m.Parameter, symbols: Mapping[str, m.Unit], problem: Problem) -> tuple[m.Unit, ...]:
+def resolve_units(node: Node, p: m.Parameter, symbols: Mapping[str, m.Unit], problem: Problem) -> tuple[m.Unit, ...]:
     """Resolves `unit`: one unit for all elements, or one for each."""
     stated = node.get("unit")
     if stated is None or stated.value is None:
@@ -99,14 +99,14 @@ def units(node: Node, p: m.Parameter, symbols: Mapping[str, m.Unit], problem: Pr
     return tuple(symbols.get(entry.value, m.Unit(entry.value)) for entry in entries)
 
 
-def frame(node: Node, names: Collection[str], problem: Problem) -> str | None:
+def resolve_frame(node: Node, names: Collection[str], problem: Problem) -> str | None:
     frame: str | None = node.scalar("frame")
     if frame is not None and frame not in names:
-        problem(node["frame"].position, unknown("frame", frame, names, "protocol.yaml"))
+        problem(node["frame"].position, unknown_word("frame", frame, names, "protocol.yaml"))
     return frame
 
 
-def elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+def frame_elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
     """Returns the elements of a vector in a frame with its own names; those of matrices and quaternions are always the
     same."""
     own = p.element.elements if isinstance(p.element, m.Vector) else ()
@@ -119,7 +119,7 @@ _LIMIT = re.compile(r"([<>]=?) ([^ ,]+)")
 _BOUNDS = {">=": "minimum", "<=": "maximum", ">": "above", "<": "below"}
 
 
-def limits(node: Node, p: m.Parameter, problem: Problem) -> dict[str, Any]:
+def resolve_range(node: Node, p: m.Parameter, problem: Problem) -> dict[str, Any]:
     """Resolves `range`, if there is one, to the attributes of a parameter."""
     entry = node.get("range")
     if entry is None:
@@ -133,7 +133,9 @@ def limits(node: Node, p: m.Parameter, problem: Problem) -> dict[str, Any]:
         problem(entry.position, f"'{p.name}' is not a vector of one unit, so it has no magnitude; write a range")
         return {}
     if isinstance(entry.value, str):
-        listed = [(_BOUNDS[sign], Node(number(text), entry.position)) for sign, text in _LIMIT.findall(entry.value)]
+        listed = [
+            (_BOUNDS[sign], Node(parse_number(text), entry.position)) for sign, text in _LIMIT.findall(entry.value)
+        ]
     else:
         listed = [x for x in zip(("minimum", "maximum"), entry, strict=True) if x[1].value is not None]
     what = f"a bound of the {'magnitude' if of_length else 'range'} of '{p.name}'"
@@ -169,7 +171,7 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
             return 0, (1 << bits) - 1
 
 
-def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
+def resolve_reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
     """Resolves `reserved`, the value to send for a reserved parameter."""
     value: int | None = node.scalar("reserved")
     if value is None:
@@ -181,7 +183,7 @@ def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
     return float(value) if p.element.kind == "float" else value
 
 
-def default(node: Node, p: m.Parameter, problem: Problem) -> object:
+def resolve_default(node: Node, p: m.Parameter, problem: Problem) -> object:
     """Resolves the factory default, in the form of the parameter: a number, a value's name, a list."""
     stated = node.get("default")
     if stated is None:
@@ -389,21 +391,21 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
                 f"'{flags}' is not a bool, so it cannot mark '{p.name}' as valid; use a bool, or a bit: flags.valid",
             )
         return
-    defined = bits(other)
+    defined = bit_names(other)
     if not defined:
         problem(node.position, f"'{flags}' is not a bitfield, so it cannot mark '{p.name}' as valid")
     elif bit not in defined:
         problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, defined)}")
 
 
-def bits(flags: m.Parameter) -> set[str]:
+def bit_names(flags: m.Parameter) -> set[str]:
     """Returns the names of the bits of flags, in any reading."""
     return {
         b.name for t in (flags.element, *(v.type for v in flags.readings)) if isinstance(t, m.Bitfield) for b in t.bits
     }
 
 
-def valid(node: Node) -> tuple[str, ...]:
+def resolve_valid(node: Node) -> tuple[str, ...]:
     stated = node.get("valid")
     if stated is None or stated.value is None:
         return ()

@@ -10,7 +10,7 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
 from .types import Types
-from .vocabulary import cited, sentences, short_name
+from .vocabulary import cited, short_name, texts_of_node
 
 ROLES: tuple[m.Role, ...] = (m.COMMAND, m.RESPONSE, m.DATA)
 
@@ -56,7 +56,7 @@ class Families:
         return m.Family(
             name, kind, node["title"].value, node["description"].value, sets, self.types.of(name), tuple(fields),
             self.cited(name) if "set" in node else (), self.named(node, kind),
-            sentences(node, "uncertain"), node.position,
+            texts_of_node(node, "uncertain"), node.position,
         )  # fmt: skip
 
     def meant(self, node: Node, first: m.Set) -> m.Kind:
@@ -98,7 +98,7 @@ class Families:
         kind: m.Kind = "command" if number in m.COMMAND_SETS else "data" if number in m.DATA_SETS else "shared"
         return m.Set(
             number, name, kind, node["title"].value, node["description"].value, family,
-            self.cited(name), sentences(node, "uncertain"), self.types.needs(node),
+            self.cited(name), texts_of_node(node, "uncertain"), self.types.needs(node),
             place,
         )  # fmt: skip
 
@@ -127,8 +127,8 @@ class Families:
         record = self.types.record(
             list(node.get("parameters") or ()), family, letters, whole=node, unknown="".join(unknown)
         )
-        (occurrences, cited), affects = places.of(node), sentences(node, "affects")
-        keywords = self.types.vocabulary.keywords.entries_of(f"{family}.{node['name'].value}")
+        (occurrences, cited), affects = places.of(node), texts_of_node(node, "affects")
+        words = tuple(w.value for w in self.types.vocabulary.keywords.entries_of(f"{family}.{node['name'].value}"))
         command = m.Field(
             family=family, occurrences=occurrences, name=node["name"].value, descriptor=node[role].value, role=role,
             title=_title(node), description=node["description"].value,
@@ -140,9 +140,9 @@ class Families:
             may_affect=tuple(x[:-1] for x in affects if x[-1] == "?"),
             timeout=node.scalar("timeout"),
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
-            sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"), keywords=tuple(k.value for k in keywords),
+            sent_by=node.scalar("sent_by", "host"), also=texts_of_node(node, "also"), keywords=words,
             needs=self.types.needs(node),
-            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
+            notes=texts_of_node(node, "notes"), uncertain=texts_of_node(node, "uncertain"),
             short=short_name(node, node["name"].value, self.problems), position=node.position,
         )  # fmt: skip
         if role == m.COMMAND and affects:
@@ -197,8 +197,8 @@ class Families:
             sources=cited,
             command=command.name, devices=self.devices(node.get("devices")),
             when=self.conditions(node.get("when"), command),
-            also=(*(f"{name}_response" for name in command.also if "name" not in node), *sentences(node, "also")),
-            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
+            also=(*(f"{name}_response" for name in command.also if "name" not in node), *texts_of_node(node, "also")),
+            notes=texts_of_node(node, "notes"), uncertain=texts_of_node(node, "uncertain"),
             short=short_name(node, name, self.problems) or usual, position=node.position,
         )  # fmt: skip
 

@@ -164,8 +164,8 @@ class _Values:
         if q is None or q.typical is None:
             return
         try:
-            value = simulated_values.shown(p, q.typical, factor)
-            codec.put(p, value)
+            value = simulated_values.simulated_value(p, q.typical, factor)
+            codec.encode_value(p, value)
         except (ValueError, codec.CodecError) as error:
             self.problems.add(node.position, f"'{p.name}' cannot show the typical value of '{q.name}': {error}")
 

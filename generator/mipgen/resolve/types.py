@@ -14,7 +14,7 @@ from mipgen.read.problems import Problems, nearest
 from .beside import ALL_VALID
 from .layout import Layout, Record
 from .variation import Scope
-from .vocabulary import Vocabulary, cited, sentences, short_name
+from .vocabulary import Vocabulary, cited, short_name, texts_of_node
 
 #: The greatest depth of nested structures: far beyond need, and below Python's own limit.
 MAX_NESTING = 16
@@ -113,7 +113,7 @@ class Types:
             node.scalar("description", ""),
             owner,
             cited(f"{owner}.{name}" if owner else name, self.vocabulary, self.problems),
-            sentences(node, "uncertain"),
+            texts_of_node(node, "uncertain"),
         )
         if kind == "enum":
             values = self._values(node)
@@ -142,7 +142,7 @@ class Types:
             if entry.value in elements[:i]:
                 self.problems.add(entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one")
         scalar, description = m.SCALARS[node["vector"].value], node.scalar("description", "")
-        uncertain = sentences(node, "uncertain")
+        uncertain = texts_of_node(node, "uncertain")
         return m.Vector(name, scalar, tuple(elements), description, uncertain, position=node.position)
 
     def _values(self, node: Node) -> tuple[m.EnumValue, ...]:
@@ -155,7 +155,7 @@ class Types:
                 v["value"].value,
                 v.scalar("description", ""),
                 v.scalar("deprecated", False),
-                sentences(v, "uncertain"),
+                texts_of_node(v, "uncertain"),
                 short_name(v, name, self.problems),
                 self.needs(v),
                 places[name],
@@ -174,8 +174,8 @@ class Types:
             place = node.keys[name] if node else None
             enum = self._enum_of(entry, owner)
             description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
-            uncertain, short = sentences(entry, "uncertain"), short_name(entry, name, self.problems)
-            concerns = sentences(entry, "concerns")
+            uncertain, short = texts_of_node(entry, "uncertain"), short_name(entry, name, self.problems)
+            concerns = texts_of_node(entry, "concerns")
             self.concerned += entry.get("concerns") or ()
             needs, state = self.needs(entry), self._state(entry.get("when") or when, owner)
             several.append(
@@ -208,7 +208,7 @@ class Types:
     def needs(self, node: Node) -> tuple[str, ...]:
         """Returns the hardware that a set, a field, a value or a bit requires."""
         self.needed += node.get("needs") or ()
-        return sentences(node, "needs")
+        return texts_of_node(node, "needs")
 
     def _span(self, name: str, span: Node, width: int) -> tuple[int, int] | None:
         """Parses the lowest and the highest bit from 3 or 3-5."""

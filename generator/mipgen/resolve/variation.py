@@ -19,7 +19,7 @@ from mipgen.read.problems import nearest
 
 from . import meaning
 from .meaning import Problem
-from .vocabulary import Vocabulary, sentences
+from .vocabulary import Vocabulary, texts_of_node
 
 #: The keyword for a variant whose values are unknown.
 UNKNOWN = "unknown"
@@ -64,7 +64,7 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
             scope.problem(cases.keys[label], f"'{sibling.element.name}' has no value '{label}'{near}")
         if case.scalar("valid") is not None:
             meaning.valid_bits(case, what, siblings.values(), scope.problem)
-        v = variant(case, what, by, label, value.value if value else None, scope)
+        v = resolve_variant(case, what, by, label, value.value if value else None, scope)
         variants.append(replace(v, member=member))
     return tuple(variants)
 
@@ -78,32 +78,32 @@ def _concerned(name: str, place: m.Position, p: m.Parameter, scope: Scope) -> m.
     return members.get(name)
 
 
-def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, scope: Scope) -> m.Variant:
+def resolve_variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, scope: Scope) -> m.Variant:
     """Resolves one variant."""
     words, problem = scope.words, scope.problem
     if node.value == UNKNOWN:
         return m.Variant(by, key, value, unknown=True)
-    limits = meaning.limits(node, p, problem)
+    limits = meaning.resolve_range(node, p, problem)
     reading = _reading(node, p, scope)
-    frame = meaning.frame(node, words.frames, problem)
+    frame = meaning.resolve_frame(node, words.frames, problem)
     return m.Variant(
         by=by,
         key=key,
         value=value,
         type=reading,
-        units=meaning.units(node, replace(p, element=reading) if reading else p, words.units, problem),
-        elements=meaning.elements(p, frame, words.frames),
+        units=meaning.resolve_units(node, replace(p, element=reading) if reading else p, words.units, problem),
+        elements=meaning.frame_elements(p, frame, words.frames),
         frame=frame,
         **limits,
-        default=meaning.default(
+        default=meaning.resolve_default(
             node, replace(p, minimum=limits.get("minimum"), maximum=limits.get("maximum")), problem
         ),
-        valid=meaning.valid(node) if "valid" in node else None,
+        valid=meaning.resolve_valid(node) if "valid" in node else None,
         constant=_constant(node, p, problem),
         only=_only(node, p, reading or p.element, problem),
         deprecated=node.scalar("deprecated"),
         description=node.scalar("description", ""),
-        inferred=" ".join(sentences(node, "uncertain")),
+        inferred=" ".join(texts_of_node(node, "uncertain")),
     )
 
 

@@ -31,7 +31,7 @@ class Vocabulary:
         return tuple(f for f in self.functions if f.letter in text)
 
 
-def sentences(node: Node, key: str) -> tuple[str, ...]:
+def texts_of_node(node: Node, key: str) -> tuple[str, ...]:
     """Returns a list of sentences, such as `notes` or `uncertain`."""
     return tuple(node[key].plain()) if key in node else ()
 
@@ -46,7 +46,7 @@ def short_name(node: Node, name: str, problems: Problems) -> str | None:
     return str(entry.value)
 
 
-def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
+def sources_of_node(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
     """Returns the `sources` of a node."""
     return _sources(node.get("sources") or (), vocabulary, problems, None)
 
@@ -62,7 +62,7 @@ def _sources(
 ) -> tuple[m.Source, ...]:
     cited = []
     for entry in entries:
-        manual, section = meaning.citation(entry, vocabulary.manuals, problems.add, heading)
+        manual, section = meaning.resolve_citation(entry, vocabulary.manuals, problems.add, heading)
         length = entry.get("length")
         printed, place = (str(length.value), length.position) if length else (None, entry.position)
         cited.append(m.Source(manual, section, printed, place))

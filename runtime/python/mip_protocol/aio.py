@@ -67,7 +67,7 @@ from .port import (
     warn_unclosed,
     weakly,
 )
-from .rejected import Known, ask_and_find_cause, received, with_cause
+from .rejected import ConnectedDevice, ask_and_find_cause, received, with_cause
 from .streaming import steps
 
 #: Turns of the event loop before a command is sent, so that bytes that have arrived are processed
@@ -123,7 +123,7 @@ class Device(AtPort):
         self._link.start(weakly(self._receive), weakly(self._lose))
         self._closed = False
         # needs: session
-        self._known = Known()
+        self._target = ConnectedDevice()
 
     def __del__(self) -> None:
         if not self._closed and not sys.is_finalizing():
@@ -232,13 +232,13 @@ class Device(AtPort):
     ) -> tuple[Response | None, ...]:
         tickets = await self._exchange(commands, timeout)
         # needs: session
-        await self._follow(with_cause(received(tickets), self._known))
+        await self._follow(with_cause(received(tickets), self._target))
         return responses(tickets)
 
     # needs: session
     async def cause(self, command: Command) -> Cause | None:
         """Like `device.Device.cause`."""
-        return await self._follow(ask_and_find_cause(command, self._known))
+        return await self._follow(ask_and_find_cause(command, self._target))
 
     async def exchange(
         self, *commands: Command, timeout: float | None = None
@@ -312,7 +312,7 @@ class Device(AtPort):
     ) -> dict[type[Field], float]:
         """Like `device.Device.stream`."""
         dialog = steps(session(), rates, set, timestamp)
-        return await self._follow(with_cause(dialog, self._known))
+        return await self._follow(with_cause(dialog, self._target))
 
     # needs: baud rates
     async def change_baud(self, command: Command, attempts: int = 3) -> int:

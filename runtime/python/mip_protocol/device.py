@@ -39,7 +39,7 @@ from .errors import Cause, NoAnswer, Refused
 from .exceptions import PortClosed
 from .field import Command, Field, R, Response
 from .port import USUAL, Reader, as_port, open_url, warn_unclosed, weakly
-from .rejected import Known, ask_and_find_cause, received, with_cause
+from .rejected import ConnectedDevice, ask_and_find_cause, received, with_cause
 from .streaming import steps
 
 F = TypeVar("F", bound=Field)
@@ -99,7 +99,7 @@ class Device(AtPort):
         self._reader.start()
         self._closed = False  # by `close`
         # needs: session
-        self._known = Known()
+        self._target = ConnectedDevice()
 
     def __del__(self) -> None:
         # When Python exits, the thread no longer runs and cannot be waited for.
@@ -217,7 +217,7 @@ class Device(AtPort):
     ) -> tuple[Response | None, ...]:
         tickets = self._exchange(commands, timeout)
         # needs: session
-        self._follow(with_cause(received(tickets), self._known))
+        self._follow(with_cause(received(tickets), self._target))
         return responses(tickets)
 
     # needs: session
@@ -227,7 +227,7 @@ class Device(AtPort):
 
         The errors of `request` and `stream` contain it.
         """
-        return self._follow(ask_and_find_cause(command, self._known))
+        return self._follow(ask_and_find_cause(command, self._target))
 
     def exchange(self, *commands: Command, timeout: float | None = None) -> list[Outcome | None]:
         """Sends commands of one set in one packet and returns the outcome of each.
@@ -316,7 +316,7 @@ class Device(AtPort):
         `request` raises.
         """
         dialog = steps(session(), rates, set, timestamp)
-        return self._follow(with_cause(dialog, self._known))
+        return self._follow(with_cause(dialog, self._target))
 
     # needs: baud rates
     def change_baud(self, command: Command, attempts: int = 3) -> int:

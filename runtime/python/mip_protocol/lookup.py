@@ -152,12 +152,12 @@ def _ends() -> dict[str, tuple[str, ...]]:
 
 
 def unknown(
-    name: str, what: str, known: Iterable[str], near: Iterable[str] | None = None
+    name: str, what: str, choices: Iterable[str], near: Iterable[str] | None = None
 ) -> UnknownName:
     """Returns the error for an unknown name, with the nearest names."""
-    known = list(known)
-    close = tuple(_close(name, known) if near is None else near)[:4]
-    few = tuple(known) if len(known) <= 8 else ()
+    choices = list(choices)
+    close = tuple(_close(name, choices) if near is None else near)[:4]
+    few = tuple(choices) if len(choices) <= 8 else ()
     hint = f"did you mean {_either(close)}?" if close else f"known: {', '.join(few)}" if few else ""
     text = f"{name!r} is not {what}"
     return UnknownName("unknown_name", f"{text}; {hint}" if hint else text, close or few)

@@ -52,8 +52,8 @@ def by_name(name: str) -> type[Field]:
 
     numbers = descriptors(name)
     module, kind = field_home(name, [t.NAME for t in types(*numbers)] if numbers else None)
-    found: type[Field] = getattr(import_module(f".{module}", __package__), kind)
-    return found
+    field_type: type[Field] = getattr(import_module(f".{module}", __package__), kind)
+    return field_type
 
 
 def set_by_name(name: str) -> int:

@@ -42,7 +42,7 @@ class Listing(NamedTuple):
 
 
 @dataclass
-class Known:
+class ConnectedDevice:
     """What is known about the connected device."""
 
     profile: Device | None = None
@@ -80,42 +80,42 @@ def listed(command: Command) -> Iterator[tuple[Listing, int, int, int | None]]:
         entries = range(place.first, place.first + count * place.stride, place.stride)
         for at in entries if place.first >= 0 and count else (-1,):
             by = at + place.decimation_at
-            known = at >= 0 and place.decimation_at >= 0
-            yield place, set, number(at), number(by) << 8 | number(by + 1) if known else None
+            decimates = at >= 0 and place.decimation_at >= 0
+            yield place, set, number(at), number(by) << 8 | number(by + 1) if decimates else None
 
 
-def find_cause(command: Command, known: Known) -> Cause | None:
+def find_cause(command: Command, target: ConnectedDevice) -> Cause | None:
     """Returns the field for which a device has rejected a command; None if nothing shows it."""
-    found = list(listed(command))
-    for index, (_, set, descriptor, _) in enumerate(found):
-        if known.sends(set, descriptor) is False:
-            return Cause(index, set, descriptor, ABSENT, _absent(known, set, descriptor))
-    for index, (place, set, descriptor, decimation) in enumerate(found):
+    fields = list(listed(command))
+    for index, (_, set, descriptor, _) in enumerate(fields):
+        if target.sends(set, descriptor) is False:
+            return Cause(index, set, descriptor, ABSENT, _absent(target, set, descriptor))
+    for index, (place, set, descriptor, decimation) in enumerate(fields):
         if decimation == 0:
             text = f"the decimation of {data_name(set, descriptor)} is 0"
             return Cause(index, set, descriptor, DECIMATION, text)
         if 0 <= place.most <= index:
-            text = f"{len(found)} fields are listed, at most {place.most} are possible"
+            text = f"{len(fields)} fields are listed, at most {place.most} are possible"
             return Cause(index, set, descriptor, TOO_MANY, text)
-    unknown = [(i, s, d) for i, (_, s, d, _) in enumerate(found) if known.sends(s, d) is None]
+    unknown = [(i, s, d) for i, (_, s, d, _) in enumerate(fields) if target.sends(s, d) is None]
     for index, set, descriptor in unknown:
         if descriptor and not types(set, descriptor) and not types(SHARED_SET, descriptor):
             text = f"0x{descriptor:02X} is not a field of {data_name(set, 0)}"
             return Cause(index, set, descriptor, UNDEFINED, text)
-    for index, set, descriptor in unknown if known.profile else ():
-        text = f"{_title(known)} is not known to send {data_name(set, descriptor)}"
+    for index, set, descriptor in unknown if target.profile else ():
+        text = f"{_title(target)} is not known to send {data_name(set, descriptor)}"
         return Cause(index, set, descriptor, UNLISTED, text)
     return None
 
 
-def _absent(known: Known, set: int, descriptor: int) -> str:
-    why = known.profile.why(set, descriptor) if known.profile else None
+def _absent(target: ConnectedDevice, set: int, descriptor: int) -> str:
+    why = target.profile.why(set, descriptor) if target.profile else None
     absence = why.absence if why else ""
-    return f"{_title(known)} {absence or f'does not send {data_name(set, descriptor)}'}"
+    return f"{_title(target)} {absence or f'does not send {data_name(set, descriptor)}'}"
 
 
-def _title(known: Known) -> str:
-    return known.profile.title if known.profile else "the device"
+def _title(target: ConnectedDevice) -> str:
+    return target.profile.title if target.profile else "the device"
 
 
 def data_name(set: int, descriptor: int) -> str:
@@ -127,35 +127,35 @@ def data_name(set: int, descriptor: int) -> str:
     return kinds[0].name_in(set) if kinds else f"{of} 0x{descriptor:02X}"
 
 
-def ask_and_find_cause(command: Command, known: Known) -> Dialog[Cause | None]:
+def ask_and_find_cause(command: Command, target: ConnectedDevice) -> Dialog[Cause | None]:
     """Asks the device what it is and what it sends, once, and returns the cause of a rejection."""
     if not any(True for _ in listed(command)):
         return None
     start = session()
-    if start is not None and not known.asked:
+    if start is not None and not target.asked:
         from .devices import identify  # imports most sets
 
-        known.asked = True
+        target.asked = True
         try:
             information = start.information((yield Step(start.identify())))
-            known.profile = known.profile or identify(information)
-            found: set[tuple[int, int]] = set()
+            target.profile = target.profile or identify(information)
+            fields: set[tuple[int, int]] = set()
             for kind in (make() for make in start.descriptors):
-                if not found or (kind.SET, kind.DESCRIPTOR) in found:
+                if not fields or (kind.SET, kind.DESCRIPTOR) in fields:
                     reply = yield Step(kind)
-                    found |= {divmod(number, 0x100) for number in reply.descriptors}
-            known.descriptors = found
+                    fields |= {divmod(number, 0x100) for number in reply.descriptors}
+            target.descriptors = fields
         except MipError:  # the profile helps alone; a list of which a part is missing shows nothing
             pass
-    return find_cause(command, known)
+    return find_cause(command, target)
 
 
-def with_cause(dialog: Dialog[T], known: Known) -> Dialog[T]:
+def with_cause(dialog: Dialog[T], target: ConnectedDevice) -> Dialog[T]:
     """Does what a dialog does, and adds the cause to its error if the device rejects a command."""
     try:
         return (yield from dialog)
     except Refused as refused:
-        why = yield from ask_and_find_cause(refused.command, known)
+        why = yield from ask_and_find_cause(refused.command, target)
         raise Refused(refused.command, refused.code, refused.outcomes, why) from None
 
 

@@ -11,7 +11,7 @@ from both import Kind, Peer, acknowledge, packet
 from mip_protocol import devices, filter_data, mip_3dm, registry, types
 from mip_protocol.errors import Cause
 from mip_protocol.packet import RawField
-from mip_protocol.rejected import Known, find_cause
+from mip_protocol.rejected import ConnectedDevice, find_cause
 from support import ROOT
 
 CASES: list[dict[str, Any]] = json.loads((ROOT / "tests/rejected.json").read_text("utf-8"))
@@ -20,17 +20,17 @@ CASES: list[dict[str, Any]] = json.loads((ROOT / "tests/rejected.json").read_tex
 @pytest.mark.parametrize("case", CASES, ids=[case["title"] for case in CASES])
 def test_the_field_to_blame(case: dict[str, Any]) -> None:
     listed = bytes.fromhex(case.get("descriptors", ""))
-    known = Known(
+    connected = ConnectedDevice(
         devices.by_name(case["device"]) if "device" in case else None, set(zip(listed[::2], listed[1::2], strict=True))
     )
     command: Any = registry.decode(RawField(*bytes.fromhex(case["command"]), bytes.fromhex(case["data"])))
-    found = find_cause(command, known)
-    got = found and [found.index, f"{found.set:02X}", f"{found.descriptor:02X}", found.reason, found.text]
+    cause = find_cause(command, connected)
+    got = cause and [cause.index, f"{cause.set:02X}", f"{cause.descriptor:02X}", cause.reason, cause.text]
     assert got == case["cause"]
 
 
-def place(found: Cause | None) -> tuple[int, int, int] | None:
-    return found and (found.index, found.set, found.descriptor)
+def place(cause: Cause | None) -> tuple[int, int, int] | None:
+    return cause and (cause.index, cause.set, cause.descriptor)
 
 
 @pytest.mark.parametrize("name", ["threads", "asyncio"])

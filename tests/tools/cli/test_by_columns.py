@@ -22,7 +22,7 @@ from mip_tools.names.occurrence import occurrence_in
 from mip_tools.names.selection import Selection
 from mip_tools.sentences import Sentences
 from mip_tools.text import clocks, decoding, row_texts
-from mip_tools.text.decoding import decoded, raw_fields
+from mip_tools.text.decoding import decoded_field, raw_fields
 from pairs import pairwise
 from program import log, mip, run
 from support import SEED, later, rounds
@@ -83,7 +83,7 @@ def plain_report(stream: bytes) -> log_report.Report:
         report.malformed += bool(decoding.malformed(piece.packet))
         seen = set()
         for raw in decoding.raw_fields(piece.packet):
-            name = decoding.name_of(decoding.decoded(raw))
+            name = decoding.name_of(decoding.decoded_field(raw))
             kind = report.fields.setdefault((raw.set, raw.descriptor), log_report.Kind(name))
             kind.count += 1
             kind.packets += raw.descriptor not in seen
@@ -107,10 +107,10 @@ def test_info(stream: bytes, piece: int, monkeypatch: pytest.MonkeyPatch) -> Non
     """The same by columns as packet by packet, however the log is divided."""
     monkeypatch.setattr(columns_packets, "_PIECE", piece)
     monkeypatch.setattr(log_report, "PART", 5 * piece)
-    fast, slow = log_report.examine(read_log(stream)), plain_report(stream)
+    fast, slow = log_report.report_on(read_log(stream)), plain_report(stream)
     slow.timeline, slow.assumed = fast.timeline, fast.assumed  # see test_time.py
     slow.clocks["device"] = fast.clocks["device"]
-    assert info.lines("log", fast) == info.lines("log", slow)
+    assert info.report_lines("log", fast) == info.report_lines("log", slow)
     assert info.as_json("log", fast) == info.as_json("log", slow)
     for clock, sets in slow.clocks.items():
         assert {n: held(i) for n, i in fast.clocks[clock].items()} == {n: held(i) for n, i in sets.items()}
@@ -136,8 +136,8 @@ def test_dump(
     seen = []
     monkeypatch.setattr(lines, "PART", 3000)
     monkeypatch.setattr(row_texts, "_MANY", 1)  # pyarrow formats a few rows, too
-    whole = lines.lines
-    monkeypatch.setattr(lines, "lines", lambda *given: seen.append(1) or whole(*given))
+    whole = lines.object_lines
+    monkeypatch.setattr(lines, "object_lines", lambda *given: seen.append(1) or whole(*given))
     words = ["dump", tmp_path / "log.bin", *form, *device, *fields]
     fast = run(capsys, *words)
     monkeypatch.setattr(dump, "_by_columns", lambda *given: False)
@@ -264,7 +264,7 @@ def test_messages(
     pieces = [*scanner.feed(stream), *scanner.flush()]
     selection = Selection(only, data=True)
     log = read_log(stream)
-    kinds, both = messages.survey(log, selection)
+    kinds, both = messages.survey_messages(log, selection)
     clock = both.dated or None
     found = list(plainly(pieces, selection, clock))
     assert set(kinds) == {one[0] for one in found}
@@ -272,7 +272,7 @@ def test_messages(
         wanted = [
             (kind, time, own, number, encoded(value, named, None))
             for kind, time, own, number, value in found
-            if kind in some and (invalid == "keep" or messages.valid(value, log.device))
+            if kind in some and (invalid == "keep" or messages.all_valid(value, log.device))
         ]
         assert list(messages.Messages(some, selection, clock, invalid, messages.Json(named)).of_log(log)) == wanted
 
@@ -286,7 +286,7 @@ def plainly(pieces: list[Any], selection: Selection, clock: str | None) -> Itera
         last[set_number] = (times[clock], piece.offset) if own else last.get(set_number, (None, 0))
         time, place = last[set_number]
         for raw in raw_fields(piece.packet):
-            one = decoded(raw)
+            one = decoded_field(raw)
             if one.value is not None and one.kind is not None and selection.has(raw.set, raw.descriptor):
                 near = own or piece.offset - place <= timestamps.REACH
                 yield occurrence_in(raw.set, one.kind), time if near else None, own, number, one.value
@@ -307,5 +307,5 @@ def test_decimals_of_numbers_of_four_bytes() -> None:
             np.array([0, -0.0, np.nan, np.inf, -np.inf], np.float32),
         ]
     )
-    assert list(map(repr, text.shortest(numbers).tolist())) == [shortest(x) for x in numbers.tolist()]
-    assert text.shortest(numbers[:0]).tolist() == []
+    assert list(map(repr, text.shortest_decimals(numbers).tolist())) == [shortest(x) for x in numbers.tolist()]
+    assert text.shortest_decimals(numbers[:0]).tolist() == []

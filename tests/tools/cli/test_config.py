@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from mip_protocol import AckCode, Device, MissingResponse, Packet, Refused, base, mip_3dm, registry, system, types
 from mip_protocol.errors import Cause
-from mip_tools.configuration.talk import Talk, why
+from mip_tools.configuration.talk import Talk, nack_text
 from mip_tools.ports import connection
 from mip_tools.simulator import LivePort, VirtualDevice
 from program import mip
@@ -188,9 +188,12 @@ def test_only_what_differs_is_written(at: At, tmp_path: Path) -> None:
 
 def test_the_reason_for_a_rejection_has_its_code() -> None:
     command, code = mip_3dm.SensorRange.read(mip_3dm.SensorRangeType.ACCEL), AckCode.INVALID_PARAMETER
-    assert why(Refused(command, code, cause=Cause(0, 0x80, 4, "absent", "a field"))) == "invalid_parameter (3): a field"
-    assert why(Refused(command, code)).startswith("invalid_parameter (3): ")
-    assert why(Refused(command, AckCode(99))) == "code 99"
+    assert (
+        nack_text(Refused(command, code, cause=Cause(0, 0x80, 4, "absent", "a field")))
+        == "invalid_parameter (3): a field"
+    )
+    assert nack_text(Refused(command, code)).startswith("invalid_parameter (3): ")
+    assert nack_text(Refused(command, AckCode(99))) == "code 99"
 
 
 def test_refused_settings_are_named_with_why(at: At, tmp_path: Path) -> None:
@@ -421,7 +424,7 @@ def test_nothing_is_saved_unless_asked(at: At, tmp_path: Path) -> None:
 
 
 def test_settings_are_saved_one_by_one_if_there_is_no_other_way(at: At, tmp_path: Path) -> None:
-    at.device.known -= {(0x0C, 0x30)}
+    at.device.field_keys -= {(0x0C, 0x30)}
     path = edited(tmp_path, ("setting: 3", "setting: 2"))
     assert mip("config", "push", "PORT", path)[0] == 0
     at.commands.clear()

@@ -22,7 +22,7 @@ import pytest
 from mip_protocol import PacketBuilder, Parser, base, mip_3dm, shared, types
 from mip_tools.columns import read_log
 from mip_tools.doctor import findings, stream
-from mip_tools.doctor.events import Event, merged
+from mip_tools.doctor.events import Event, merged_events
 from mip_tools.doctor.examined import Examined
 from mip_tools.doctor.port import why_not_open
 from mip_tools.doctor.values import _Channel
@@ -72,7 +72,7 @@ def packets() -> list[bytes]:
 
 
 def examined(data: bytes, device: str | None = DEVICE) -> Examined:
-    return stream.examine(read_log(data, device=device))
+    return stream.examine_log(read_log(data, device=device))
 
 
 def without(numbers: Sequence[int]) -> bytes:
@@ -221,10 +221,10 @@ def test_events_that_meet_are_merged() -> None:
     """What explains the other one remains, and two of one cause become one."""
     for first in EXPLAINED:
         for second in EXPLAINED:
-            meeting = merged([Event(first, 0, 100, None), Event(second, 50, 150, None)])
+            meeting = merged_events([Event(first, 0, 100, None), Event(second, 50, 150, None)])
             explained = EXPLAINED[first] & {second} | EXPLAINED[second] & {first}
             assert sorted(e.cause for e in meeting) == sorted({first, second} - explained)
-            apart = merged([Event(first, 0, 100, None), Event(second, 9000, 9100, None)])
+            apart = merged_events([Event(first, 0, 100, None), Event(second, 9000, 9100, None)])
             assert [e.cause for e in apart] == [first, second]
 
 
@@ -419,7 +419,7 @@ def test_sentences_are_those_of_info() -> None:
     noise = random.Random(1).randbytes(1 << 16) + b"$\n$GPZDA,,,,,,*49\r\n$GPZDA\n"
     data = SENTENCE + noise + b"ue\x80" + SENTENCE * 2
     assert len(re.findall(rb"\$[ -~]*\r?\n", data)) > 5
-    assert examined(data).sentences == report.examine(read_log(data)).sentences == 3
+    assert examined(data).sentences == report.report_on(read_log(data)).sentences == 3
 
 
 def test_a_time_that_is_not_valid() -> None:

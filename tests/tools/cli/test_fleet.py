@@ -113,20 +113,20 @@ def test_a_data_set_has_the_rows_of_its_logs(tmp_path: Path, here: None, capsys:
     before = rows(out)
     shutil.copy(folder / "car 0/drive0.bin", folder / "copy.bin")
     (folder / "car 0/drive2.bin").write_bytes(log(0.5))
-    built = fleet.build(folder, out, device="^(car .)/")
-    assert built.added == [] and "copy.bin" in built.known and "has changed" in built.failed["car 0/drive2.bin"]
+    built = fleet.build_dataset(folder, out, device="^(car .)/")
+    assert built.added == [] and "copy.bin" in built.unchanged and "has changed" in built.failed["car 0/drive2.bin"]
     assert rows(out).keys() == before.keys()
     with pytest.raises(Failure, match=r"only .*; use the same options, or another folder"):
-        fleet.build(folder, out, only=["sensor"], device="^(car .)/")
+        fleet.build_dataset(folder, out, only=["sensor"], device="^(car .)/")
 
 
 @heavy("Dask")
 def test_a_run_that_fails_anywhere_goes_on(tmp_path: Path, here: None, monkeypatch: pytest.MonkeyPatch) -> None:
     folder, out = logs(tmp_path / "logs", 2), tmp_path / "out"
-    fleet.build(folder, out, group=GROUP)
+    fleet.build_dataset(folder, out, group=GROUP)
     logs(folder, 4)
     whole = tmp_path / "whole"
-    fleet.build(folder, whole, group=GROUP)
+    fleet.build_dataset(folder, whole, group=GROUP)
     replace, places = os.replace, 0
 
     def counted(*paths: Any) -> None:
@@ -143,12 +143,12 @@ def test_a_run_that_fails_anywhere_goes_on(tmp_path: Path, here: None, monkeypat
         monkeypatch.setattr(dataset.os, "replace", counted)
         places = stop
         try:
-            fleet.build(folder, trial, group=GROUP)
+            fleet.build_dataset(folder, trial, group=GROUP)
         except Failure:
             assert rows(trial).keys() == before.keys()  # the manifest still has what was there
         monkeypatch.setattr(dataset.os, "replace", replace)
         if places == 0:
-            fleet.build(folder, trial, group=GROUP)
+            fleet.build_dataset(folder, trial, group=GROUP)
         assert_complete(trial, folder)
         shutil.rmtree(trial)
 
@@ -235,21 +235,21 @@ def test_urls_and_what_is_wrong(tmp_path: Path, here: None, monkeypatch: pytest.
         file.write(log(1.0))
     (tmp_path / "logs/a").mkdir(parents=True)
     (tmp_path / "logs/a/drive0.bin").write_bytes(log(1.0))
-    fleet.build("memory://fleet", tmp_path / "out")
+    fleet.build_dataset("memory://fleet", tmp_path / "out")
     assert_complete(tmp_path / "out", tmp_path / "logs")
     with pytest.raises(Misuse, match=r"both called drive0\.bin"):
-        fleet.build([tmp_path / "logs/a", "memory://fleet/a"], tmp_path / "out")
+        fleet.build_dataset([tmp_path / "logs/a", "memory://fleet/a"], tmp_path / "out")
     with pytest.raises(Misuse, match=r"s3://bucket/out: a data set is made in a folder"):
-        fleet.build("memory://fleet", "s3://bucket/out")
+        fleet.build_dataset("memory://fleet", "s3://bucket/out")
 
     def unreachable(*_: Any) -> bool:
         raise ConnectionError("no route to host\nwhile reading")
 
     monkeypatch.setattr("fsspec.implementations.memory.MemoryFileSystem.isdir", unreachable)
     with pytest.raises(Failure, match=r"^memory://fleet cannot be read: no route to host$"):
-        fleet.build("memory://fleet", tmp_path / "out")
+        fleet.build_dataset("memory://fleet", tmp_path / "out")
     with dataset.alone(tmp_path / "out"), pytest.raises(Failure, match="another run is active"):
-        fleet.build(tmp_path / "logs", tmp_path / "out")
+        fleet.build_dataset(tmp_path / "logs", tmp_path / "out")
     done = subprocess.run(
         command("fleet", tmp_path / "logs", "-o", tmp_path / "x", "--scheduler", "tcp://127.0.0.1:9"),
         env={**ENVIRONMENT, "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "1"},

@@ -134,8 +134,8 @@ def test_every_command_and_function_can_be_typed() -> None:
     for _, kind in registry.all_types():
         if not issubclass(kind, Command):
             continue
-        for function in typed.functions(kind) or [""]:
-            wanted = [name for name in typed.wanted(kind, function) if not name.startswith("[")]
+        for function in typed.constructor_functions(kind) or [""]:
+            wanted = [name for name in typed.value_names(kind, function) if not name.startswith("[")]
             words = [f"{name}={_typed(kind, name)}" for name in wanted]
             made = typed.command(kind, [function, *words] if function else words)
             again = kind.decode(made.encode())
@@ -387,7 +387,7 @@ def test_a_duration_begins_when_the_port_is_open(monkeypatch: pytest.MonkeyPatch
 
     monkeypatch.setattr(connection, "opened", opened)
     monkeypatch.setattr(time, "monotonic", lambda: now)
-    found = connection.received(connection.Line("port", None, "record"), 1.0)
+    found = connection.received_bytes(connection.Line("port", None, "record"), 1.0)
     assert next(found) == b"first"
     now += 2
     assert list(found) == []

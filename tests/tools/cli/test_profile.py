@@ -71,7 +71,7 @@ def put(folder: Path, device_id: str, text: str) -> Path:
 
 
 def test_the_file_of_a_model_that_is_known() -> None:
-    assert device_file.new(facts("3dm-mv5-ar"), SPEC.parent) == (
+    assert device_file.new_file(facts("3dm-mv5-ar"), SPEC.parent) == (
         "extend: 3dm-mv5-ar\n"
         "evidence:\n"
         "  - kind: listed\n"
@@ -85,9 +85,9 @@ def test_the_file_of_a_model_that_is_known() -> None:
 
 def test_the_file_of_a_model_that_is_not_known(tmp_path: Path) -> None:
     device = VirtualDevice(unknown())
-    device.known |= {(0x80, 0x7E), (0x3F, 0x01), (0x3F, 0x02)}
+    device.field_keys |= {(0x80, 0x7E), (0x3F, 0x01), (0x3F, 0x02)}
     it = facts(device)
-    text = device_file.new(it, tmp_path)
+    text = device_file.new_file(it, tmp_path)
     assert text.startswith(
         "device: 3dm-xy9-ins\n"
         "name: xy9_ins\n"
@@ -111,7 +111,7 @@ def test_the_file_of_a_model_that_is_not_known(tmp_path: Path) -> None:
 def test_ports_of_a_model_that_is_not_known(tmp_path: Path) -> None:
     of = devices.DEVICES["3dm-cv7-gnss-ins"]
     device = VirtualDevice(replace(of, title="3DM-XY8", model_number=6998))
-    put(tmp_path, "3dm-xy8", device_file.new(facts(device), tmp_path))
+    put(tmp_path, "3dm-xy8", device_file.new_file(facts(device), tmp_path))
     made = loaded(tmp_path, "3dm-xy8")
     assert {p.id: p.name for p in made.ports} == {p.id: p.name for p in of.ports}
     (first,) = (p for p in made.ports if p.name == "UART 1")
@@ -144,21 +144,21 @@ def test_rates_that_a_device_does_not_tell(tmp_path: Path) -> None:
     """They are not known, unless the profile of the package has them."""
     device, known = VirtualDevice(unknown()), VirtualDevice("3dm-gq7")
     for one in (device, known):
-        one.known -= {(0x0C, 0x0E)}
-    text = device_file.new(facts(device), tmp_path)
+        one.field_keys -= {(0x0C, 0x0E)}
+    text = device_file.new_file(facts(device), tmp_path)
     names = ("sensor", "filter_data", "gnss_1", "gnss_2", "gnss_corrections", "system_data")
     assert f"\nbase_rates: {{{', '.join(f'{name}: ~' for name in names)}}}\n" in text
     put(tmp_path, "3dm-xy9-ins", text)
     assert loaded(tmp_path, "3dm-xy9-ins").base_rates == ()
-    missing = {SETS[n] for n in {s for s, _ in known.known if 0x80 <= s < 0xFF} - known.profile.base_rates.keys()}
+    missing = {SETS[n] for n in {s for s, _ in known.field_keys if 0x80 <= s < 0xFF} - known.profile.base_rates.keys()}
     assert facts(known).rates() == dict.fromkeys(missing)
 
 
 def test_shared_data_that_is_listed_in_data_sets() -> None:
     """As devices do: 0x80D3 and 0x82D3, and not 0xFFD3."""
     device = VirtualDevice("3dm-gq7")
-    own = {key for key in device.known if key[0] != 0xFF}
-    device.known = frozenset(own | {(0x80, 0xD3), (0x82, 0xD3), (0x01, 0xF1), (0x01, 0x81)})
+    own = {key for key in device.field_keys if key[0] != 0xFF}
+    device.field_keys = frozenset(own | {(0x80, 0xD3), (0x82, 0xD3), (0x01, 0xF1), (0x01, 0x81)})
     it = facts(device)
     assert it.fields()["shared"] == ["gps_timestamp"] and not it.undefined()
     assert "Shared data is listed in 0x80, 0x82 only." in it.note()
@@ -206,7 +206,7 @@ FLOW = (
 
 
 def merged(text: str, folder: Path, device: VirtualDevice | str = "3dm-mv5-ar") -> tuple[str, dict[str, str]]:
-    return device_file.merged(facts(device), put(folder, "3dm-mv5-ar", text))
+    return device_file.updated(facts(device), put(folder, "3dm-mv5-ar", text))
 
 
 def test_a_file_of_a_person_keeps_its_words(tmp_path: Path) -> None:
@@ -278,7 +278,7 @@ evidence:
     again, _ = merged(text, tmp_path)
     assert again == text
     later = device_file.Facts(facts("3dm-mv5-ar").model, told(VirtualDevice("3dm-mv5-ar")), "2027-01-01")
-    assert device_file.merged(later, tmp_path / "devices/3dm-mv5-ar.yaml")[0] == text  # the same list: the same day
+    assert device_file.updated(later, tmp_path / "devices/3dm-mv5-ar.yaml")[0] == text  # the same list: the same day
 
 
 def test_rates(tmp_path: Path) -> None:
@@ -286,13 +286,13 @@ def test_rates(tmp_path: Path) -> None:
     old = "extend: 3dm-gx5-15\nbase_rates:\n  sensor: 999  # measured\n  filter_data: ~\n"
     it = facts("3dm-gx5-15")
     path = put(tmp_path, "3dm-gx5-15", old)
-    text, contradictions = device_file.merged(it, path)
+    text, contradictions = device_file.updated(it, path)
     assert text.startswith(old.replace("~", "500"))
     said = f"{path}:3:11: the device says 1000 Hz for sensor, not 999; the file is kept"
     assert contradictions == {"sensor": said}
-    text, _ = device_file.merged(it, put(tmp_path, "3dm-gx5-15", "extend: 3dm-gx5-15\nbase_rates: {sensor: 1e3}\n"))
+    text, _ = device_file.updated(it, put(tmp_path, "3dm-gx5-15", "extend: 3dm-gx5-15\nbase_rates: {sensor: 1e3}\n"))
     assert "\nbase_rates: {sensor: 1e3, filter_data: 500}\n" in text
-    text, _ = device_file.merged(it, put(tmp_path, "3dm-gx5-15", "extend: 3dm-gx5-15\nbase_rates:\n  sensor: 1000\n"))
+    text, _ = device_file.updated(it, put(tmp_path, "3dm-gx5-15", "extend: 3dm-gx5-15\nbase_rates:\n  sensor: 1000\n"))
     assert "\nbase_rates:\n  sensor: 1000\n  filter_data: 500\nevidence:\n" in text
 
 
@@ -300,11 +300,11 @@ def test_ports(tmp_path: Path) -> None:
     of = devices.DEVICES["3dm-cv7-gnss-ins"]
     device = VirtualDevice(replace(of, title="3DM-XY8", model_number=6998))
     it = facts(device)
-    whole = device_file.new(it, tmp_path)
+    whole = device_file.new_file(it, tmp_path)
     kept = whole.partition("ports:\n")[0]
     mine = "  - {name: UART 1, id: 0x12, baud_rates: [9600], receives: [], sends: []}\n"
     path = put(tmp_path, "3dm-xy8", f"{kept}ports:\n{mine}")
-    text, contradictions = device_file.merged(it, path)
+    text, contradictions = device_file.updated(it, path)
     line = text[: text.index(mine)].count("\n") + 1
     said = f"{path}:{line}:5: the device calls the port UART "
     assert mine in text and [*contradictions] == ["UART 1", "UART 2"]
@@ -330,7 +330,7 @@ def test_profiles_of_the_specification(tmp_path: Path) -> None:
     for device_id in found:
         path = spec / f"devices/{device_id}.yaml"
         before = path.read_text("utf-8")
-        text, contradictions = device_file.merged(facts(device_id), path)
+        text, contradictions = device_file.updated(facts(device_id), path)
         assert not contradictions, device_id
         rest = iter(text.splitlines())
         for line in before.splitlines():  # in this order; there may be more in brackets, and a rate that was not known
@@ -373,7 +373,7 @@ def test_files_that_cannot_be_added_to(tmp_path: Path, text: str, message: str) 
 def test_a_device_of_another_file_is_extended(tmp_path: Path) -> None:
     """One that the specification knows and the package does not, yet."""
     put(tmp_path, "mine", "devices:\n  - device: 3dm-xy9-ins\n    name: xy9\n    title: XY9\n    description: Mine.\n")
-    assert device_file.new(facts(VirtualDevice(unknown())), tmp_path).startswith("extend: 3dm-xy9-ins\n")
+    assert device_file.new_file(facts(VirtualDevice(unknown())), tmp_path).startswith("extend: 3dm-xy9-ins\n")
 
 
 # --------------------------------------------------------------------------- the device
@@ -411,12 +411,12 @@ def test_the_streams_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(KeyboardInterrupt):
         told(device)
     assert idle == [True, True] and not device.idle and device.busy
-    device.known -= {(0x01, 0x04), (0x01, 0x06)}
+    device.field_keys -= {(0x01, 0x04), (0x01, 0x06)}
     said: list[str] = []
     with pytest.raises(Failure), Device(LivePort(device, speed=50)) as link:
         listing.ask(link, "PORT", said.append)
     assert said == ["PORT did not acknowledge base.resume, so it may be idle; send it again"] and device.idle
-    device.known |= {(0x01, 0x06)}
+    device.field_keys |= {(0x01, 0x06)}
     with pytest.raises(Failure, match=r"the device refused base\.get_device_descriptors: unknown_command") as caught:
         told(device)
     assert caught.value.status == 3 and not device.idle and device.busy
@@ -429,7 +429,7 @@ def test_an_answer_that_is_missing_is_reported() -> None:
         it = listing.ask(link, "PORT", said.append)
     missing = "3dm.get_imu_base_rate"
     assert said == [f"the device has not answered {missing} in time; the data of {missing} is left out"]
-    assert it.base_rates == {0x82: 500} and len(it.descriptors) == len(device.known)
+    assert it.base_rates == {0x82: 500} and len(it.descriptors) == len(device.field_keys)
 
 
 @pytest.fixture(scope="module")
@@ -507,7 +507,7 @@ def test_there_and_back(tmp_path: Path, ids: list[str]) -> None:
         it = facts(device_id)
         assert it.model.id == device_id and {*it.listing.descriptors} == devices.DEVICES[device_id].fields
         first[device_id] = it.listing
-        put(over, device_id, device_file.new(it, over))
+        put(over, device_id, device_file.new_file(it, over))
     words = ["generate", "--spec", SPEC, "--spec", over, "--target", "python", "--out", package]
     words += [word for device_id in ids if ids == FEW for word in ("--device", device_id)]
     environment = {**ENVIRONMENT, "PYTHONPATH": str(ROOT / "generator")}

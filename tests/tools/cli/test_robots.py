@@ -20,7 +20,7 @@ from mip_protocol import PacketBuilder, Parser, filter_data, registry, shared
 from mip_tools.binding import info
 from mip_tools.columns import layout, read_log
 from mip_tools.formats import messages
-from mip_tools.formats.json_messages import message, schema
+from mip_tools.formats.json_messages import message_values, schema
 from mip_tools.names.occurrence import occurrence_in
 from mip_tools.ros import axes, standard
 from mip_tools.ros.types import Types
@@ -49,7 +49,7 @@ def test_messages_obey_their_schemas(named: bool, device: str | None) -> None:
         for field in registry.decode_packet(received):
             if isinstance(field, tuple):
                 continue
-            jsonschema.validate(message(field, named, device), schema(type(field), named, device))
+            jsonschema.validate(message_values(field, named, device), schema(type(field), named, device))
             seen.add(type(field))
     assert len(seen) > 5
     for _, kind in registry.all_types():
@@ -59,7 +59,7 @@ def test_messages_obey_their_schemas(named: bool, device: str | None) -> None:
 
 def test_what_is_no_number_is_left_out() -> None:
     kind = registry.by_name("sensor.scaled_accel")
-    assert message(kind((1.0, math.nan, -1.0)), False, None) == {"scaled_accel": {"x": 1.0, "z": -1.0}}
+    assert message_values(kind((1.0, math.nan, -1.0)), False, None) == {"scaled_accel": {"x": 1.0, "z": -1.0}}
 
 
 def mcap(path: Path) -> Iterator[tuple[Any, Any, Any]]:
@@ -305,7 +305,7 @@ def test_messages_of_any_length(tmp_path: Path) -> None:
 
 
 def rotated(q: axes.Quaternion, v: axes.Vector) -> list[float]:
-    return [sum(row[i] * v[i] for i in range(3)) for row in axes.matrix(q)]
+    return [sum(row[i] * v[i] for i in range(3)) for row in axes.rotation_matrix(q)]
 
 
 @heavy("rosbags")
@@ -356,7 +356,7 @@ def test_odometry_while_it_moves() -> None:
             builder.add(field.DESCRIPTOR, field.encode())
         log = read_log(bytes(builder.build()))
         kinds = [occurrence_in(0x82, type(field)) for field in values]
-        found = standard.fields(log, kinds, lambda column: np.ones(len(column), bool), "device")
+        found = standard.message_fields(log, kinds, lambda column: np.ones(len(column), bool), "device")
         (made,) = converter.messages(found)
         assert made.topic == "/filter/odometry"
         return {path: values[0].tolist() for path, values in made.values.items()}

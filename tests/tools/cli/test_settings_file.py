@@ -81,7 +81,7 @@ def test_the_browser_reads_and_writes_the_same_files(tmp_path: Path, ids: Iterab
         assert found is not None
         told(found, virtual, 0)
         path.write_text(pulled(virtual))
-        commands = [bytes(c.packet()).hex() for c in parsed.parsed(path).commands.values()]
+        commands = [bytes(c.packet()).hex() for c in parsed.parsed_settings(path).commands.values()]
         about = {"model": device_id, "firmware": "1.0.00", "date": "2026-01-31"}
         requests += [
             {"device": device_id, "text": path.read_text()},
@@ -93,7 +93,7 @@ def test_the_browser_reads_and_writes_the_same_files(tmp_path: Path, ids: Iterab
     for (device_id, commands), read, written in zip(held, answers[::2], answers[1::2], strict=True):
         assert read == {"model": device_id, "packets": commands}, device_id
         path.write_text(written["text"])
-        assert [bytes(c.packet()).hex() for c in parsed.parsed(path).commands.values()] == commands, device_id
+        assert [bytes(c.packet()).hex() for c in parsed.parsed_settings(path).commands.values()] == commands, device_id
     assert (
         in_browser([{"device": device_id, "text": x["text"]} for (device_id, _), x in zip(held, answers[1::2])])
         == answers[::2]
@@ -131,5 +131,5 @@ def test_the_browser_refuses_the_same(tmp_path: Path) -> None:
     for text, answer in zip(texts, answers, strict=True):
         path.write_text(text)
         with pytest.raises(Failure) as raised:
-            parsed.parsed(path)
+            parsed.parsed_settings(path)
         assert answer["error"] == str(raised.value).replace(f"{path}:", ""), text

@@ -30,7 +30,7 @@ from mip_protocol import (
     types,
 )
 from mip_tools.devices.facts import COMMANDS
-from mip_tools.devices.settings import command_type, keys
+from mip_tools.devices.settings import command_type, instance_keys
 from mip_tools.errors import Failure
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.commands import effects
@@ -74,7 +74,7 @@ def test_the_arguments_of_effects_are_those_that_are_declared(name: str) -> None
     behavior = COMMANDS[name]
     declared = {e.name: set(e.arguments) for e in model("real").simulation.effects}
     assert not behavior.effect or set(behavior.arguments) <= declared[behavior.effect]
-    assert set(behavior.all) <= set(keys(command_type(name)))
+    assert set(behavior.all) <= set(instance_keys(command_type(name)))
 
 
 # --------------------------------------------------------------------------- identity
@@ -83,7 +83,7 @@ def test_the_arguments_of_effects_are_those_that_are_declared(name: str) -> None
 @pytest.mark.parametrize("name", sorted(devices.DEVICES))
 def test_a_device_says_who_it_is(name: str) -> None:
     device = VirtualDevice(name)
-    if (base.GetDeviceInfo.SET, base.GetDeviceInfo.DESCRIPTOR) not in device.known:
+    if (base.GetDeviceInfo.SET, base.GetDeviceInfo.DESCRIPTOR) not in device.field_keys:
         return
     info = Host(device).ok(base.GetDeviceInfo()).device_info
     assert info.model_name.strip() == device.profile.title[:16]
@@ -245,7 +245,7 @@ def test_settings_that_lead_beyond_what_data_hold() -> None:
     host = Host(VirtualDevice(GX5))
     host.ok(mip_3dm.GyroBias.write((3.4e38, -3.4e38, 0.0)))
     host.ok(mip_3dm.AccelBias.write((-3.4e38, 0.0, 0.0)))
-    for set_number, descriptor in sorted(x for x in host.device.known if 0x80 <= x[0] < 0xFF):
+    for set_number, descriptor in sorted(x for x in host.device.field_keys if 0x80 <= x[0] < 0xFF):
         host.device.send_data(set_number, [descriptor])
     (gyro,) = [f for p in Parser().feed(host.link.read()) for f in p if f[:2] == (0x80, 0x05)]
     assert sensor.ScaledGyro.decode(gyro.data).scaled_gyro[:2] == pytest.approx((-3.4e38, 3.4e38), rel=0.01)
@@ -561,7 +561,7 @@ def test_any_bytes_are_taken() -> None:
     chance = random.Random(1)
     for name in (CV7, GX5, "3dm-gx5-45", "3dm-gq7"):
         host = Host(VirtualDevice(name))
-        known = sorted(host.device.known)
+        known = sorted(host.device.field_keys)
         for _ in range(rounds(300, 1500)):
             set_number, descriptor = chance.choice(known) if chance.random() < 0.9 else (chance.randrange(1, 128), 1)
             data = bytes(chance.choice((0, 1, 2, 3, 4, 5, 0x80, 0xFF)) for _ in range(chance.randrange(24)))

@@ -11,7 +11,7 @@ from tempfile import NamedTemporaryFile
 from typing import Any
 
 import pytest
-from mip_tools.geometry.attitude import euler, matrix, quaternion, rotation, rotation_vector
+from mip_tools.geometry.attitude import attitude_matrix, euler, euler_rotation, quaternion, rotation_vector
 from mip_tools.simulator.motion import (
     Circle,
     Motion,
@@ -107,9 +107,9 @@ def test_attitude_in_all_forms(motion: Motion) -> None:
     for t in times(motion):
         s = motion.at(t)
         assert isclose(hypot(*s.quaternion), 1, abs_tol=1e-12) and s.quaternion[0] >= 0
-        assert dist(matrix(s.quaternion), s.dcm) < 1e-12
+        assert dist(attitude_matrix(s.quaternion), s.dcm) < 1e-12
         roll, pitch, yaw = euler(s.dcm)
-        assert dist(rotation(roll, pitch, yaw)[1], s.dcm) < 1e-12
+        assert dist(euler_rotation(roll, pitch, yaw)[1], s.dcm) < 1e-12
         assert dist(quaternion(s.dcm), s.quaternion) < 1e-9
 
 

@@ -20,7 +20,7 @@ KNOT = 0.514444
 def said(shown: Shown, name: str, source: int = GNSS_1, talker: int = NmeaTalkerId.GNSS) -> list[list[str]]:
     """The fields of the sentences; their framing is checked."""
     entry = NmeaMessage(NmeaMessageId[name], NmeaTalkerId(talker), source, 1)
-    text = nmea.sentences([entry], shown.world).decode("ascii")
+    text = nmea.compose_sentences([entry], shown.world).decode("ascii")
     assert text.endswith("\r\n")
     found = []
     for line in text.split("\r\n")[:-1]:
@@ -153,14 +153,14 @@ def test_what_there_is() -> None:
     for source, names in sources.items():
         for message in NmeaMessageId:
             entry = NmeaMessage(message, NmeaTalkerId.GNSS, source, 1)
-            assert nmea.known(entry) == (message.name in names), (message, source)
+            assert nmea.is_supported(entry) == (message.name in names), (message, source)
     unknown = NmeaMessage(NmeaMessageId(99), NmeaTalkerId.GPS, GNSS_1, 1)
-    assert not nmea.known(unknown) and nmea.sentences([unknown], Shown(Standing()).world) == b""
+    assert not nmea.is_supported(unknown) and nmea.compose_sentences([unknown], Shown(Standing()).world) == b""
     for talker in (NmeaTalkerId.IGNORED, NmeaTalkerId(77)):
-        assert not nmea.known(NmeaMessage(NmeaMessageId.GGA, talker, GNSS_1, 1)), "GGA must name its talker"
-        assert nmea.known(NmeaMessage(NmeaMessageId.GSV, talker, GNSS_1, 1))
+        assert not nmea.is_supported(NmeaMessage(NmeaMessageId.GGA, talker, GNSS_1, 1)), "GGA must name its talker"
+        assert nmea.is_supported(NmeaMessage(NmeaMessageId.GSV, talker, GNSS_1, 1))
 
 
 def test_the_checksums_of_the_manual() -> None:
-    assert nmea.checksum("PMSRA,221336.93,-0.172,-0.681,3.072") == "5D"
-    assert nmea.checksum("PMSRR,221336.93,-0.012996,0.004631,-1.000471,0.280331,0.130576,0.207637") == "4D"
+    assert nmea.nmea_checksum("PMSRA,221336.93,-0.172,-0.681,3.072") == "5D"
+    assert nmea.nmea_checksum("PMSRR,221336.93,-0.012996,0.004631,-1.000471,0.280331,0.130576,0.207637") == "4D"

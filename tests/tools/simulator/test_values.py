@@ -135,7 +135,7 @@ def test_every_data_field_of_every_device(device: Device, motion: Motion) -> Non
             for data in found:
                 field, trailing = kind.decode_with_trailing(data)
                 assert trailing == 0 and field.encode() == data
-                source = facts.shown(kind, set_number)
+                source = facts.value_sources(kind, set_number)
                 if source.valid_if and not quantities.quantity(world, source.valid_if):
                     assert not any(data), f"{full}: values that are not valid"
                     continue

@@ -49,7 +49,7 @@ class Gaps:
             yield Gap(offset, piece.data[begin:end].tobytes(), goes_on)
 
 
-def sentences(log: Packets) -> Iterator[tuple[int, str]]:
+def nmea_sentences(log: Packets) -> Iterator[tuple[int, str]]:
     """Yields the NMEA sentences of a log that have a correct checksum, each with its offset in the file."""
     gaps, finder = Gaps(), Sentences()
     fed, places = 0, [(0, 0)]  # for each gap: the bytes fed to the parser before it, and its offset
@@ -64,9 +64,9 @@ def sentences(log: Packets) -> Iterator[tuple[int, str]]:
                 fed += len(gap.data)
 
 
-def table(log: Packets, clocks: Iterable[str]) -> Table:
+def nmea_table(log: Packets, clocks: Iterable[str]) -> Table:
     """Makes the table of the NMEA sentences of a log, with the times of the last packet before each."""
-    rows = list(sentences(log))
+    rows = list(nmea_sentences(log))
     offset = np.array([at for at, _ in rows], np.int64)
     columns = [time_column(_before(log, clock, offset), clock) for clock in clocks if clock]
     if columns:
@@ -89,7 +89,7 @@ def table(log: Packets, clocks: Iterable[str]) -> Table:
 
 def _before(log: Packets, clock: str, offset: Array) -> Array:
     """Returns the last valid timestamp of any packet shortly before each offset."""
-    stamps = [times.read(log, number, clock) for number in log.sets() if number >= 0x80]
+    stamps = [times.read_timestamps(log, number, clock) for number in log.sets() if number >= 0x80]
     where = np.concatenate([s.offset for s in stamps if s.some] or [np.zeros(0, np.int64)])
     value = np.concatenate([s.value for s in stamps if s.some] or [np.zeros(0, np.int64)])
     there = value != NONE

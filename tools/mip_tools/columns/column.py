@@ -102,7 +102,7 @@ class Column(Generic[F]):
     def parameters(self) -> Mapping[str, Parameter]:
         """The description of each column: type, unit, frame, range, flags."""
         device = self._log.device
-        described_parameters = described(info(self.type).parameters, "")
+        described_parameters = described_columns(info(self.type).parameters, "")
         return {name: self._recognized(name, p) if device is None else p.on(device) for name, p in described_parameters}
 
     def _recognized(self, name: str, p: Parameter) -> Parameter:
@@ -118,7 +118,7 @@ class Column(Generic[F]):
     def titles(self) -> Mapping[str, str]:
         """The name of each column in the specification, which tables use; the name in Python may differ."""
         parameters = info(self.type).parameters
-        return dict(zip((name for name, _ in described(parameters, "")), _titles(parameters, "")))
+        return dict(zip((name for name, _ in described_columns(parameters, "")), _titles(parameters, "")))
 
     def time(self, clock: str | None = None) -> Times:
         """Returns the time of each row: the timestamp in its packet, or the last one before it."""
@@ -164,7 +164,7 @@ def absent(values: Array) -> Array:
     return np.array(whole.reshape(len(values), -1)[:, 0])
 
 
-def described(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[tuple[str, Parameter]]:
+def described_columns(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[tuple[str, Parameter]]:
     """Yields the columns of some parameters, with their descriptions."""
     for p in parameters:
         if p.kind == "counter" or p.constant is not None:
@@ -172,9 +172,9 @@ def described(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[tuple[
         name = prefix + p.attribute
         cases = [c for c in p.cases.values() if c is not None]
         if p.kind == "switch":
-            yield from described(tuple(cases), name + ".")
+            yield from described_columns(tuple(cases), name + ".")
         elif p.type is not None and issubclass(p.type, Structure):
-            yield from described(info(p.type).parameters, name + ".")
+            yield from described_columns(info(p.type).parameters, name + ".")
         else:
             yield name, p
 

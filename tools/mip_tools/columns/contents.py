@@ -44,7 +44,7 @@ class _Span(NamedTuple):
         return _Span(rows, packets, min(self.first, other.first), max(self.last, other.last))
 
 
-def types(log: Packets) -> list[TypeCount]:
+def ordered_types(log: Packets) -> list[TypeCount]:
     """Returns the types in the order of sets and descriptors; fields that cannot be decoded are last in each set."""
     rate = _Rates(log).of
     return [
@@ -72,7 +72,7 @@ class _Rates:
         return self._intervals[number].rate_of(span.packets, int(same))
 
 
-def kinds(log: Packets) -> list[tuple[int, type[Field]]]:
+def decodable(log: Packets) -> list[tuple[int, type[Field]]]:
     """Returns the sets and types of all fields that can be decoded, in the same order."""
     return [(n, kind) for n, _, kind, *_ in _types(log) if kind is not None]
 

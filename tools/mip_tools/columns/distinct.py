@@ -26,7 +26,7 @@ def taken(values: Array, rows: Array) -> Array:
     return values if len(rows) == len(values) else values[rows]
 
 
-def places(sorted_values: Array, values: Array) -> Array:
+def places_among(sorted_values: Array, values: Array) -> Array:
     """Returns the place of each value, all of which are among the sorted values. Often, both are the same."""
     if np.array_equal(sorted_values, values):
         return np.arange(len(values))

@@ -40,7 +40,7 @@ def frame(
     _library(library)
     columns = log.columns(kinds)
     form = form._replace(**_clocks(log, _sets(columns), time or "auto")._asdict())
-    series = tables.whole(log, columns, form).columns
+    series = tables.whole_table(log, columns, form).columns
     if len({each.name for each in series}) < len(series):
         raise ValueError("a type is named twice, so columns would have the same name; name each type once")
     if names == "plain":
@@ -55,7 +55,7 @@ def resampled(
     log: Packets, kinds: Sequence[Kind] | None, rate: str | float, method: str, library: str, time: str, units: bool
 ) -> Any:
     """See `Log.resample`."""
-    every = resample.step(rate)
+    every = resample.parse_step(rate)
     form = Form(invalid="mask")
     if kinds is None:
         kinds = data_of(log)
@@ -67,12 +67,12 @@ def resampled(
 def nmea(log: Packets, library: str, time: str | None) -> Any:
     """See `Log.nmea`."""
     clocks = _clocks(log, [n for n in log.sets() if n >= 0x80], time)
-    return as_frame(between.table(log, clocks[:2]).columns, _library(library), True)
+    return as_frame(between.nmea_table(log, clocks[:2]).columns, _library(library), True)
 
 
 def data_of(log: Packets) -> list[Kind]:
     """Lists all data fields of a log, except timestamps."""
-    kinds = tables.survey(log, Form(wanted=lambda set, descriptor: set >= 0x80))[0]
+    kinds = tables.survey_tables(log, Form(wanted=lambda set, descriptor: set >= 0x80))[0]
     return [pair for pair in kinds if not timestamps.clocks_of(max(pair[0], 0x80), pair[1].DESCRIPTOR)]
 
 

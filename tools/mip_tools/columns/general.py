@@ -40,7 +40,7 @@ class Ragged(NamedTuple):
 Values: TypeAlias = "Array | Ragged"
 
 
-def columns(parameters: tuple[Parameter, ...], records: Sequence[Any], prefix: str = "") -> dict[str, Values]:
+def general_columns(parameters: tuple[Parameter, ...], records: Sequence[Any], prefix: str = "") -> dict[str, Values]:
     """Makes a column for each parameter from a list of records, of which some may be None."""
     all_columns: dict[str, Values] = {}
     for p in parameters:
@@ -51,7 +51,7 @@ def columns(parameters: tuple[Parameter, ...], records: Sequence[Any], prefix: s
         if p.kind == "switch":
             all_columns |= _union(p, [None if r is None else getattr(r, p.tag) for r in records], values, name)
         else:
-            all_columns |= _one(p, values, name)
+            all_columns |= _columns_of(p, values, name)
     return all_columns
 
 
@@ -60,13 +60,13 @@ def _union(p: Parameter, tags: list[Any], values: list[Any], name: str) -> dict[
     for tag, case in p.cases.items():
         if case is not None:
             chosen = [value if own == tag else None for own, value in zip(tags, values)]
-            all_columns |= _one(case, chosen, f"{name}.{case.attribute}")
+            all_columns |= _columns_of(case, chosen, f"{name}.{case.attribute}")
     return all_columns
 
 
-def _one(p: Parameter, values: list[Any], name: str) -> dict[str, Values]:
+def _columns_of(p: Parameter, values: list[Any], name: str) -> dict[str, Values]:
     if p.kind == "struct":
-        return columns(info(p.type).parameters, values, name + ".")
+        return general_columns(info(p.type).parameters, values, name + ".")
     if p.kind == "text":
         text = np.empty(len(values), object)
         text[:] = values
@@ -79,7 +79,7 @@ def _one(p: Parameter, values: list[Any], name: str) -> dict[str, Values]:
     if p.scalar:
         items = {name: _numbers(p, flat)}
     else:
-        items = columns(info(p.type).parameters, flat, name + ".")
+        items = general_columns(info(p.type).parameters, flat, name + ".")
     return {key: _arrays(p, counts, values, column) for key, column in items.items()}
 
 

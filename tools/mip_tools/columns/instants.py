@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .distinct import distinct, places
+from .distinct import distinct, places_among
 from .scan import Array
 from .stamps import NONE
 
@@ -39,8 +39,8 @@ def assign(fields: Sequence[Fields], by: str) -> Instants:
     packets = distinct(*(f.offset for f in fields))
     first = packets if by == "packet" else _first(packets, fields)
     begins = distinct(first)
-    number = places(begins, first)
-    places_of_fields = [number[places(packets, f.offset)] for f in fields]
+    number = places_among(begins, first)
+    places_of_fields = [number[places_among(packets, f.offset)] for f in fields]
     turns = [_turn(row) for row in places_of_fields]
     if not any(turn.any() for turn in turns):
         return Instants(begins, [np.arange(len(row)) for row in places_of_fields], places_of_fields, packets, first)
@@ -50,7 +50,7 @@ def assign(fields: Sequence[Fields], by: str) -> Instants:
         kept.append(only)
         keys.append(row[only] * _MOST + turn[only])
     rows = distinct(*keys)
-    return Instants(begins[rows // _MOST], kept, [places(rows, key) for key in keys], packets, first)
+    return Instants(begins[rows // _MOST], kept, [places_among(rows, key) for key in keys], packets, first)
 
 
 def _first(packets: Array, fields: Sequence[Fields]) -> Array:
@@ -58,7 +58,7 @@ def _first(packets: Array, fields: Sequence[Fields]) -> Array:
     instant by itself."""
     time = np.full(len(packets), NONE, np.int64)
     for f in fields:
-        time[places(packets, f.offset)] = f.time
+        time[places_among(packets, f.offset)] = f.time
     stamped = np.flatnonzero(time != NONE)
     if (np.diff(time[stamped]) > 0).all():
         return packets

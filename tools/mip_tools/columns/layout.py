@@ -73,7 +73,7 @@ def _scalars(dtype: np.dtype[Any]) -> Iterator[np.dtype[Any]]:
             yield from _scalars(inner)
 
 
-def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple[dict[str, Array], Array | None]:
+def row_values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple[dict[str, Array], Array | None]:
     """Makes columns from rows of bytes. Also returns which rows have the right constants; None if all do.
 
     `turned`: items of one size already have the byte order of this machine.
@@ -85,19 +85,19 @@ def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple
         if not turned and sys.byteorder == "little":
             rows.reshape(-1).view(shape.base.newbyteorder("=")).byteswap(inplace=True)
         record = rows.reshape(-1).view(shape.dtype.newbyteorder("="))
-    right: Array | None = None
+    valid: Array | None = None
     columns: dict[str, Array] = {}
     for name, p, column in _leaves(info(kind).parameters, record, ""):
         if p.constant is not None:
             same = column == p.constant
             while same.ndim > 1:
                 same = same.all(axis=-1)
-            right = same if right is None else right & same
+            valid = same if valid is None else valid & same
         else:
             columns[name] = column
-    if right is not None and not right.all():
-        columns = {name: column[right] for name, column in columns.items()}
-        return columns, right
+    if valid is not None and not valid.all():
+        columns = {name: column[valid] for name, column in columns.items()}
+        return columns, valid
     return columns, None
 
 

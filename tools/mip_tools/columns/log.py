@@ -141,7 +141,7 @@ class Log(Packets):
     def types(self) -> list[TypeCount]:
         """Returns the number and the rate of the fields of each type, sorted by set and descriptor."""
         if self._types is None:
-            self._types = contents.types(self)
+            self._types = contents.ordered_types(self)
         return self._types
 
     @overload
@@ -216,7 +216,7 @@ class Log(Packets):
         Raises LookupError as `log[kind]` does, ValueError for other choices or if a type is named twice,
         MissingExtra if the library is missing.
         """
-        return frames.frame(self, several(kinds), by, library, time, invalid, units, position, index, names)
+        return frames.frame(self, types_listed(kinds), by, library, time, invalid, units, position, index, names)
 
     @overload
     def resample(
@@ -277,7 +277,7 @@ class Log(Packets):
         Raises LookupError as `log[kind]` does, ValueError for other choices or if the log has no
         timestamps, MissingExtra if the library is missing.
         """
-        chosen = None if kinds is None else several(kinds)
+        chosen = None if kinds is None else types_listed(kinds)
         return frames.resampled(self, chosen, rate, method, library, time, units)
 
     @overload
@@ -303,7 +303,7 @@ class Log(Packets):
         return times.row_times(self, column, clock)
 
 
-def several(kinds: Kind | Iterable[Kind]) -> list[Kind]:
+def types_listed(kinds: Kind | Iterable[Kind]) -> list[Kind]:
     """Returns a list of one or several types. Raises ValueError if there is none."""
     chosen: list[Any] = [kinds]
     pair = isinstance(kinds, tuple) and len(kinds) == 2 and isinstance(kinds[0], int)

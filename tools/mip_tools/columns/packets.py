@@ -113,12 +113,12 @@ class Packets(ABC):
             data, length = self.source.piece(begin, limit, scan.AHEAD)
             piece = self._kept.get(begin)
             if piece is None:
-                at, end = scan.packets(data, max(0, free - begin), limit, length)
+                at, end = scan.find_packets(data, max(0, free - begin), limit, length)
                 piece = Piece(begin, limit, number, at, end, data[at + 2])
                 if number < _KEPT:
                     self._kept[begin] = piece
             if fields and piece.runs is None:
-                piece.runs = walk.runs(data, piece.at, piece.sets)
+                piece.runs = walk.find_runs(data, piece.at, piece.sets)
             own = piece.with_data(data)  # other requests may use the same piece meanwhile
             yield own
             own.data = NOTHING

@@ -53,15 +53,15 @@ class Where:
         """`only` is the set of all rows, or 0 if there are several."""
         self._only = only
         self._rows: list[tuple[Piece, Array]] = []
-        self._right: Array | None = None
+        self._valid: Array | None = None
 
     def add(self, piece: Piece, packet: Array) -> None:
         """Adds the rows of a piece."""
         self._rows.append((piece, packet))
 
-    def keep(self, right: Array | None) -> None:
+    def keep(self, valid: Array | None) -> None:
         """Keeps only these rows; None keeps all."""
-        self._right = right
+        self._valid = valid
 
     def __getstate__(self) -> dict[str, Any]:
         """Returns the state that copies of a column need."""
@@ -94,11 +94,11 @@ class Where:
     def _joined(self, parts: list[Array], dtype: type[Any]) -> Array:
         whole = np.concatenate(parts) if parts else np.zeros(0, dtype)
         whole = whole.astype(dtype, copy=False)
-        return whole if self._right is None else whole[self._right]
+        return whole if self._valid is None else whole[self._valid]
 
     def __len__(self) -> int:
-        if self._right is not None:
-            return int(self._right.sum())
+        if self._valid is not None:
+            return int(self._valid.sum())
         return sum(len(packet) for _, packet in self._rows)
 
 

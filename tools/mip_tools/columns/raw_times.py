@@ -74,7 +74,7 @@ def nanoseconds(column: Column[Any]) -> dict[str, Array]:
         absurd |= (of_week < 0) | (of_week > timestamps.WEEK)
     good = valid & ~absurd
     total = np.where(good, weeks + of_week, 0)
-    total = np.where(good, utc(total, clocks[0]) if CLOCKS[clocks[0]] else total, NONE)
+    total = np.where(good, clock_to_utc(total, clocks[0]) if CLOCKS[clocks[0]] else total, NONE)
     return {clocks[0]: total} | {clock: np.where(valid | absurd, NONE, of_week) for clock in clocks[1:]}
 
 
@@ -90,7 +90,7 @@ def _scaled(values: Array, scale: int) -> tuple[Array, Array]:
     return values.astype(np.int64) * scale, bad
 
 
-def utc(value: Array, clock: str) -> Array:
+def clock_to_utc(value: Array, clock: str) -> Array:
     """Converts nanoseconds of a clock to nanoseconds since 1970 in UTC; a leap second counts as the next one."""
     begins, shifts = (np.array(numbers, np.int64) for numbers in timestamps.leaps(clock))
     first, last = np.searchsorted(begins, [value.min(initial=MOST), value.max(initial=-MOST)], side="right")

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..binding import DecodeError, Field, chosen, info, registry
-from ..names.occurrence import listed, named_set
+from ..names.occurrence import named_set, sets_of
 from . import general, layout, walk
 from .column import Column
 from .packets import Kind, Packets
@@ -32,12 +32,12 @@ class Reader:
             raise LookupError(f"{name} is not a field: a column needs a class such as sensor.ScaledAccel, or its name")
         if set_number is not None and named_number not in (None, set_number, 0, registry.SHARED_SET):
             raise KeyError(f"set 0x{set_number:02X} has no field {name}")
-        sets = listed(kind)
+        sets = sets_of(kind)
         if set_number is None:
             set_number = named_number if sets or named_number not in (0, registry.SHARED_SET) else None
         self._log, self._kind = log, kind
         self._set = sets[0] if set_number is None and len(sets) == 1 else set_number
-        self._known: dict[int, bool] = {}
+        self._cache: dict[int, bool] = {}
         #: The sets to search; empty means all.
         self._sets = sets if self._set is None else (self._set,)
         if not all(map(self._in, self._sets or kind.SETS[:1])):
@@ -51,10 +51,10 @@ class Reader:
 
     def _in(self, number: int) -> bool:
         """Can packets of a set have this field?"""
-        if number not in self._known:
+        if number not in self._cache:
             types = registry.types(number, self._kind.DESCRIPTOR)
-            self._known[number] = self._set in (None, number) and self._kind in types
-        return self._known[number]
+            self._cache[number] = self._set in (None, number) and self._kind in types
+        return self._cache[number]
 
     def _runs(self, piece: Piece) -> list[walk.Run]:
         """Finds the fields in a piece that have the right descriptor and enough data."""
@@ -71,7 +71,7 @@ class Reader:
         runs = self._runs(piece)
         if not runs:
             return None
-        return walk.places(runs, len(piece.at))
+        return walk.packets_and_offsets(runs, len(piece.at))
 
     def add(self, piece: Piece) -> None:
         """Adds the fields in a piece."""
@@ -112,10 +112,10 @@ class Reader:
         values: dict[str, Any]
         right = None
         if self._rows is None or self._layout is None:
-            values = general.columns(info(self._kind).parameters, self._objects)
+            values = general.general_columns(info(self._kind).parameters, self._objects)
         else:
             rows = self._rows.whole()
-            fixed, right = layout.values(self._kind, rows, self._layout, self._rows.turned)
+            fixed, right = layout.row_values(self._kind, rows, self._layout, self._rows.turned)
             values = dict(fixed)
         self._where.keep(right)
         only = self._set

@@ -29,7 +29,7 @@ _RATE = re.compile(r"\s*([0-9.eE+-]+)\s*(Hz|kHz|s|ms|us)\s*")
 _UNITS = {"Hz": 1.0, "kHz": 1000.0, "s": 1.0, "ms": 1e-3, "us": 1e-6}
 
 
-def step(rate: str | float) -> int:
+def parse_step(rate: str | float) -> int:
     """Returns the nanoseconds between two rows for "100Hz", "10ms", or a number in Hz. Raises ValueError."""
     match = _RATE.fullmatch(rate if isinstance(rate, str) else f"{rate}Hz")
     try:
@@ -52,7 +52,7 @@ def resampled(log: Packets, columns: Sequence[Column[Any]], every: int, method: 
     row_times: list[Array] = []
     converted: dict[str, str] = {}
     for column in columns:
-        time, others = times.merged(log, column, clock)
+        time, others = times.merged_times(log, column, clock)
         row_times.append(time)
         converted |= others
     if not any((time != NONE).any() for time in row_times):
@@ -69,7 +69,7 @@ def resampled(log: Packets, columns: Sequence[Column[Any]], every: int, method: 
         series.insert(0, tables.time_column(np.concatenate([*dates, np.zeros(0, np.int64)]), form.dated))
     for column, time in zip(columns, row_times):
         usual = _usual(time)
-        for group in tables.groups(column, form, len(columns) == 1):
+        for group in tables.column_groups(column, form, len(columns) == 1):
             parts: list[list[Series]] = []
             for (_, _, begin, end), grid in zip(spans, grids):
                 here = (column.offset >= begin) & (column.offset < end) & (time != NONE)
@@ -84,11 +84,11 @@ def _after_each_other(parts: list[Series]) -> Series:
 
 
 def _spans(
-    columns: Sequence[Column[Any]], known: Sequence[Array], restarts: list[int]
+    columns: Sequence[Column[Any]], merged: Sequence[Array], restarts: list[int]
 ) -> list[tuple[int, int, int, int]]:
     """Returns the first and the last time of each part without a pause, and where it begins and ends in the file."""
     offset = np.concatenate([column.offset for column in columns])
-    time = np.concatenate(known)
+    time = np.concatenate(merged)
     there = time != NONE
     offset, time = offset[there], time[there]
     order = np.argsort(offset, kind="stable")

@@ -18,7 +18,7 @@ AHEAD = REACH + 8
 _PART = 1 << 18  # bytes that are searched at once: intermediate results stay in the cache
 
 
-def packets(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
+def find_packets(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
     """Finds the packets that begin in `first` … `limit`. Returns their beginnings and ends.
 
     The first `length` bytes of `data` belong to the log; at least 8 more must follow.
@@ -51,7 +51,7 @@ def candidates(data: Array, first: int, limit: int, length: int, only: int | Non
     for begin in range(0, limit, _PART):
         at, end = _forms(data, max(begin, first), min(begin + _PART, limit), length, only)
         if len(at):
-            right = _right(data[begin:], at - begin, end - begin)
+            right = _checksums_match(data[begin:], at - begin, end - begin)
             spans.append((at, end) if right.all() else (at[right], end[right]))
     at, end = (np.concatenate(parts) for parts in zip(*spans))
     return at, end
@@ -96,7 +96,7 @@ _TOP = np.uint64(48)
 _BYTE = np.uint64(8)
 
 
-def _right(data: Array, at: Array, end: Array) -> Array:
+def _checksums_match(data: Array, at: Array, end: Array) -> Array:
     """Returns, for each packet, whether its checksum is correct.
 
     The sums of a packet come from running sums of all the data: of the bytes, and of these sums.

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..binding import DEVICES, Field, Parameter
-from ..devices.known import KnownDevice, identity, listed
+from ..devices.known import KnownDevice, identity_type, in_words
 from ..names.occurrence import every
 from . import scan, walk
 from .scan import Array
@@ -26,7 +26,7 @@ class Sender(KnownDevice):
     def __init__(self, named: str | KnownDevice | None = None, at_port: str | None = None) -> None:
         """See `KnownDevice`; one that is given continues to learn."""
         if isinstance(named, KnownDevice):
-            self.named, self._found, self._reported = named.named, named._found, named._reported
+            self.named, self._devices, self._reported = named.named, named._devices, named._reported
         else:
             super().__init__(named, at_port)
         self._bits: dict[tuple[type[Field], str], int] = {}
@@ -41,8 +41,8 @@ class Sender(KnownDevice):
     def _search(self, log: Any) -> None:
         if "searched" not in log.source.notes:
             log.source.notes["searched"] = True
-            for reply in replies(log):
-                self.found(reply, "from the log")
+            for reply in identity_replies(log):
+                self.add_reply(reply, "from the log")
 
     def recognized(self, log: Any, kind: type[Field], p: Parameter, path: str) -> Parameter:
         """Returns a parameter as it is on an unknown device; `path` names the column with its flags."""
@@ -63,17 +63,17 @@ class Sender(KnownDevice):
         return [*self.lines(), *(same if self.id is None else [])]
 
 
-def replies(log: Any) -> list[Any]:
+def identity_replies(log: Any) -> list[Any]:
     """Returns the replies in the whole log in which a device identifies itself."""
     if log.is_whole and log.found:
-        return list(log.objects(identity())) if identity() else []
-    return [reply for part in near_replies(log) for reply in part.objects(identity())]
+        return list(log.objects(identity_type())) if identity_type() else []
+    return [reply for part in near_replies(log) for reply in part.objects(identity_type())]
 
 
 def near_replies(log: Any, first: int = 0) -> Iterator[Any]:
     """Yields the parts of a log, from an offset on, in which a device may identify itself: of a packet each, or none
     if what looks like a packet is a part of another one."""
-    kind = identity()
+    kind = identity_type()
     for begin in range(first, log.size, _SEARCHED) if kind is not None else ():
         limit = min(_SEARCHED, log.size - begin)
         data, length = log.source.piece(begin, limit, scan.AHEAD)
@@ -85,10 +85,10 @@ def near_replies(log: Any, first: int = 0) -> Iterator[Any]:
 
 def identifies(data: Array, at: Array) -> Array:
     """Returns which packets contain the reply with which a device identifies itself."""
-    kind, found = identity(), np.zeros(len(at), bool)
+    kind, found = identity_type(), np.zeros(len(at), bool)
     if kind is not None and len(at):
         own = np.flatnonzero(data[at + 2] == kind.SET)
-        for run in walk.runs(data, at[own], data[at[own] + 2]) if len(own) else ():
+        for run in walk.find_runs(data, at[own], data[at[own] + 2]) if len(own) else ():
             found[own[run.packet]] |= run.descriptor == kind.DESCRIPTOR
     return found
 
@@ -110,5 +110,5 @@ def _those_of(devices: tuple[str, ...]) -> str:
     """Names devices by their generations."""
     generations = sorted({DEVICES[device].generation or 0 for device in devices})
     if not all(generations):
-        return listed([DEVICES[device].title for device in devices])
-    return f"generation{'s' * (len(generations) > 1)} {listed([*map(str, generations)])}"
+        return in_words([DEVICES[device].title for device in devices])
+    return f"generation{'s' * (len(generations) > 1)} {in_words([*map(str, generations)])}"

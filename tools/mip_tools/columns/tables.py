@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..binding import CLOCKS, SETS, Field, Parameter, timestamps, to_text
-from ..names.occurrence import listed, occurrence_in
+from ..names.occurrence import occurrence_in, sets_of
 from . import contents, instants, timeline, times
 from .column import Column, absent
 from .distinct import taken
@@ -89,10 +89,10 @@ class _Part(NamedTuple):
 
 def apart(kind: type[Field]) -> bool:
     """Has a shared field separate columns for each set? Timestamps have not: all those of an instant are equal."""
-    return not listed(kind) and kind.SET != 0 and not timestamps.clocks_of(0x80, kind.DESCRIPTOR)
+    return not sets_of(kind) and kind.SET != 0 and not timestamps.clocks_of(0x80, kind.DESCRIPTOR)
 
 
-def whole(log: Packets, columns: Sequence[Column[Any]], form: Form) -> Table:
+def whole_table(log: Packets, columns: Sequence[Column[Any]], form: Form) -> Table:
     """Makes the table of some columns of a log."""
     if form.by == "time":
         columns = list(_sets_apart(log, columns))
@@ -107,14 +107,14 @@ def _sets_apart(log: Packets, columns: Sequence[Column[Any]]) -> Iterator[Column
             yield column
 
 
-def survey(log: Packets, form: Form) -> tuple[list[tuple[int, type[Field]]], timeline.Clocks]:
+def survey_tables(log: Packets, form: Form) -> tuple[list[tuple[int, type[Field]]], timeline.Clocks]:
     """Finds the types of fields for the tables of a log, by set and descriptor, and their clocks, in bounded memory."""
     present: dict[tuple[int, type[Field]], None] = {}
     sets: set[int] = set()
     line = timeline.Timeline()
     for part in log.parts(2 * PART):
         line.add(part)
-        for number, kind in contents.kinds(part):
+        for number, kind in contents.decodable(part):
             if form.wanted is None or form.wanted(number, kind.DESCRIPTOR):
                 sets.add(number)
                 pair = (number, kind) if form.by == "time" and apart(kind) else occurrence_in(number, kind)
@@ -125,7 +125,7 @@ def survey(log: Packets, form: Form) -> tuple[list[tuple[int, type[Field]]], tim
     return sorted(present, key=lambda pair: (pair[0], pair[1].DESCRIPTOR, pair[1].NAME)), clocks
 
 
-def parts(log: Packets, kinds: Sequence[Any], form: Form) -> Iterator[tuple[Table, int]]:
+def table_parts(log: Packets, kinds: Sequence[Any], form: Form) -> Iterator[tuple[Table, int]]:
     """Yields the table of a log in parts, in bounded memory, and the offset at which each part ends. All parts have the
     same columns.
 
@@ -138,7 +138,7 @@ def parts(log: Packets, kinds: Sequence[Any], form: Form) -> Iterator[tuple[Tabl
         stop = min(log.end, stop + PART)
         part = log.part(begin, stop)
         chosen = [_part(column, form, done) for column in part.columns(kinds)]
-        rows, last = _found(chosen, form), stop >= log.end
+        rows, last = _rows_of(chosen, form), stop >= log.end
         limit = stop - instants.TOGETHER
         yield _table(chosen, form, slice(None) if last else rows.begin < limit, rows, number), stop
         if last:
@@ -166,11 +166,11 @@ def _part(column: Column[Any], form: Form, done: Array | None = None) -> _Part:
                 there &= valid if valid.ndim == 1 else valid.all(axis=1)
     clocks = [column.time(clock) for clock in (form.dated, form.undated) if clock]
     kind = column.type
-    once = not listed(kind) and kind.SET != 0 and not apart(kind)
+    once = not sets_of(kind) and kind.SET != 0 and not apart(kind)
     return _Part(column, np.flatnonzero(there), clocks, once)
 
 
-def _found(chosen: Sequence[_Part], form: Form) -> instants.Instants:
+def _rows_of(chosen: Sequence[_Part], form: Form) -> instants.Instants:
     fields = []
     for column, rows, clocks, once in chosen:
         own: Array = np.full(len(rows), NONE)
@@ -191,7 +191,7 @@ def _table(
     number: int = 0,
 ) -> Table:
     """Makes the table of these fields, with only the rows `which`. `number` is the number of the first packet."""
-    rows = _found(chosen, form) if rows is None else rows
+    rows = _rows_of(chosen, form) if rows is None else rows
     new = np.full(len(rows.begin), -1, np.int64)  # number of a row in this table
     count = len(rows.begin[which])
     new[which] = np.arange(count)
@@ -211,7 +211,7 @@ def _table(
         if not column.names:
             there = np.zeros(count, bool)
             there[place] = True
-            columns.append(Series(heading(column, "", single), there, None, {}))
+            columns.append(Series(column_heading(column, "", single), there, None, {}))
         types.append((slice(first, len(columns)), place))
     return Table(columns, types)
 
@@ -250,12 +250,12 @@ def _beside(
     yield Series("offset", begin, None, {})
 
 
-def heading(column: Column[Any], name: str, single: bool) -> str:
+def column_heading(column: Column[Any], name: str, single: bool) -> str:
     """Returns the name of a parameter in a table: its name in the specification, after set and field if there are
     several types."""
     number = column.only
     set_number, _, field = column.name.partition(".")
-    if number is not None and not listed(column.type):  # a shared field of one set
+    if number is not None and not sets_of(column.type):  # a shared field of one set
         set_number = SETS[number][0] if number in SETS else f"0x{number:02X}"
     if not name:
         return field if single else f"{set_number}.{field}"
@@ -278,7 +278,7 @@ def _values(column: Column[Any], form: Form, single: bool) -> Iterator[_Values]:
     """Yields the columns of a table for one type; a vector has one for each element."""
     for path, title in column.titles.items():
         p, values = column.parameters[path], column[path]
-        name = heading(column, title, single)
+        name = column_heading(column, title, single)
         facts = {"frame": p.frame} if p.frame else {}
         if p.type is not None:
             facts["type"] = p.type.__name__
@@ -340,7 +340,7 @@ def _either(first: Array | None, second: Array | None) -> Array | None:
     return first | second
 
 
-def groups(column: Column[Any], form: Form, single: bool) -> list[list[Series]]:
+def column_groups(column: Column[Any], form: Form, single: bool) -> list[list[Series]]:
     """Returns the columns of a table for all rows of one type, in groups: the elements of a vector together."""
     every = np.arange(len(column))
     by_group: dict[str, list[Series]] = {}

@@ -24,7 +24,7 @@ _LEAST_ALIKE, _MOST_ALIKE = 1e-4, 1e10
 
 def csv_head(columns: Sequence[Series]) -> str:
     """Formats the first line: names with units."""
-    return ",".join(quoted(titled(series)) for series in columns) + "\n"
+    return ",".join(csv_cell(titled(series)) for series in columns) + "\n"
 
 
 def csv_lines(columns: Sequence[Series]) -> Iterator[bytes]:
@@ -158,9 +158,9 @@ def csv_values(series: Series) -> tuple[str, list[Any]]:
     if values.dtype.kind == "M":
         return "%sZ", np.datetime_as_string(values, unit="ns").tolist()
     if values.dtype == object and not series.lists[0]:
-        return "%s", [quoted(text or "") for text in values.tolist()]
+        return "%s", [csv_cell(text or "") for text in values.tolist()]
     form, texts = json_values(series)
-    return (form, [quoted(text) for text in texts]) if values.ndim > 1 or values.dtype == object else (form, texts)
+    return (form, [csv_cell(text) for text in texts]) if values.ndim > 1 or values.dtype == object else (form, texts)
 
 
 def json_values(series: Series) -> tuple[str, list[Any]]:
@@ -188,7 +188,7 @@ def json_values(series: Series) -> tuple[str, list[Any]]:
 
 def _doubles(values: Array) -> list[float]:
     """Converts numbers so that their `repr` has as many digits as their size on the wire needs."""
-    return list((shortest(values) if values.dtype == np.float32 else values).tolist())
+    return list((shortest_decimals(values) if values.dtype == np.float32 else values).tolist())
 
 
 def _json(value: Any, item: str) -> str:
@@ -201,14 +201,14 @@ def _json(value: Any, item: str) -> str:
     return json.dumps(value)
 
 
-def quoted(text: str) -> str:
+def csv_cell(text: str) -> str:
     """Formats a CSV cell, in quotes if necessary (RFC 4180)."""
     if text.isalnum() or not any(c in text for c in ',"\r\n'):
         return text
     return '"' + text.replace('"', '""') + '"'
 
 
-def shortest(numbers: Array) -> Array:
+def shortest_decimals(numbers: Array) -> Array:
     """Returns the shortest decimal numbers that equal these four-byte floats, as doubles.
 
     The result equals that of `text.shortest` of the package. With 6 to 9 digits, they are whole numbers

@@ -23,7 +23,7 @@ def row_times(log: Packets, column: Column[Any], clock: str | None) -> Times:
     if clock is not None and clock not in CLOCKS:
         raise ValueError(f"{clock!r} is not a clock; use one of {', '.join(CLOCKS)}")
     numbers = column.sets
-    clock = clock or chosen(log, numbers)
+    clock = clock or chosen_clock(log, numbers)
     if len(numbers) == 1 and clock:
         values, own = at(log, numbers[0], clock, column.packet, lambda: column.offset)
         return Times(clock, values.view(dtype(clock)), own)
@@ -36,7 +36,7 @@ def row_times(log: Packets, column: Column[Any], clock: str | None) -> Times:
     return Times(clock, values.view(dtype(clock)), own)
 
 
-def merged(log: Packets, column: Column[Any], clock: str) -> tuple[Array, dict[str, str]]:
+def merged_times(log: Packets, column: Column[Any], clock: str) -> tuple[Array, dict[str, str]]:
     """Returns the times of the packets of a column in nanoseconds, NONE for packets without a timestamp.
 
     The times of a set without this clock are converted from another clock, using packets that
@@ -46,20 +46,20 @@ def merged(log: Packets, column: Column[Any], clock: str) -> tuple[Array, dict[s
     converted = {}
     for number in column.sets:
         rows = np.flatnonzero(column.set == number)
-        own = read(log, number, clock)
+        own = read_timestamps(log, number, clock)
         if own.some:
-            total[rows] = exact(own, column.packet[rows])
+            total[rows] = exact_times(own, column.packet[rows])
             continue
         for other in CLOCKS:
-            pairs = _pairs(log, other, clock) if read(log, number, other).some else None
+            pairs = _pairs(log, other, clock) if read_timestamps(log, number, other).some else None
             if pairs is not None:
-                total[rows] = _converted(exact(read(log, number, other), column.packet[rows]), *pairs)
+                total[rows] = _converted(exact_times(read_timestamps(log, number, other), column.packet[rows]), *pairs)
                 converted[SETS[number][0] if number in SETS else f"0x{number:02X}"] = other
                 break
     return total, converted
 
 
-def exact(stamps: Stamps, packet: Array) -> Array:
+def exact_times(stamps: Stamps, packet: Array) -> Array:
     """Returns the times of packets that have a valid timestamp; NONE for other packets."""
     if np.array_equal(packet, stamps.packet):
         return stamps.value
@@ -75,7 +75,7 @@ def _pairs(log: Packets, other: str, clock: str, begin: int = 0, end: int | None
     for number in (n for n in log.sets() if n >= 0x80):
         if not timestamps.kinds(number, other) or not timestamps.kinds(number, clock):
             continue
-        first, second = read(log, number, other), read(log, number, clock)
+        first, second = read_timestamps(log, number, other), read_timestamps(log, number, clock)
         if first.some and second.some:
             _, a, b = np.intersect1d(first.packet, second.packet, return_indices=True)
             both = np.stack((first.value[a], second.value[b]))
@@ -113,7 +113,7 @@ def dtype(clock: str) -> str:
     return "datetime64[ns]" if CLOCKS.get(clock) else "timedelta64[ns]"
 
 
-def chosen(log: Packets, sets: list[int]) -> str:
+def chosen_clock(log: Packets, sets: list[int]) -> str:
     """Chooses the clock for packets of these sets: that of dates if there is any date, else one without."""
     return timeline.of_log(log).clocks(sets).best
 
@@ -123,7 +123,7 @@ def of_packets(log: Packets, clock: str) -> Array:
     values = np.full(log.packets, NONE, np.int64)
     for number in log.sets():
         if number >= 0x80:
-            stamps_of_set = read(log, number, clock)
+            stamps_of_set = read_timestamps(log, number, clock)
             values[stamps_of_set.packet] = stamps_of_set.value
     return values
 
@@ -133,7 +133,7 @@ def intervals(log: Packets, set_number: int) -> Intervals:
     line = timeline.of_log(log)
     made = Intervals()
     for clock in line.clocks(line.sets).in_order:
-        stamps_of_set = read(log, set_number, clock)
+        stamps_of_set = read_timestamps(log, set_number, clock)
         there = stamps_of_set.value != NONE
         if there.any():
             made.add_all(stamps_of_set.value[there], stamps_of_set.offset[there])
@@ -167,14 +167,14 @@ def at(log: Packets, set_number: int, clock: str, packet: Array, offset: Callabl
 def stamps(log: Packets, set_number: int, clock: str, first: int | None = None) -> Stamps:
     """Returns the timestamps of a set. They include those shortly before a part of a log if the first packet of
     interest precedes all timestamps in the part."""
-    own = read(log, set_number, clock)
+    own = read_timestamps(log, set_number, clock)
     if first is not None and len(own.packet) and own.packet[0] <= first:
         return own
     before = log.before(REACH)
     if before is None:
         return own
     if (set_number, clock) not in log.stamps:
-        earlier = read(before, set_number, clock)
+        earlier = read_timestamps(before, set_number, clock)
         log.stamps[set_number, clock] = Stamps(
             np.concatenate((earlier.packet - before.packets, own.packet)),
             np.concatenate((earlier.value, own.value)),
@@ -183,7 +183,7 @@ def stamps(log: Packets, set_number: int, clock: str, first: int | None = None) 
     return log.stamps[set_number, clock]
 
 
-def read(log: Packets, set_number: int, clock: str) -> Stamps:
+def read_timestamps(log: Packets, set_number: int, clock: str) -> Stamps:
     """Returns the timestamps of a set in this part of a log alone. The device's clock continues when it synchronizes;
     a log in which all times have a date lacks it."""
     if clock != timeline.DEVICE:

@@ -23,7 +23,7 @@ class Run(NamedTuple):
     offset: int | Array  # of the data in the payload
 
 
-def runs(data: Array, at: Array, sets: Array) -> list[Run]:
+def find_runs(data: Array, at: Array, sets: Array) -> list[Run]:
     """Finds all fields of packets that begin at these places, given their descriptor sets."""
     if native.kernel is not None and (rows := native.kernel.fields(data, at)) is not None:
         return [Run(*fields) for fields in rows]
@@ -79,7 +79,7 @@ def _fields(data: Array, at: Array) -> Iterator[Array]:
         left -= length
 
 
-def places(runs: list[Run], packets: int) -> tuple[Array, Array]:
+def packets_and_offsets(runs: list[Run], packets: int) -> tuple[Array, Array]:
     """Returns the packets of all fields of these runs, and the offsets in their payloads, in the order of the log."""
     if len(runs) == 1:
         return runs[0].packet, _filled(runs[0], runs[0].offset)

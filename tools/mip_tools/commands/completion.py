@@ -62,11 +62,11 @@ def run(options: argparse.Namespace) -> int:
     if options.shell in SCRIPTS:
         print(SCRIPTS[options.shell], end="")
     else:
-        print(*words(options.words), sep="\n")
+        print(*completions(options.words), sep="\n")
     return 0
 
 
-def words(typed: list[str]) -> list[str]:
+def completions(typed: list[str]) -> list[str]:
     """Returns the words that can complete the last one."""
     package, typed = without_package(typed)
     if package is not None:
@@ -110,9 +110,9 @@ def _values(action: argparse.Action, before: list[str]) -> list[str]:
     from ..names import candidates  # noqa: PLC0415 (it needs the generated package, which is chosen by now)
 
     if kind == "DEVICE":
-        return candidates.devices()
+        return candidates.device_ids()
     if kind == "FUNCTION":
         return candidates.functions_of(before)
     if kind.startswith(("NAME", "FIELD", "COMMAND")):
-        return candidates.fields(only_commands=kind.startswith("COMMAND"))
+        return candidates.field_names(only_commands=kind.startswith("COMMAND"))
     return []

@@ -19,7 +19,7 @@ from ..files import outputs, signals
 from ..options import add_baud, line_of
 from ..ports import connection
 from ..ports.listing import REFUSED
-from ..text.numbers import counted
+from ..text.numbers import count_text
 
 EPILOG = """\
 examples:
@@ -73,10 +73,10 @@ def _pull(options: argparse.Namespace) -> int:
         talk.listing.firmware,
         date.today().isoformat(),
     )
-    text = written.text(settings, talk.profile, *header)
+    text = written.file_text(settings, talk.profile, *header)
     with outputs.whole(options.output) as file:
         file.write(text.encode("utf-8"))
-    outputs.note(f"{options.names[0]}: {talk.profile.title}: {counted(len(settings), 'setting')}")
+    outputs.note(f"{options.names[0]}: {talk.profile.title}: {count_text(len(settings), 'setting')}")
     return 0
 
 
@@ -85,7 +85,7 @@ def _save(options: argparse.Namespace) -> int:
         saved, refused = talk.save()
     for place, why in refused.items():
         _complain(f"{_named(place, talk.profile)} was not saved: {why}")
-    how_many = "all settings" if saved is None else counted(saved, "setting")
+    how_many = "all settings" if saved is None else count_text(saved, "setting")
     print(f"{options.names[0]}: {talk.profile.title}: {how_many} saved")
     return REFUSED if refused else 0
 
@@ -95,13 +95,13 @@ def _save(options: argparse.Namespace) -> int:
 
 def _push(options: argparse.Namespace) -> int:
     port, path = options.names[0], Path(options.names[1])
-    file = parsed.parsed(path)  # before the device is touched
+    file = parsed.parsed_settings(path)  # before the device is touched
     with _talk(port, options) as talk:
         own = talk.model.id if talk.model.profile else talk.listing.title
         if own != (file.profile.id or file.model):
             remedy = f"`model: {own}` in the file, to check it for this device"
             raise Failure(f"{path} has the settings of a {file.model}, but {port} is a {own}; write {remedy}")
-        file = parsed.parsed(path, talk.profile)
+        file = parsed.parsed_settings(path, talk.profile)
         missing = [place for place, now in talk.read_all(file.commands).items() if now is None]
         if missing:
             messages = [f"{file.at[p]}: this device has no {_named(p, talk.profile)}; remove it" for p in missing]
@@ -127,7 +127,7 @@ def _pushed(port: str, file: parsed.File, done: Pushed) -> int:
     changed = len([place for place in done.written if place not in done.refused])
     same = len(file.commands) - len({*done.written, *done.refused})
     keep = f"; `mip config save {port}` keeps them at power-off" if changed else ""
-    print(f"{port}: {counted(changed, 'setting')} changed, {same} as before, {len(done.refused)} refused{keep}")
+    print(f"{port}: {count_text(changed, 'setting')} changed, {same} as before, {len(done.refused)} refused{keep}")
     return REFUSED if done.refused or done.read_differently else 0
 
 
@@ -135,7 +135,7 @@ def _pushed(port: str, file: parsed.File, done: Pushed) -> int:
 
 
 def _diff(options: argparse.Namespace) -> int:
-    (a, profile, model_a), (b, other, model_b) = (_held(name, options) for name in options.names)
+    (a, profile, model_a), (b, other, model_b) = (_settings_of(name, options) for name in options.names)
     lines = [] if model_a == model_b else [f"model: {model_a} -> {model_b}"]
     for place in {**a, **b}:
         if place not in a or place not in b:
@@ -148,10 +148,10 @@ def _diff(options: argparse.Namespace) -> int:
     return 1 if lines else 0
 
 
-def _held(name: str, options: argparse.Namespace) -> tuple[dict[Place, Any], Any, str]:
+def _settings_of(name: str, options: argparse.Namespace) -> tuple[dict[Place, Any], Any, str]:
     """Reads the settings, the profile and the model from a file or a device."""
     if os.path.isfile(name) or name.endswith((".yaml", ".yml")):
-        file = parsed.parsed(Path(name))
+        file = parsed.parsed_settings(Path(name))
         return file.commands, file.profile, file.profile.id or file.model
     with _talk(name, options) as talk:
         return talk.pull(), talk.profile, talk.model.id if talk.model.profile else talk.listing.title
@@ -162,7 +162,7 @@ def _changes(place: Place, before: Any, after: Any, profile: Any) -> Iterator[st
     if before is None or after is None:
         yield "it cannot be read" if after is None else "it could not be read"
         return
-    a, b = (written.values(place, value, profile) for value in (before, after))
+    a, b = (written.written_values(place, value, profile) for value in (before, after))
     for name in {**a, **b}:
         if a.get(name) != b.get(name):
             texts = (written.flow(x[name]) if name in x else "nothing" for x in (a, b))

@@ -17,7 +17,7 @@ from ..logs.assumed import no_date
 from ..logs.bounds import Bounds, Range, When
 from ..names.selection import Selection
 from ..options import add_device, add_selection
-from ..text.numbers import counted, readable
+from ..text.numbers import count_text, readable
 
 if TYPE_CHECKING:
     from ..columns import Log
@@ -93,7 +93,7 @@ def run(options: argparse.Namespace) -> int:
     with ExitStack() as stack:
         clock, log, parts = None, None, _arriving(options.file)
         if bounds.timed or inputs.is_log(options.file):
-            log = stack.enter_context(inputs.columns(options.file, options.device))
+            log = stack.enter_context(inputs.open_columns(options.file, options.device))
             clock = _clock(log, options.file, bounds) if bounds.timed else None
             parts = ((0, part) for part in log.parts(PART))
         within = Within(bounds, clock)
@@ -104,8 +104,8 @@ def run(options: argparse.Namespace) -> int:
             size += len(data)
             packets += count
         if not packets and not (size and options.keep_skipped):
-            raise Failure(f"the part has no packets; {options.file} {within.known()}")
-    outputs.note(f"{counted(packets, 'packet')}, {readable(size)}")
+            raise Failure(f"the part has no packets; {options.file} {within.description()}")
+    outputs.note(f"{count_text(packets, 'packet')}, {readable(size)}")
     return 0
 
 

@@ -16,7 +16,7 @@ from ..files import outputs, signals
 from ..logs import inputs
 from ..logs.assumed import print_assumptions
 from ..options import add_baud, add_device, parse_rates, seconds
-from ..text.numbers import counted
+from ..text.numbers import count_text
 
 if TYPE_CHECKING:
     from ..columns import Log
@@ -65,7 +65,7 @@ def run(options: argparse.Namespace) -> int:
     elif rates:
         raise Misuse(f"{options.input} is not a port; rates are for devices")
     else:
-        with inputs.columns(options.input, device) as log:
+        with inputs.open_columns(options.input, device) as log:
             examined = _examined(log)
         messages = findings.in_stream(examined)
     if options.html:
@@ -87,18 +87,18 @@ def _examined(log: Log | bytes, device: str | None = None, model: str | None = N
     inputs.need_numpy()
     from ..columns import read_log
     from ..columns.sender import Sender
-    from ..doctor.stream import examine
+    from ..doctor.stream import examine_log
 
     if isinstance(log, bytes):
         log = read_log(log, device=Sender(device, model))
-    examined = examine(log)
+    examined = examine_log(log)
     print_assumptions("doctor", log, False)
     return examined
 
 
 def _print(name: str, examined: Examined, messages: list[Finding]) -> None:
-    span = findings.duration(examined)
-    print(f"{name}: {counted(examined.packets, 'packet')}{f' in {span:.1f} s' if span else ''}")
+    span = findings.report_duration(examined)
+    print(f"{name}: {count_text(examined.packets, 'packet')}{f' in {span:.1f} s' if span else ''}")
     for f in messages:
         print(f"{f.cause}: {f.text}")
         if f.remedy:
@@ -108,5 +108,7 @@ def _print(name: str, examined: Examined, messages: list[Finding]) -> None:
     if not examined.packets:
         return
     fields, sets = len(examined.names), len({number for number, _ in examined.names})
-    what = f"examined damage, gaps, clocks, flags and values of {counted(fields, 'field')} in {counted(sets, 'set')}"
+    what = (
+        f"examined damage, gaps, clocks, flags and values of {count_text(fields, 'field')} in {count_text(sets, 'set')}"
+    )
     print(f"{'' if messages else 'nothing is wrong; '}{what}")

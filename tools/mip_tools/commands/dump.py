@@ -19,7 +19,7 @@ from ..names.selection import Selection
 from ..options import add_baud, add_device, add_selection, add_timeout, line_of, positive
 from ..ports import connection
 from ..text import objects, show
-from ..text.numbers import counted
+from ..text.numbers import count_text
 
 EPILOG = """\
 examples:
@@ -82,12 +82,12 @@ def run(options: argparse.Namespace) -> int:
     if not packets and (packet := without_checksum(begin)) is not None:
         if not _show(Piece(0, bytes(packet), packet), options.device, selection, options, as_tree, explain):
             _none_shown(1)
-        print(f"mip dump: without checksum; it would be {show.spaced(bytes(packet)[-2:])}", file=sys.stderr)
+        print(f"mip dump: without checksum; it would be {show.spaced_bytes(bytes(packet)[-2:])}", file=sys.stderr)
         return 0
     if not packets:
         what = recognized(begin)
-        usual = show.damage(begin) or ("packets begin with 75 65" if explain else what)
-        raise Failure(f"no packet in {counted(bytes_skipped, 'byte')}: {usual if what is UNKNOWN else what}")
+        usual = show.damage_text(begin) or ("packets begin with 75 65" if explain else what)
+        raise Failure(f"no packet in {count_text(bytes_skipped, 'byte')}: {usual if what is UNKNOWN else what}")
     if not shown:
         _none_shown(packets)
     return 0
@@ -118,7 +118,7 @@ def _skipped(piece: Piece, as_json: bool) -> str:
 
 
 def _none_shown(packets: int) -> None:
-    print(f"mip dump: {counted(packets, 'packet')}, none with these fields", file=sys.stderr)
+    print(f"mip dump: {count_text(packets, 'packet')}, none with these fields", file=sys.stderr)
 
 
 def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
@@ -132,14 +132,14 @@ def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
 
 def _fast(options: argparse.Namespace, selection: Selection) -> int | None:
     """Shows whole files. Returns None if they have no packet, so that the slower way reports the cause."""
-    from ..logs.lines import Lines, Objects, lines
+    from ..logs.lines import Lines, Objects, object_lines
 
     packets = shown = 0
     for name in options.input:
-        with inputs.columns(name, options.device) as log:
+        with inputs.open_columns(name, options.device) as log:
             form = (Objects if options.json else Lines)(log.device)
             print_assumptions("dump", log, False)
-            for count, texts in lines(log, selection, form):
+            for count, texts in object_lines(log, selection, form):
                 packets += count
                 shown += len(texts)
                 if texts:
@@ -154,10 +154,10 @@ def _arriving(options: argparse.Namespace) -> Iterator[tuple[Piece | None, str |
     for name in options.input:
         device = KnownDevice(options.device)
         if inputs.is_port(name):
-            arriving = connection.pieces(line_of(options, name), begin=device.ask)
+            arriving = connection.port_pieces(line_of(options, name), begin=device.ask)
         else:
             if inputs.is_log(name) and find_spec("numpy") is not None:
-                with inputs.columns(name, options.device) as log:
+                with inputs.open_columns(name, options.device) as log:
                     print_assumptions("dump", log, False)  # also of a device that replies later
                     device = log.sender
                     device.news()

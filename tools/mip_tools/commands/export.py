@@ -16,7 +16,7 @@ from ..formats import live
 from ..logs import inputs
 from ..logs.assumed import print_assumptions
 from ..names.occurrence import Occurrence
-from ..names.selection import Selection, field
+from ..names.selection import Selection, one_field
 from ..options import add_device, add_rows, add_selection, hertz
 
 TABLES = ("csv", "jsonl", "npz", "parquet", "arrow")
@@ -78,12 +78,12 @@ def run(options: argparse.Namespace) -> int:
     _check(options)
     names = [name for name in options.names if name != NMEA]
     selection = Selection([*names, *options.only], options.without, data=True)
-    aligned = field(options.align) if options.align else None
+    aligned = one_field(options.align) if options.align else None
     if form in MESSAGES or (form == "jsonl" and options.file == "-"):
         whole = (aligned, options.split, options.rate, options.position, NMEA in options.names)
         if options.file == "-" and form != "ros2" and not any(whole):
             with outputs.whole(options.output) as out:  # a pipe: as data arrives
-                live.write(out, form, inputs.arriving("-"), options, selection, device=options.device)
+                live.write_stream(out, form, inputs.arriving("-"), options, selection, device=options.device)
             return 0
         if form in MESSAGES:
             return _messages(options, form, selection)
@@ -92,7 +92,7 @@ def run(options: argparse.Namespace) -> int:
 
     writers.require(form)
     with ExitStack() as stack:
-        log = stack.enter_context(inputs.columns(options.file, options.device))
+        log = stack.enter_context(inputs.open_columns(options.file, options.device))
         if NMEA in options.names:
             outputs.refuse_input(options.output, options.file)
             with outputs.whole(options.output) as out, writers.FORMS[form](out) as write:

@@ -9,8 +9,8 @@ from typing import Any
 from ..binding import DEVICES, Field, Response, info, registry
 from ..errors import Failure, Misuse
 from ..names.occurrence import Occurrence
-from ..names.search import everything, ranked
-from ..names.selection import fields, keys
+from ..names.search import all_fields, ranked
+from ..names.selection import matching_fields, resolve_keys
 from ..options import add_device
 from ..text import field_texts, show
 
@@ -53,13 +53,13 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _chosen(options: argparse.Namespace) -> list[Occurrence]:
-    kinds = everything()
+    kinds = all_fields()
     if options.name is not None:
-        wanted = keys(options.name)
+        wanted = resolve_keys(options.name)
         if wanted[0][1] is None:
             kinds = [k for k in kinds if k[0] == wanted[0][0]]
         else:
-            named = fields(options.name)
+            named = matching_fields(options.name)
             kinds = [k for k in kinds if k in named]
         if not kinds:
             raise Misuse(f"the specification has no {options.name}; `mip fields` lists the sets")

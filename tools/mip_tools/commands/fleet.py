@@ -8,10 +8,10 @@ import sys
 
 from ..errors import Misuse
 from ..files import outputs, signals
-from ..fleet import build
+from ..fleet import build_dataset
 from ..names.selection import Selection
 from ..options import add_device, positive
-from ..text.numbers import counted
+from ..text.numbers import count_text
 
 EPILOG = """\
 examples:
@@ -70,7 +70,7 @@ def run(options: argparse.Namespace) -> int:
 
     with signals.handled(signals.interrupt):
         try:
-            built = build(
+            built = build_dataset(
                 options.logs,
                 options.output,
                 only=options.only,
@@ -86,10 +86,10 @@ def run(options: argparse.Namespace) -> int:
             outputs.progress("")
     for name, why in sorted(built.failed.items()):
         print(f"mip fleet: {name}: {why}", file=sys.stderr)
-    added, known, failed = len(built.added), len(built.known), len(built.failed)
+    added, unchanged, failed = len(built.added), len(built.unchanged), len(built.failed)
     rows, logs, files = built.manifest.rows, len(built.manifest.logs), len(built.manifest.files)
     print(
-        f"{options.output}: {counted(added, 'log')} added, {known} known, {failed} failed; "
-        f"{counted(rows, 'row')} of {counted(logs, 'log')} in {counted(files, 'file')}"
+        f"{options.output}: {count_text(added, 'log')} added, {unchanged} known, {failed} failed; "
+        f"{count_text(rows, 'row')} of {count_text(logs, 'log')} in {count_text(files, 'file')}"
     )
     return 1 if built.failed else 0

@@ -14,7 +14,7 @@ from ..logs.recognize import MOST, recognized
 from ..options import add_device
 from ..text import show
 from ..text.clocks import dated, stamp
-from ..text.numbers import counted, readable
+from ..text.numbers import count_text, readable
 
 if TYPE_CHECKING:
     from ..columns.intervals import Place
@@ -45,25 +45,25 @@ _SPANS = 4
 
 
 def run(options: argparse.Namespace) -> int:
-    with inputs.columns(options.file, options.device) as log:
-        from ..logs.report import examine
+    with inputs.open_columns(options.file, options.device) as log:
+        from ..logs.report import report_on
 
-        report = examine(log)
+        report = report_on(log)
         begin = log.source.piece(0, min(log.size, MOST), 0)[0].tobytes()
     if options.json:
         print(json.dumps(as_json(options.file, report), indent=2))
     else:
-        for text in lines(options.file, report):
+        for text in report_lines(options.file, report):
             print(text)
     if not report.packets:
         raise Failure(f"{options.file} has no packets: {recognized(begin)}")
     return 0
 
 
-def lines(name: str, report: Report) -> list[str]:
+def report_lines(name: str, report: Report) -> list[str]:
     """Formats the report as text."""
     name = "standard input" if name == "-" else name
-    text = [f"{name}: {readable(report.size)}, {counted(report.packets, 'packet')}"]
+    text = [f"{name}: {readable(report.size)}, {count_text(report.packets, 'packet')}"]
     text += list(_span(report))
     text += list(_damage(report))
     if report.fields:
@@ -83,7 +83,7 @@ def _span(report: Report) -> Any:
             )
             more = f", then {len(spans) - _SPANS} more" if len(spans) > _SPANS else ""
             utc = ", as UTC" if dated(clock) else ""
-            restarts = f", which restarts {counted(len(spans) - 1, 'time')}" if spans[1:] and not utc else ""
+            restarts = f", which restarts {count_text(len(spans) - 1, 'time')}" if spans[1:] and not utc else ""
             name = "time" if clock == clocks.steady else "date"
             yield f"{name}: {text}{more}, {duration(spent)} ({clock} clock{utc}{restarts})"
     for number, times in report.timeline.sets.items():
@@ -109,17 +109,17 @@ def _damage(report: Report) -> Any:
         yield "skipped: nothing"
     else:
         parts = [
-            counted(n, what)
+            count_text(n, what)
             for n, what in ((report.damaged, "damaged packet"), (report.sentences, "NMEA sentence"))
             if n
         ]
         share = report.skipped / report.size
         yield (
-            f"skipped: {counted(report.skipped, 'byte')} ({share:.2%}) in {counted(report.runs, 'place')}"
+            f"skipped: {count_text(report.skipped, 'byte')} ({share:.2%}) in {count_text(report.runs, 'place')}"
             + (f": {', '.join(parts)}" if parts else "")
         )
     if report.malformed:
-        yield f"malformed: {counted(report.malformed, 'packet')} with a field that runs past its end"
+        yield f"malformed: {count_text(report.malformed, 'packet')} with a field that runs past its end"
 
 
 def _table(report: Report) -> list[str]:
@@ -141,11 +141,13 @@ def _gaps(report: Report) -> Any:
         count, missing, places = times.gaps
         if count:
             yield ""
-            yield (f"{show.set_name(number)}: {counted(count, 'gap')}, {duration(missing)} are missing; the longest:")
+            yield (
+                f"{show.set_name(number)}: {count_text(count, 'gap')}, {duration(missing)} are missing; the longest:"
+            )
             yield from (_at(clock, place) for place in places)
         if times.backwards:
             yield ""
-            yield f"{show.set_name(number)}: time goes back {counted(times.backwards, 'time')}:"
+            yield f"{show.set_name(number)}: time goes back {count_text(times.backwards, 'time')}:"
             yield from (_at(clock, place) for place in times.backward)
 
 

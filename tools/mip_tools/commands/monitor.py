@@ -9,7 +9,7 @@ import time
 
 from ..files import outputs, signals
 from ..logs import inputs
-from ..monitor.latest import Latest, pieces
+from ..monitor.latest import Latest, device_pieces
 from ..names.selection import Selection
 from ..options import add_baud, add_device, add_timeout, hertz, seconds
 
@@ -47,7 +47,7 @@ def run(options: argparse.Namespace) -> int:
             pass
         else:
             try:
-                fill(options, latest, pieces)
+                fill(options, latest, device_pieces)
             finally:
                 print("\n".join(_titled(options, latest)))
             return 0
@@ -60,7 +60,7 @@ def _draw(options: argparse.Namespace, latest: Latest) -> None:
     shown = time.monotonic()
     with signals.handled(signals.interrupt):
         try:
-            for piece in pieces(options, latest):
+            for piece in device_pieces(options, latest):
                 now = time.monotonic()
                 if piece is not None:
                     latest.add(piece, now)

@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     if options.output is not None:
         outputs.refuse_input(options.output, options.file)
     curves = [curve for name in options.names for curve in plot.curves_of(name)]
-    with inputs.columns(options.file, options.device) as log:
+    with inputs.open_columns(options.file, options.device) as log:
         figure = plot.draw(pyplot, log, curves, options)
         print_assumptions("plot", log, False)
         if options.output is None:

@@ -46,11 +46,11 @@ def run(options: argparse.Namespace) -> int:
     path = folder / "devices" / f"{facts.model.id}.yaml"
     contradictions = facts.contradictions()
     if path.exists():
-        text, more = device_file.merged(facts, path)
+        text, more = device_file.updated(facts, path)
         contradictions |= more
         changed = text != path.read_bytes().decode("utf-8")
     else:
-        text, changed = device_file.new(facts, folder), True
+        text, changed = device_file.new_file(facts, folder), True
     if options.dry_run:
         sys.stdout.write(text)
     elif changed:

@@ -12,7 +12,7 @@ from ..binding import Answer, Command, FunctionSelector, MipError, NoAnswer, Ref
 from ..devices.known import KnownDevice
 from ..errors import Failure, Misuse
 from ..names import typed
-from ..names.selection import fields
+from ..names.selection import matching_fields
 from ..options import add_baud, add_device, line_of, seconds
 from ..ports import connection
 from ..text import show, values
@@ -150,14 +150,14 @@ def _print(
 ) -> None:
     inside = {} if response is None else references(response, response.SET)
     if options.json:
-        values_by_name = None if response is None else values.plain(response, True, device, inside)
+        values_by_name = None if response is None else values.to_plain(response, True, device, inside)
         print(json.dumps({"command": command.NAME, "outcome": outcome, "response": values_by_name, **more}))
     else:
         print("\n".join(() if response is None else show.leaves(response, device, inside)) or text)
 
 
 def _kind(name: str) -> type[Command]:
-    kinds = [kind for _, kind in fields(name) if issubclass(kind, Command)]
+    kinds = [kind for _, kind in matching_fields(name) if issubclass(kind, Command)]
     if not kinds:
         raise Misuse(f"{name} is not a command; `mip fields --search {name}` finds others")
     if len(kinds) > 1:

@@ -23,10 +23,10 @@ from ..simulator.endpoints.channel import CAPACITY
 from ..simulator.endpoints.endpoint import Endpoint, pty_at, tcp_at, udp_at
 from ..simulator.endpoints.serve import Server
 from ..simulator.faults import Faults, Injected, json_log
-from ..simulator.faults.kinds import parse_faults, table
+from ..simulator.faults.kinds import kinds_table, parse_faults
 from ..simulator.motion import MotionError, parse_motion
 from ..simulator.scenario import SCHEMA, Scenario, Simulated, endpoint, read_scenario
-from ..text.numbers import counted
+from ..text.numbers import count_text
 
 Log = Callable[[Injected], None]
 
@@ -47,7 +47,7 @@ When the device is ready, its endpoints are printed, one per line: first those o
 
 faults: KIND=RATE with a probability, KIND=RATE:AMOUNT also with a maximum amount, KIND@N at the Nth
 chance; all=RATE stands for every kind.
-{table()}
+{kinds_table()}
 """
 
 
@@ -124,7 +124,7 @@ def run(options: argparse.Namespace) -> int:
     if options.list:
         width = max(len(d.id) for d in DEVICES.values())
         for device in DEVICES.values():
-            incomplete = f" (incomplete: {_known(device)})" if device.incomplete else ""
+            incomplete = f" (incomplete: {_share(device)})" if device.incomplete else ""
             print(f"{device.id:<{width}}  {device.title}{incomplete}")
         return 0
     if options.no_effect:
@@ -240,7 +240,7 @@ def _introduce(whole: Device, sure: bool) -> None:
     profile = certain(whole) if sure else whole
     _complain(_evidence(whole, sure))
     if profile.incomplete:
-        _complain(f"the profile of {profile.title} is incomplete ({_known(profile)}): " + " ".join(profile.incomplete))
+        _complain(f"the profile of {profile.title} is incomplete ({_share(profile)}): " + " ".join(profile.incomplete))
     if rates := {set_number: rate for set_number, rate in assumed_rates(profile).items() if rate}:
         _complain(_assumed(rates))
     if any(port not in profile.ports for port in assumed_ports(profile)):
@@ -254,11 +254,11 @@ def _evidence(profile: Device, certain: bool) -> str:
     return f"{profile.title}: {sure} commands and data fields are certain, {likely} likely, {assumed} assumed{left_out}"
 
 
-def _known(profile: Device) -> str:
+def _share(profile: Device) -> str:
     """States how complete an incomplete profile is."""
     commands = sum(1 for set_number, _ in profile.fields if set_number < 0x80)
     data = len(profile.fields) - commands
-    return f"{counted(commands, 'command')}, {counted(data, 'data field')}"
+    return f"{count_text(commands, 'command')}, {count_text(data, 'data field')}"
 
 
 def _complain(text: str) -> None:

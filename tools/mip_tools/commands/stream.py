@@ -16,7 +16,7 @@ from ..formats import foxglove, live
 from ..logs import inputs
 from ..logs.scan import Piece
 from ..names.occurrence import Occurrence
-from ..names.selection import Selection, fields
+from ..names.selection import Selection, matching_fields
 from ..options import (
     Rates,
     add_baud,
@@ -81,15 +81,15 @@ def run(options: argparse.Namespace) -> int:
         raise Misuse("--listen is for --format foxglove")
     if options.origin and options.format != "foxglove":
         raise Misuse("--origin is for --format foxglove")
-    known = KnownDevice(options.device)
-    arriving = _counted(_arriving(options, rates, at_port, known), options.packets)
+    sender = KnownDevice(options.device)
+    arriving = _counted(_arriving(options, rates, at_port, sender), options.packets)
     if options.format == "foxglove":
-        return _serve(options, arriving, selection, known)
+        return _serve(options, arriving, selection, sender)
     columns = [kind for name in names for kind in _single(name)] if all(map(_single, names)) else []
     with signals.handled(signals.interrupt), outputs.whole(options.output, keep=True) as out:
         try:
-            live.write(
-                out, options.format, arriving, options, selection, columns, known, at_port and options.time != "none"
+            live.write_stream(
+                out, options.format, arriving, options, selection, columns, sender, at_port and options.time != "none"
             )
         except KeyboardInterrupt:  # the usual way to end it
             pass
@@ -97,7 +97,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _serve(
-    options: argparse.Namespace, arriving: Iterator[Piece | None], selection: Selection, known: KnownDevice
+    options: argparse.Namespace, arriving: Iterator[Piece | None], selection: Selection, sender: KnownDevice
 ) -> int:
     """Serves the data to Foxglove."""
     if options.output != "-":
@@ -111,7 +111,7 @@ def _serve(
     with signals.handled(signals.interrupt), foxglove.serving(server, place, (*FOXGLOVE, *options.origin)) as url:
         print(f"mip stream: open {url} in Foxglove", file=sys.stderr, flush=True)
         try:
-            foxglove.serve(server, *live.messages(arriving, options, selection, device=known))
+            foxglove.serve(server, *live.stream_messages(arriving, options, selection, device=sender))
         except KeyboardInterrupt:  # the usual way to end it
             pass
     return 0
@@ -120,22 +120,22 @@ def _serve(
 def _single(name: str) -> list[Occurrence]:
     """Finds the field with this name in each set that has it; empty if the name is that of a set."""
     try:
-        return [occurrence for occurrence in fields(name) if issubclass(occurrence.kind, Data)]
+        return [occurrence for occurrence in matching_fields(name) if issubclass(occurrence.kind, Data)]
     except Misuse:
         return []
 
 
-def _arriving(options: argparse.Namespace, rates: Rates, at_port: bool, known: KnownDevice) -> Iterator[Piece | None]:
+def _arriving(options: argparse.Namespace, rates: Rates, at_port: bool, sender: KnownDevice) -> Iterator[Piece | None]:
     if not at_port:
         return inputs.arriving(options.input, progress=False)
 
     def begin(device: Any) -> bool:
-        known.ask(device)
+        sender.ask(device)
         if rates:
             start(device, rates, options.time)
         return not rates
 
-    return connection.pieces(line_of(options, options.input), options.duration, begin)
+    return connection.port_pieces(line_of(options, options.input), options.duration, begin)
 
 
 def _counted(pieces: Iterator[Piece | None], most: int | None) -> Iterator[Piece | None]:

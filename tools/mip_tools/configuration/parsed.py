@@ -9,15 +9,15 @@ from pathlib import Path
 from typing import Any
 
 from ..binding import DEVICES, Device, EncodeError, Parameter, Structure, UnknownName, device_id, info
-from ..devices.checks import SAME, inside, set_of
-from ..devices.settings import home
+from ..devices.checks import SAME, in_limits, set_of
+from ..devices.settings import stored_by
 from ..errors import Failure
 from ..names import typed
 from ..text import yaml_text
 from ..text.yaml_reader import Wrong, YamlReader, hint
 from ..text.yaml_text import kind_of
-from .settings import UNKNOWN, Place, on, parameters, settings, stored_settings
-from .words import numbers
+from .settings import UNKNOWN, Place, on, own_parameters, settings, stored_settings
+from .words import accepted_names
 from .written import Beside, selectors
 
 #: The first descriptor of shared data.
@@ -37,7 +37,7 @@ class File:
     at: dict[Place, str] = field(default_factory=dict)
 
 
-def parsed(path: Path, device: Device | None = None) -> File:
+def parsed_settings(path: Path, device: Device | None = None) -> File:
     """Reads a file, and checks it for `device`, if given: a device that has reported its fields.
 
     Raises Failure with all mistakes.
@@ -92,7 +92,7 @@ class _Reader(YamlReader):
         if kind in available:
             return True
         key = next(key for key, _ in node.value if key.value == own)
-        others = [other.NAME for other in available if home(other) is home(kind)]
+        others = [other.NAME for other in available if stored_by(other) is stored_by(kind)]
         instead = f"use {others[0]} instead" if others else "remove it"
         self.wrong(Wrong(key, f"this device has no setting '{kind.NAME}'; {instead}"))
         return False
@@ -115,7 +115,7 @@ class _Reader(YamlReader):
     def setting(self, kind: Any, selected: dict[str, int], key: Any, node: Any, file: File) -> None:
         before = len(self.mistakes)
         place = Place.selected_by(kind.NAME, selected)
-        members = [p for p in parameters(kind) if p.attribute not in place.selected]
+        members = [p for p in own_parameters(kind) if p.attribute not in place.selected]
         required = {p.attribute for p in members if "write" in p.required}
         values = self.members(kind.NAME, node, members, required, {**place.selected}, None)
         if len(self.mistakes) > before:
@@ -176,7 +176,7 @@ class _Reader(YamlReader):
             return self.structure(p, node, set_number)
         if p.elements:
             return self.vector(p, node)
-        return self.one(p, node, set_number)
+        return self.element(p, node, set_number)
 
     def items(
         self, p: Parameter, node: Any, values: Mapping[str, Any], set_number: int | None, length: Any
@@ -196,7 +196,7 @@ class _Reader(YamlReader):
 
     def structure(self, p: Parameter, node: Any, set_number: int | None) -> Any:
         before = len(self.mistakes)
-        members = parameters(p.type)
+        members = own_parameters(p.type)
         values = self.members(p.name, node, members, {m.attribute for m in members}, {}, set_number)
         if len(self.mistakes) > before:
             return None
@@ -210,7 +210,7 @@ class _Reader(YamlReader):
         missing = [name for name in p.elements if name not in nodes]
         if missing:
             raise Wrong(node, f"'{p.name}' needs {', '.join(missing)} too")
-        values = tuple(self.one(p, nodes[name], None) for name in p.elements)
+        values = tuple(self.element(p, nodes[name], None) for name in p.elements)
         least, most = p.magnitude
         size = sum(x * x for x in values) ** 0.5
         if (least is not None and size < least) or (most is not None and size > most):
@@ -218,7 +218,7 @@ class _Reader(YamlReader):
             raise Wrong(node, f"the magnitude of '{p.name}' must be {limits}")
         return values
 
-    def one(self, p: Parameter, node: Any, set_number: int | None) -> Any:
+    def element(self, p: Parameter, node: Any, set_number: int | None) -> Any:
         if isinstance(p.type, type) and issubclass(p.type, IntFlag):
             value = self.flags(p, node)
         else:
@@ -237,7 +237,7 @@ class _Reader(YamlReader):
     def word(self, p: Parameter, node: Any, set_number: int | None) -> Any:
         if kind_of(node) != "scalar":
             raise Wrong(node, f"'{p.name}' needs one value")
-        numbers_by_name = numbers(p, set_number, self.profile)
+        numbers_by_name = accepted_names(p, set_number, self.profile)
         if node.value in numbers_by_name:
             return p.type(numbers_by_name[node.value]) if p.type is not None else numbers_by_name[node.value]
         if numbers_by_name and not node.value[:1].isdigit():
@@ -247,7 +247,7 @@ class _Reader(YamlReader):
 
     def scalar(self, p: Parameter, node: Any, text: str) -> Any:
         try:
-            return typed.scalar(p, text)
+            return typed.parse_scalar(p, text)
         except Failure as failure:
             raise Wrong(node, str(failure)) from None
 
@@ -255,11 +255,11 @@ class _Reader(YamlReader):
         """Raises Wrong if the device cannot have this value."""
         if self.device is not None and p.refers == "field" and not self.sends(set_number, int(value)):
             raise Wrong(node, f"this device does not have the field '{node.value}'; remove it")
-        numbers_by_name = numbers(p, set_number, self.profile)
+        numbers_by_name = accepted_names(p, set_number, self.profile)
         enumerated = numbers_by_name and not p.refers and not isinstance(value, IntFlag)
         if enumerated and int(value) not in numbers_by_name.values():
             raise Wrong(node, f"'{p.name}' has no value {node.value}; known: {', '.join(numbers_by_name)}")
-        if isinstance(value, (int, float)) and not isinstance(value, (bool, IntFlag)) and not inside(p, value, SAME):
+        if isinstance(value, (int, float)) and not isinstance(value, (bool, IntFlag)) and not in_limits(p, value, SAME):
             unit = f" {p.unit}" if p.unit not in ("", "1") else ""
             limits = f"{p.range or 'a number'}{unit}" if p.constant is None else p.constant
             raise Wrong(node, f"'{p.name}' must be {limits}, not {node.value}")

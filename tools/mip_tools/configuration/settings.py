@@ -12,9 +12,9 @@ from typing import Any
 from ..binding import DEVICES, Command, Device, Evidence, Parameter, Support, info, registry
 from ..devices.checks import NOTHING, set_of
 from ..devices.codes import READ, SAVE, WRITE
-from ..devices.facts import AFFECTED, COMMANDS, DATA_SETS, FUNCTIONS, PORTS, VALUES, Behavior, difference
+from ..devices.facts import AFFECTED, COMMANDS, DATA_SETS, FUNCTIONS, PORTS, VALUES, Behavior, difference_on
 from ..devices.profiles import data_sets
-from ..devices.settings import Key, home, keys
+from ..devices.settings import Key, instance_keys, stored_by
 
 #: Effects of settings in the order in which they are changed: streams after the data that they contain, and last the
 #: settings that may cut the connection.
@@ -36,7 +36,7 @@ class Place:
 
     @property
     def keys(self) -> tuple[str, ...]:
-        return keys(self.kind)
+        return instance_keys(self.kind)
 
     @property
     def selected(self) -> dict[str, int]:
@@ -47,12 +47,14 @@ class Place:
     def selected_by(command: str, selected: Mapping[str, int]) -> Place:
         """Returns the instance that these values select. The values that are not given are fixed."""
         kind = settings()[command]
-        return Place(command, tuple(int(selected.get(name, info(kind)[name].default or 0)) for name in keys(kind)))
+        return Place(
+            command, tuple(int(selected.get(name, info(kind)[name].default or 0)) for name in instance_keys(kind))
+        )
 
     def reading(self, beside: Command | None = None) -> Any:
         """Returns the command that reads this setting; if it has several forms, in the form of the command `beside`."""
         values = {name: v for name, v in self.selected.items() if not info(self.kind)[name].reserved}
-        for p in parameters(self.kind):
+        for p in own_parameters(self.kind):
             if "read" in p.required and p.attribute not in values:
                 forms = info(p.type).values if p.type is not None else ()
                 values[p.attribute] = getattr(beside, p.attribute) if beside else forms[0].value if forms else 0
@@ -75,12 +77,12 @@ def settings() -> dict[str, type[Command]]:
     kinds: dict[str, type[Command]] = {}
     for _, kind in registry.all_types():
         if issubclass(kind, Command) and kind.REQUIRED.keys() >= {WRITE, READ, SAVE} and not behavior(kind).once:
-            values = [p for p in parameters(kind) if p.attribute not in keys(kind)]
+            values = [p for p in own_parameters(kind) if p.attribute not in instance_keys(kind)]
             kinds |= {kind.NAME: kind} if values else {}
     return kinds
 
 
-def parameters(kind: type[Any]) -> list[Parameter]:
+def own_parameters(kind: type[Any]) -> list[Parameter]:
     """Returns the parameters of a setting, without the function selector and without derived and reserved ones."""
     return [p for p in info(kind).parameters if p.name != "function" and not p.derived and not p.reserved]
 
@@ -90,10 +92,10 @@ def stored_settings(profile: Device) -> list[type[Command]]:
     own = [kind for kind in settings().values() if (kind.SET, kind.DESCRIPTOR) in profile.fields]
     readable = [kind for kind in own if {"W", "R"} <= _letters(kind, profile)]
     chosen: dict[tuple[str, tuple[tuple[str, int], ...]], type[Command]] = {}
-    for kind in sorted(readable, key=lambda kind: home(kind) is not kind):
-        chosen.setdefault((home(kind).NAME, tuple(behavior(kind).key.items())), kind)
+    for kind in sorted(readable, key=lambda kind: stored_by(kind) is not kind):
+        chosen.setdefault((stored_by(kind).NAME, tuple(behavior(kind).key.items())), kind)
     kept = {name for name, _ in chosen if any(name == kind.NAME for kind in readable)}
-    return [k for k in readable if k in chosen.values() and (home(k) is k or home(k).NAME not in kept)]
+    return [k for k in readable if k in chosen.values() and (stored_by(k) is k or stored_by(k).NAME not in kept)]
 
 
 def saves_all(profile: Device) -> Any:
@@ -137,9 +139,9 @@ def response_names(response: type[Any]) -> dict[str, str]:
 # --------------------------------------------------------------------------- instances
 
 
-def places(kind: type[Command], profile: Device) -> Iterator[tuple[Place, bool]]:
+def requested_places(kind: type[Command], profile: Device) -> Iterator[tuple[Place, bool]]:
     """Yields the instances to request from a device. True means: if the device rejects this one, there are no more."""
-    names = keys(kind)
+    names = instance_keys(kind)
     values: list[list[int]] = []
     for name in names:
         choices = _values(info(kind)[name], kind, profile)
@@ -184,7 +186,7 @@ def value_names(p: Parameter, profile: Device) -> dict[int, str]:
     kind = on(p, profile).type
     if not (isinstance(kind, type) and issubclass(kind, IntEnum)):
         return {}
-    only = difference(p, profile.id).values
+    only = difference_on(p, profile.id).values
     return {v.value: v.name for v in info(kind).values if not only or v.value in only}
 
 
@@ -221,7 +223,7 @@ class _Record:
 UNKNOWN = Device("", "", "", None, (), {})
 
 
-def listed(profile: Device | None, title: str, descriptors: Iterable[tuple[int, int]]) -> Device:
+def listed_profile(profile: Device | None, title: str, descriptors: Iterable[tuple[int, int]]) -> Device:
     """Makes a profile that has only the descriptors that the device itself lists."""
     by_set: dict[int, bytes] = {}
     for number, descriptor in descriptors:

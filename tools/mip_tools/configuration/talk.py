@@ -17,9 +17,9 @@ from .settings import (
     can,
     ends_talk,
     in_order,
-    listed,
-    parameters,
-    places,
+    listed_profile,
+    own_parameters,
+    requested_places,
     response_names,
     saves_all,
     stored_settings,
@@ -47,9 +47,9 @@ class Talk:
     def __init__(self, link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> None:
         """Identifies the device. Raises Failure."""
         self.link, self.port, self.complain = link, port, complain
-        self.listing = listing.identity(link, port, complain)
+        self.listing = listing.read_identity(link, port, complain)
         self.model = device_file.model(self.listing)
-        self.profile: Device = listed(self.model.profile, self.listing.title, self.listing.descriptors)
+        self.profile: Device = listed_profile(self.model.profile, self.listing.title, self.listing.descriptors)
 
     # ----------------------------------------------------------------- reading
 
@@ -57,7 +57,7 @@ class Talk:
         """Reads all settings."""
         settings: Settings = {}
         for kind in stored_settings(self.profile):
-            for place, open_end in places(kind, self.profile):
+            for place, open_end in requested_places(kind, self.profile):
                 setting = self.read(place)
                 if setting is not None:
                     settings[place] = setting
@@ -126,7 +126,7 @@ class Talk:
             else:
                 self.request(command)
         except Refused as error:
-            done.refused[place] = why(error)
+            done.refused[place] = nack_text(error)
             return False
         except (Lost, MipError) as error:
             done.refused[place] = str(error)
@@ -207,7 +207,7 @@ class Talk:
             try:
                 self.request(whole.save())
             except Refused as error:
-                raise Failure(f"the device rejected {whole.NAME}: {why(error)}", listing.REFUSED) from None
+                raise Failure(f"the device rejected {whole.NAME}: {nack_text(error)}", listing.REFUSED) from None
             return None, {}
         refused: dict[Place, str] = {}
         saved = 0
@@ -217,7 +217,7 @@ class Talk:
                     self.request(place.saving())
                     saved += 1
                 except Refused as error:
-                    refused[place] = why(error)
+                    refused[place] = nack_text(error)
         return saved, refused
 
     # ----------------------------------------------------------------- streams
@@ -246,7 +246,7 @@ class Pushed:
         self.read_differently: dict[Place, Any] = {}  # the values read back, if they differ from the written ones
 
 
-def why(error: Refused) -> str:
+def nack_text(error: Refused) -> str:
     """Describes the reason for a NACK."""
     number = int(error.code)
     code = next((v for v in info(AckCode).values if v.value == number), None)
@@ -258,7 +258,7 @@ def written(place: Place, response: Any) -> Any:
     """Makes the command that would write the values of a response."""
     names = response_names(type(response))
     values: dict[str, Any] = {}
-    for p in parameters(place.kind):
+    for p in own_parameters(place.kind):
         name = names.get(p.name, p.name)
         value = getattr(response, info(type(response))[name].attribute)
         if value is not None or p.kind == "switch":

@@ -10,9 +10,9 @@ from typing import Any
 from ..binding import Device, Parameter, Structure, info, meant
 from ..devices.checks import set_of
 from ..text import yaml_text
-from ..text.values import number, words
-from .settings import Place, on, parameters
-from .words import word
+from ..text.values import rounded, value_text
+from .settings import Place, on, own_parameters
+from .words import name_for
 
 WIDTH = 110
 
@@ -25,21 +25,25 @@ HEAD = """\
 Tree = dict[str, Any] | list[Any] | str
 
 
-def text(commands: Mapping[Place, Any], profile: Device, model: str, firmware: str, date: str) -> str:
+def file_text(commands: Mapping[Place, Any], profile: Device, model: str, firmware: str, date: str) -> str:
     """Composes the whole file. The value of a setting is a command, or a response with the same parameters."""
     title = f"  # {profile.title}, model number {profile.model_number}" if profile.model_number else ""
-    lines = [f"model: {yaml_text.word(model)}{title}", f"firmware: {yaml_text.word(firmware)}", f"date: {date}"]
+    lines = [
+        f"model: {yaml_text.scalar_text(model)}{title}",
+        f"firmware: {yaml_text.scalar_text(firmware)}",
+        f"date: {date}",
+    ]
     lines.append("settings:" if commands else "settings: {}")
     before: tuple[str, ...] = ()
     for place, value in commands.items():
         path = tuple(path_of(place, profile))
         alone = len(path) == 2
-        units = dict(_units(parameters(place.kind), value if alone else None))
+        units = dict(_units(own_parameters(place.kind), value if alone else None))
         same = next((i for i, (a, b) in enumerate(zip(before, path)) if a != b), len(before))
         for i in range(same, len(path) - 1):
             lines.append(f"{'  ' * (i + 1)}{path[i]}:{_comment(units) if i == 1 else ''}")
         indent = "  " * len(path)
-        lines += _lines(f"{indent}{path[-1]}:", values(place, value, profile), indent, units if alone else {})
+        lines += _lines(f"{indent}{path[-1]}:", written_values(place, value, profile), indent, units if alone else {})
         before = path
     return HEAD + "\n".join(lines) + "\n"
 
@@ -50,8 +54,8 @@ def path_of(place: Place, profile: Device) -> list[str]:
     keys = []
     for attribute in selectors(place.kind, place.keys):
         p = info(place.kind)[attribute]
-        keys.append(word(on(p, profile), place.selected[attribute], _set(p, place.selected), profile))
-    return [yaml_text.word(x) if not x.isdigit() else x for x in (family, name, *keys)]
+        keys.append(name_for(on(p, profile), place.selected[attribute], _set(p, place.selected), profile))
+    return [yaml_text.scalar_text(x) if not x.isdigit() else x for x in (family, name, *keys)]
 
 
 def selectors(kind: type[Any], keys: Iterable[str]) -> list[str]:
@@ -76,9 +80,11 @@ class Beside:
 # --------------------------------------------------------------------------- values
 
 
-def values(place: Place, command: Any, profile: Device) -> dict[str, Tree]:
+def written_values(place: Place, command: Any, profile: Device) -> dict[str, Tree]:
     """Returns the values of a setting as in the file, without those that select the instance."""
-    return _members(command, [p for p in parameters(place.kind) if p.attribute not in place.selected], profile, None)
+    return _members(
+        command, [p for p in own_parameters(place.kind) if p.attribute not in place.selected], profile, None
+    )
 
 
 def _members(record: Any, members: list[Parameter], profile: Device, inside: int | None) -> dict[str, Tree]:
@@ -95,12 +101,12 @@ def _tree(p: Parameter, value: Any, record: Any, profile: Device, inside: int | 
     set_number = set_of(p, record) if p.fields_of else inside
     if p.kind == "switch":
         case = p.cases.get(getattr(record, p.tag))
-        return _tree(case, value, record, profile, set_number) if case else words(p, value)
+        return _tree(case, value, record, profile, set_number) if case else value_text(p, value)
     if isinstance(value, Structure):
-        return _members(value, parameters(type(value)), profile, set_number)
+        return _members(value, own_parameters(type(value)), profile, set_number)
     if isinstance(value, (tuple, list)):
         if p.elements and p.length is None:
-            return {name: number(x, p.scalar) for name, x in zip(p.elements, value)}
+            return {name: rounded(x, p.scalar) for name, x in zip(p.elements, value)}
         return [_tree(replace(p, length=None, fields_of=""), x, record, profile, set_number) for x in value]
     return _word(p, value, set_number, profile)
 
@@ -109,13 +115,13 @@ def _word(p: Parameter, value: Any, set_number: int | None, profile: Device) -> 
     if isinstance(value, str):
         return yaml_text.quoted(value)
     if isinstance(value, float):
-        return number(value, p.scalar)
+        return rounded(value, p.scalar)
     if isinstance(meant(p, value), IntFlag):
-        return [] if not value else words(p, value).split("|")
+        return [] if not value else value_text(p, value).split("|")
     if p.refers or (p.type is not None and p.scalar != "bool"):
-        text = word(p, int(value), set_number, profile)
-        return text if text[0].isdigit() else yaml_text.word(text)
-    return words(p, value)
+        text = name_for(p, int(value), set_number, profile)
+        return text if text[0].isdigit() else yaml_text.scalar_text(text)
+    return value_text(p, value)
 
 
 # --------------------------------------------------------------------------- lines
@@ -179,6 +185,6 @@ def _units(members: list[Parameter], record: Any = None) -> Iterator[tuple[str, 
         cases = [case for case in p.cases.values() if case is not None]
         for q in cases or [here]:
             if isinstance(q.type, type) and issubclass(q.type, Structure):
-                yield from _units(parameters(q.type))
+                yield from _units(own_parameters(q.type))
             elif set(q.units) - {"1"}:
                 yield p.name, q.unit + (f" ({q.name})" if cases else "")

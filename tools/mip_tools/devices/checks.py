@@ -8,14 +8,14 @@ from typing import Any
 
 from ..binding import Command, Device, Parameter, Structure, lookup, reflection, single_from_bits, single_to_bits
 from .codes import INVALID_PARAMETER, READ, SETS, Refused
-from .facts import AFFECTED, COMMANDS, DATA_SETS, PORTS, Behavior, Difference, difference
+from .facts import AFFECTED, COMMANDS, DATA_SETS, PORTS, Behavior, Difference, difference_on
 from .profiles import data_sets
 
 NOTHING = Behavior()
 SAME = Difference()
 
 
-def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
+def check_value(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
     """Raises Refused if the device rejects a value.
 
     `keys` select an instance of a setting. Values that the function does not require may be placeholders.
@@ -30,7 +30,7 @@ def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
             continue
         if function is None or function in SETS or p.attribute in keys or number <= required:
             reading = profile.readings.get(f"{command.NAME}.{p.name}")
-            _parameter(p, value, command, difference(p, profile.id), reading, profile)
+            _parameter(p, value, command, difference_on(p, profile.id), reading, profile)
     _instances(command, profile, function)
 
 
@@ -80,16 +80,16 @@ def _instances(command: Command, profile: Device, function: int | None) -> None:
 def _parameter(p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any, profile: Device) -> None:
     if p.kind == "array" and not p.elements:
         for item in value:
-            _one(p, item, record, differs, reading, profile)
+            _element(p, item, record, differs, reading, profile)
     elif p.kind == "switch":
         case = p.cases.get(getattr(record, p.tag))
         if case is not None:
             _parameter(case, value, record, SAME, None, profile)
     else:
-        _one(p, value, record, differs, reading, profile)
+        _element(p, value, record, differs, reading, profile)
 
 
-def _one(p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any, profile: Device) -> None:
+def _element(p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any, profile: Device) -> None:
     if isinstance(value, Structure):
         for member in reflection.info(type(value)).parameters:
             member_value = _value(member, value)
@@ -106,7 +106,7 @@ def _one(p: Parameter, value: Any, record: Structure, differs: Difference, readi
     elif not _named(p, value, record, differs, reading):
         raise Refused(INVALID_PARAMETER)
     for number in value if isinstance(value, tuple) else (value,):
-        if isinstance(number, (int, float)) and not inside(p, number, differs):
+        if isinstance(number, (int, float)) and not in_limits(p, number, differs):
             raise Refused(INVALID_PARAMETER)
 
 
@@ -120,7 +120,7 @@ def _named(p: Parameter, value: Any, record: Structure, differs: Difference, rea
     return any(value == member for member in kind)
 
 
-def inside(p: Parameter, value: float, differs: Difference) -> bool:
+def in_limits(p: Parameter, value: float, differs: Difference) -> bool:
     """Is the value within the limits of a parameter?"""
     least = p.minimum if differs.minimum is None else differs.minimum
     most = p.maximum if differs.maximum is None else differs.maximum

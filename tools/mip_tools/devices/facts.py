@@ -63,7 +63,7 @@ class Difference:
     constant: int | None = None
 
 
-def difference(p: Parameter, device: str) -> Difference:
+def difference_on(p: Parameter, device: str) -> Difference:
     """Returns how a parameter differs on the device with this id."""
     changes: dict[str, Any] = {}
     for v in p.variants:
@@ -111,6 +111,6 @@ COMMANDS = {name: _behavior(row) for name, row in _KNOWN["commands"].items()}
 _NOTHING = FieldValues()
 
 
-def shown(kind: type[Field], set_number: int) -> FieldValues:
+def value_sources(kind: type[Field], set_number: int) -> FieldValues:
     """Returns the sources of a field's values in packets of a set: those for this set, else those for all sets."""
     return VALUES.get(kind.name_in(set_number)) or VALUES.get(kind.NAME) or _NOTHING

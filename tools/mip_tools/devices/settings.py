@@ -19,7 +19,7 @@ from ..errors import Failure
 from . import views
 from .checks import NOTHING
 from .codes import DEFAULT, LOAD, READ, SAVE, SETS
-from .facts import COMMANDS, difference
+from .facts import COMMANDS, difference_on
 
 Key = tuple[int, ...]
 Place = tuple[str, Key]
@@ -35,13 +35,13 @@ def is_setting(kind: type[Command]) -> bool:
     return any(function in kind.REQUIRED for function in SETS)
 
 
-def home(kind: type[Command]) -> type[Command]:
+def stored_by(kind: type[Command]) -> type[Command]:
     """Returns the command that stores the setting: this one, or another one."""
     other = COMMANDS.get(kind.NAME, NOTHING).setting
     return command_type(other) if other else kind
 
 
-def keys(kind: type[Command]) -> tuple[str, ...]:
+def instance_keys(kind: type[Command]) -> tuple[str, ...]:
     """Returns the parameters that select an instance: those that functions without values require."""
     return _keys(kind.NAME)
 
@@ -62,12 +62,12 @@ def _stored_members(kind: type[Structure]) -> list[Parameter]:
     return [p for p in _parameters(kind) if p.kind not in ("constant", "counter")]
 
 
-def place(command: Command) -> Place:
+def storage_place(command: Command) -> Place:
     """Returns the place under which the setting of a command is stored."""
     kind = type(command)
-    behavior, owner = COMMANDS.get(kind.NAME, NOTHING), home(kind)
+    behavior, owner = COMMANDS.get(kind.NAME, NOTHING), stored_by(kind)
     numbers = []
-    for name in keys(owner):
+    for name in instance_keys(owner):
         value = behavior.key.get(name, getattr(command, name, None))
         numbers.append(behavior.translate.get(name, {}).get(value, value) if value is not None else 0)
     return owner.NAME, tuple(int(v) for v in numbers)
@@ -76,7 +76,7 @@ def place(command: Command) -> Place:
 def asking(name: str, key: Sequence[int]) -> Command:
     """Makes a command that reads an instance of a setting."""
     kind: Any = command_type(name)
-    values: dict[str, Any] = dict(zip(keys(kind), key))
+    values: dict[str, Any] = dict(zip(instance_keys(kind), key))
     for p in _parameters(kind)[: kind.REQUIRED.get(READ, 0)]:  # a read may require more than the instance
         if p.kind not in ("constant", "counter"):
             values.setdefault(p.attribute, filled(p, values))
@@ -108,12 +108,12 @@ class Settings:
 
     def current(self, command: Command) -> Command:
         """Returns the setting to which a command refers, as a write command of the same type."""
-        kind, at = type(command), place(command)
+        kind, at = type(command), storage_place(command)
         setting = self._current.get(at)
         return self.factory(kind, command) if setting is None else self._as(kind, setting, command)
 
     def write(self, command: Command) -> None:
-        self._current[place(command)] = command
+        self._current[storage_place(command)] = command
 
     def save(self, places: Iterable[Place]) -> None:
         for at in places:
@@ -146,10 +146,10 @@ class Settings:
     def factory(self, kind: type[Command], asked: Command) -> Command:
         """Returns the factory default of the instance to which a command refers."""
         behavior = COMMANDS.get(kind.NAME, NOTHING)
-        values: dict[str, Any] = {name: getattr(asked, name) for name in keys(kind)}
+        values: dict[str, Any] = {name: getattr(asked, name) for name in instance_keys(kind)}
         for p in _stored_members(kind):
             if p.attribute not in values:
-                here = difference(p, self._profile.id)
+                here = difference_on(p, self._profile.id)
                 default = behavior.initial.get(p.name, p.default) if here.default is None else here.default
                 if isinstance(default, tuple) and isinstance(p.type, type) and issubclass(p.type, IntEnum):
                     default = next((x for x in default if not here.values or x in here.values), None)
@@ -160,15 +160,15 @@ class Settings:
         """Converts a stored setting to the form in which another command reports it."""
         behavior = COMMANDS.get(kind.NAME, NOTHING)
         stored = {p.attribute: getattr(kept, p.attribute, None) for p in _stored_members(kind)}
-        stored |= {name: getattr(asked, name) for name in keys(kind)}
+        stored |= {name: getattr(asked, name) for name in instance_keys(kind)}
         if behavior.effect == "frame_rotation":
             form, turned = str(behavior.arguments["format"]), str(behavior.arguments["rotation"])
             wanted = getattr(asked, form) or getattr(kept, form)
-            stored[turned] = views.rotation(getattr(kept, turned), getattr(kept, form), wanted)
+            stored[turned] = views.frame_rotation(getattr(kept, turned), getattr(kept, form), wanted)
             stored[form] = wanted
         elif behavior.effect in views.ORIENTATIONS and type(kept) is not kind:
-            matrix = views.matrix(COMMANDS[kept.NAME].effect, arguments(kept))
-            values = views.values(behavior.effect, matrix, bool(behavior.arguments.get("inverse")))
+            matrix = views.vehicle_matrix(COMMANDS[kept.NAME].effect, arguments(kept))
+            values = views.orientation_values(behavior.effect, matrix, bool(behavior.arguments.get("inverse")))
             stored |= {str(behavior.arguments[name]): value for name, value in values.items()}
         return _write(kind, stored)
 

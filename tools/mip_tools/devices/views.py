@@ -36,13 +36,13 @@ ORIENTATIONS: dict[str, tuple[Callable[[Values], Matrix], Callable[[Matrix], Val
 EULER, QUATERNION = 1, 2
 
 
-def matrix(effect: str, values: Values) -> Matrix:
+def vehicle_matrix(effect: str, values: Values) -> Matrix:
     """Returns the matrix from the sensor to the vehicle. Some devices expect the inverse."""
     made = ORIENTATIONS[effect][0](values)
     return transposed(made) if values.get("inverse") else made
 
 
-def values(effect: str, matrix: Matrix, inverse: bool) -> Values:
+def orientation_values(effect: str, matrix: Matrix, inverse: bool) -> Values:
     return ORIENTATIONS[effect][1](transposed(matrix) if inverse else matrix)
 
 
@@ -53,7 +53,7 @@ def is_rotation(m: Matrix) -> bool:
     return all(abs(x) < 1e-3 for x in products)
 
 
-def rotation(value: Any, as_given: int, wanted: int) -> Any:
+def frame_rotation(value: Any, as_given: int, wanted: int) -> Any:
     """Converts the rotation of a frame to Euler angles or to a quaternion."""
     if value is None or as_given == wanted:
         return value

@@ -7,16 +7,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import chain
 
-#: Cause -> its meaning, and the remedy.
+#: Cause -> its meaning, and the remedy. Causes that explain others come first.
 CAUSES = {
-    "line damage": "bytes were changed or lost in transit; check cable, baud rate and grounding",
-    "overload": "packets are missing while others arrived; send less, or raise the baud rate: `mip bandwidth`",
-    "pause": "no data arrived, and none was damaged: the device was idle, unplugged, or not recorded",
     "reset": "the device restarted; check its power supply",
-    "clock step": "the time jumped, but data did not pause: the clock was set, or a time source became available",
-    "changed format": "the message format was changed",
     "duplicated": "packets occur twice: a program, or a second recording of the same data, has written them again",
     "out of order": "packets are not in the order in which they were sent: UDP, or a program with several threads",
+    "clock step": "the time jumped, but data did not pause: the clock was set, or a time source became available",
+    "line damage": "bytes were changed or lost in transit; check cable, baud rate and grounding",
+    "changed format": "the message format was changed",
+    "pause": "no data arrived, and none was damaged: the device was idle, unplugged, or not recorded",
+    "overload": "packets are missing while others arrived; send less, or raise the baud rate: `mip bandwidth`",
     "not a number": "values are NaN or infinite although they are marked as valid, or have no flags",
     "dead": "a channel has only the value 0: the device lacks this sensor, or it does not work",
     "frozen": "a channel repeats its value: the sensor, or the program that wrote the log, has stopped",
@@ -27,6 +27,7 @@ CAUSES = {
     "cut off": "the log ends within a packet: the recording or the transfer ended early",
 }
 
+_RANK = {cause: rank for rank, cause in enumerate(CAUSES)}
 
 #: Format changes within this many bytes are one change: the fields need not be in the same packets.
 _NEAR = 4096
@@ -57,7 +58,7 @@ class Event:
         self.details += [text for text in other.details if text not in self.details]
 
 
-def merged(events: Iterable[Event]) -> list[Event]:
+def merged_events(events: Iterable[Event]) -> list[Event]:
     """Merges overlapping events of one cause, and drops gaps that another event explains."""
     apart: dict[str, list[Event]] = {cause: [] for cause in _RANK}  # no two events of a cause overlap
     for event in sorted(events, key=lambda e: (_RANK[e.cause], e.begin)):
@@ -82,14 +83,6 @@ def _first(events: list[Event], event: Event) -> Event | None:
 
 def _slack(cause: str, other: str) -> int:
     return _NEAR if cause == other == "changed format" else 0
-
-
-#: Causes that explain others come first.
-_RANK = {cause: rank for rank, cause in enumerate(
-    ("reset", "duplicated", "out of order", "clock step", "line damage", "changed format", "pause", "overload",
-     "not a number", "dead", "frozen", "saturated", "spikes", "scale", "orientation",
-     "cut off")
-)}  # fmt: skip
 
 
 def explains(cause: str, other: str) -> bool:

@@ -10,7 +10,7 @@ from ..logs.assumed import REMEDY
 from ..logs.recognize import UNKNOWN, recognized
 from ..text import show
 from ..text.clocks import dated, stamp
-from ..text.numbers import counted
+from ..text.numbers import count_text
 from .events import CAUSES, Event
 from .examined import Examined
 
@@ -45,7 +45,7 @@ def in_stream(examined: Examined) -> list[Finding]:
 def _nothing(examined: Examined) -> Iterator[Finding]:
     if not examined.packets:
         what, remedy = recognized(examined.begin)
-        yield Finding("no packets", f"no packet in {counted(examined.size, 'byte')}: {what}", remedy)
+        yield Finding("no packets", f"no packet in {count_text(examined.size, 'byte')}: {what}", remedy)
 
 
 def _events(examined: Examined) -> Iterator[Finding]:
@@ -53,15 +53,15 @@ def _events(examined: Examined) -> Iterator[Finding]:
         own = [e for e in examined.events if e.cause == cause]
         if own:
             missing = sum(e.seconds for e in own)
-            text = counted(len(own), "time")
+            text = count_text(len(own), "time")
             text += f", {missing:.3f} s of data are missing" if missing else ""
-            lines = [line(e, examined) for e in own[:LISTED]]
+            lines = [event_line(e, examined) for e in own[:LISTED]]
             more = [f"and {len(own) - LISTED} more"] if len(own) > LISTED else []
             whole = recognized(examined.begin) if cause == "line damage" else UNKNOWN
             yield Finding(cause, text, str(whole) if whole.what.startswith("MIP with") else meaning, (*lines, *more))
 
 
-def line(event: Event, examined: Examined) -> str:
+def event_line(event: Event, examined: Examined) -> str:
     """Formats an event in one line: when, where, what."""
     when = "" if event.time is None or examined.clock is None else f"{stamp(examined.clock, event.time, 3)}, "
     sets = ", ".join(map(show.set_name, sorted(event.sets)))
@@ -72,14 +72,14 @@ def line(event: Event, examined: Examined) -> str:
 
 def _synchronization(examined: Examined) -> Iterator[Finding]:
     for number, times in sorted(examined.times.items()):
-        name, total = show.set_name(number), counted(times.stamped, "timestamp")
+        name, total = show.set_name(number), count_text(times.stamped, "timestamp")
         dates = sum(count for clock, count in times.valid.items() if dated(clock))
         lost = [(span.end - span.begin) / SECOND for span in times.lost if span.end is not None]
         if times.lost:
             text = (
                 f"for {max(lost):.3g} s"
                 if len(lost) == 1
-                else f"{counted(len(lost), 'time')}, for up to {max(lost, default=0):.3g} s"
+                else f"{count_text(len(lost), 'time')}, for up to {max(lost, default=0):.3g} s"
             )
             until = " and until the end" if len(lost) < len(times.lost) else ""
             yield Finding("synchronization lost", f"{name}: {text}{until}", f"it needs {REMEDY}")
@@ -139,7 +139,7 @@ def _untimed(examined: Examined) -> Iterator[Finding]:
         yield Finding("no timestamps", text, "add a timestamp to its message format")
 
 
-def duration(examined: Examined) -> float:
+def report_duration(examined: Examined) -> float:
     """Returns the seconds from the first packet to the last, by the clock of the report."""
     times = [t for spans in examined.spans.values() for span in spans for t in span]
     return (max(times) - min(times)) / SECOND if times else 0.0

@@ -25,7 +25,7 @@ class Part:
         self.new: dict[Key, DecodedField] = {}
         #: The position of each field in its packet, by which fields are sorted.
         self.order: dict[Key, int] = {}
-        self._known = known_fields
+        self._known_fields = known_fields
         self._places: list[tuple[Array, Array, Array]] = []
         self._packets: dict[Key, list[Array]] = {}
 
@@ -37,10 +37,10 @@ class Part:
             if run.set >= 0x80:
                 fields.setdefault((run.set, run.descriptor), []).append(run)
         for key, runs in fields.items():
-            packet, offset = walk.places(runs, len(piece.at))
+            packet, offset = walk.packets_and_offsets(runs, len(piece.at))
             self._packets.setdefault(key, []).append(packet + piece.number)
             self.order.setdefault(key, int(offset[0]))
-            if key not in self._known and key not in self.new:
+            if key not in self._known_fields and key not in self.new:
                 self.new[key] = first(piece, runs)
 
     def complete(self) -> None:
@@ -57,11 +57,11 @@ class Part:
 
     def times(self, number: int, clock: str) -> Stamps:
         """Returns the timestamps of a set."""
-        return times.read(self.log, number, clock)
+        return times.read_timestamps(self.log, number, clock)
 
     def valid(self, number: int, clock: str) -> tuple[Array, Array]:
         """Returns the packets of a set with valid timestamps, and their times."""
-        stamps = times.read(self.log, number, clock)
+        stamps = times.read_timestamps(self.log, number, clock)
         right = stamps.value != NONE
         return stamps.packet[right], stamps.value[right]
 

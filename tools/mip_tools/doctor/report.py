@@ -8,7 +8,7 @@ from html import escape
 from ..text import show
 from ..text.clocks import stamp
 from .examined import Examined
-from .findings import Finding, line
+from .findings import Finding, event_line
 
 _COLOURS = {
     "line damage": "#c0392b",
@@ -81,7 +81,7 @@ def _timeline(examined: Examined) -> Iterator[str]:
         if e.time is not None:
             colour = _COLOURS.get(e.cause, _OTHER)
             where = f'x1="{x(e.time)}" x2="{x(e.time)}" y1="2" y2="{_ROW * len(rows)}"'
-            title = f"<title>{escape(f'{e.cause}: {line(e, examined)}')}</title>"
+            title = f"<title>{escape(f'{e.cause}: {event_line(e, examined)}')}</title>"
             yield f'<line {where} stroke="{colour}" stroke-width="2">{title}</line>'
     assert examined.clock is not None
     y = _ROW * (len(rows) + 1) - 8

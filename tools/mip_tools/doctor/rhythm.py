@@ -62,7 +62,7 @@ class Rhythm:
             return
         before, self.last = self.last, moment(len(times) - 1)
         self.first = self.first or moment(0)
-        steps = differences(np.append(times[0] if before is None else before.time, times))
+        steps = intervals(np.append(times[0] if before is None else before.time, times))
         forward = np.flatnonzero(steps > 0)
         steps = steps[forward]
         at = 0
@@ -104,7 +104,7 @@ class Rhythm:
         return []
 
 
-def differences(times: Array) -> Array:
+def intervals(times: Array) -> Array:
     """Returns the time from each one to the next, limited to the longest interval."""
     about = np.diff(times.astype(np.float64))
     steps: Array = np.where(np.abs(about) < _LONGEST, np.diff(times), np.copysign(_LONGEST, about).astype(np.int64))

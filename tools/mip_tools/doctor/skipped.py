@@ -77,7 +77,7 @@ class Skipped:
         rest = self._others.strip(b"\r\n")
         count = self._count - len(self._others) + len(rest)
         self._others, self._line, self._count = b"", b"", 0
-        reason = show.damage(rest)
+        reason = show.damage_text(rest)
         cut_off = at_end and ((SYNC.startswith(rest[:2]) and len(rest) < 4) or "missing" in reason)
         if rest and self._begin:  # a recording may begin within a packet
             text = f"{count} bytes of a packet" if cut_off else f"{count} bytes are not packets"

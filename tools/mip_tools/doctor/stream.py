@@ -17,11 +17,11 @@ from ..columns.stamps import NONE
 from ..logs import inputs, recognize
 from ..text.clocks import dated
 from ..text.decoding import name_of
-from .events import Event, merged
+from .events import Event, merged_events
 from .examined import Examined, Key
 from .flags import Flags
 from .part import Line, Part
-from .rhythm import Change, Gap, Moment, Rhythm, differences
+from .rhythm import Change, Gap, Moment, Rhythm, intervals
 from .skipped import Damage, Skipped
 from .values import Values
 
@@ -41,7 +41,7 @@ _NEAR = 200
 MOST = 5000
 
 
-def examine(log: Log) -> Examined:
+def examine_log(log: Log) -> Examined:
     """Examines a log, reading it once."""
     examination, progress = Examination(log), inputs.Progress(log.size)
     for part in log.parts(PART):
@@ -122,7 +122,7 @@ class Examination:
         self._note(Line([], self._time))
         self._started_and_stopped()
         result = self.result
-        result.events = merged([*self._events, *self._values.events()])
+        result.events = merged_events([*self._events, *self._values.events()])
         result.untimed = [n for n, state in self._sets.items() if not state.base and not result.times[n].stamped]
         result.rates = {k: SECOND / r.usual for k, r in self._rhythms.items() if r.usual}
         result.sentences = self._skipped.sentences
@@ -162,13 +162,13 @@ class Examination:
         packets = distinct(*(part.valid(number, clock)[0] for clock in CLOCKS))
         if not len(packets):
             return np.asarray(packets)
-        value = {clock: times.exact(stamps, packets) for clock, stamps in stamps_by_clock.items()}
+        value = {clock: times.exact_times(stamps, packets) for clock, stamps in stamps_by_clock.items()}
         # The clock without a date continues when the date is set.
         state.base = state.base or next(c for c in reversed(list(CLOCKS)) if value[c][0] != NONE)
         value = {clock: np.append(state.last.get(clock, NONE), value[clock]) for clock in CLOCKS}
         there = {clock: value[clock] != NONE for clock in CLOCKS}
         both = {clock: there[clock][1:] & there[clock][:-1] for clock in CLOCKS}
-        steps = {clock: np.where(both[clock], differences(value[clock]), 0) for clock in CLOCKS}
+        steps = {clock: np.where(both[clock], intervals(value[clock]), 0) for clock in CLOCKS}
 
         def note(row: int, cause: str, text: str, whole: bool = False) -> None:
             packet = int(packets[row])
@@ -219,7 +219,7 @@ class Examination:
         usual = max((r.usual or 0 for (n, _), r in self._rhythms.items() if n == number), default=0)
         if not len(time):
             return
-        steps = differences(np.append(spans[-1][1] if spans else time[0], time))
+        steps = intervals(np.append(spans[-1][1] if spans else time[0], time))
         new = (steps < 0) | (steps > max(SECOND // 4, 1.5 * usual))
         new[0] |= not spans
         begins = np.flatnonzero(new).tolist()
@@ -244,7 +244,7 @@ class Examination:
         for key in dict.fromkeys((*self._rhythms, *part.packets)):
             if key[0] == number:
                 packets = part.packets.get(key, packets[:0])
-                beats = times.exact(part.times(number, base), packets)
+                beats = times.exact_times(part.times(number, base), packets)
                 self._follow(part, key, packets[beats != NONE], beats[beats != NONE], restarts)
 
     def _follow(self, part: Part, key: Key, packets: Array, beats: Array, restarts: Array) -> None:

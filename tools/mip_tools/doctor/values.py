@@ -11,7 +11,7 @@ import numpy as np
 from ..binding import info, timestamps
 from ..columns import Column, Log
 from ..columns.scan import Array
-from ..devices.facts import NOISE, shown
+from ..devices.facts import NOISE, value_sources
 from .events import Event
 from .examined import Key
 
@@ -170,7 +170,7 @@ class Values:
         channels: dict[str, list[_Channel]] = {}
         for p in () if kind is None or timestamps.clocks_of(*key) else info(kind).parameters:
             if p.scalar in ("float", "double") and p.kind in ("scalar", "array") and p.length is None:
-                source = shown(kind, key[0]).parameters.get(p.name)
+                source = value_sources(kind, key[0]).parameters.get(p.name)
                 path = name if name.endswith(f".{p.name}") else f"{name}.{p.name}"
                 has_noise = source is not None and source.quantity in NOISE and (len(p.elements) == 3)
                 channels[p.attribute] = [

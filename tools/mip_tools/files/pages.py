@@ -44,7 +44,7 @@ def origin_is_allowed(origin: str | None, allowed: Sequence[str]) -> bool:
     return origin is None or "*" in allowed or origin.lower() in (origin_allowed.lower() for origin_allowed in allowed)
 
 
-def quoted(text: str) -> str:
+def terminal_safe(text: str) -> str:
     """Returns a text from a request for a terminal: without escape sequences, and short."""
     return ascii(text[:80])
 

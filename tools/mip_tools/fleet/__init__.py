@@ -9,6 +9,6 @@ from __future__ import annotations
 
 from .dataset import Fleet, Manifest
 from .dataset import open_fleet as open
-from .run import Built, build
+from .run import Built, build_dataset
 
-__all__ = ["Built", "Fleet", "Manifest", "build", "open"]
+__all__ = ["Built", "Fleet", "Manifest", "build_dataset", "open"]

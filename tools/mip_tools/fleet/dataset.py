@@ -72,7 +72,7 @@ class Fleet:
     @property
     def manifest(self) -> Manifest:
         """The content of the data set. Raises Failure if the folder has none."""
-        manifest = read(self.folder)
+        manifest = read_manifest(self.folder)
         if manifest is None:
             raise Failure(f"{self.folder} has no complete data set; `mip fleet` makes one")
         return manifest
@@ -109,7 +109,7 @@ def open_fleet(folder: str | os.PathLike[str]) -> Fleet:
     return fleet
 
 
-def read(folder: Path) -> Manifest | None:
+def read_manifest(folder: Path) -> Manifest | None:
     """Reads the manifest of a folder; None if there is none. Raises Failure if it has another version."""
     try:
         content = json.loads((folder / MANIFEST).read_text("utf-8"))
@@ -123,7 +123,7 @@ def read(folder: Path) -> Manifest | None:
     return Manifest(files=files, logs=logs, **content)
 
 
-def write(folder: Path, manifest: Manifest) -> None:
+def write_manifest(folder: Path, manifest: Manifest) -> None:
     """Replaces the manifest."""
     text = json.dumps({"version": VERSION, **asdict(manifest)}, indent=1) + "\n"
     with placed(folder / MANIFEST) as part:
@@ -143,7 +143,7 @@ def placed(path: Path) -> Iterator[Path]:
         part.unlink(missing_ok=True)
 
 
-def home(clock: str, field: str) -> str:
+def rows_folder(clock: str, field: str) -> str:
     """Returns the folder for the rows of a field."""
     return f"clock={clock or 'none'}/field={quote(field, safe='')}"
 

@@ -13,8 +13,8 @@ from typing import Any
 import pyarrow as pa
 
 from ..columns import Log, contents, frames, read_log, tables, timeline
-from ..columns.sender import replies
-from ..logs.report import Report, examine
+from ..columns.sender import identity_replies
+from ..logs.report import Report, report_on
 from ..names.occurrence import Occurrence, occurrence_in
 from ..names.selection import Selection
 from ..text.show import set_name
@@ -26,7 +26,7 @@ _PART = 1 << 23
 FACTS = "facts.json"
 
 
-def decoded(work: Work, log: sources.Log, identity: str) -> dict[str, Any]:
+def decode_to_fragments(work: Work, log: sources.Log, identity: str) -> dict[str, Any]:
     """Decodes a log; returns its facts, which are also in `facts.json` beside the fragments."""
     done = work.folder / identity
     with_facts = done / FACTS
@@ -50,7 +50,7 @@ def decoded(work: Work, log: sources.Log, identity: str) -> dict[str, Any]:
 
 def _facts(source: Log) -> dict[str, Any]:
     """Makes the catalogue entry of a log. Raises ValueError if the file is not a log."""
-    report = examine(source)
+    report = report_on(source)
     if not report.packets:
         raise ValueError("the file has no MIP packets")
     identity = _identity(source)
@@ -66,7 +66,7 @@ def _facts(source: Log) -> dict[str, Any]:
 def _identity(source: Log) -> dict[str, str]:
     """Returns the identity of the device, if the log contains the reply of one device only."""
     names = {"device": "serial_number", "model": "model_name"}
-    devices = [getattr(reply, "device_info", None) for reply in replies(source)]
+    devices = [getattr(reply, "device_info", None) for reply in identity_replies(source)]
     values = {key: {getattr(d, name).strip("\0 ") for d in devices if hasattr(d, name)} for key, name in names.items()}
     return {key: found.pop() for key, found in values.items() if len(found) == 1}
 
@@ -95,11 +95,11 @@ def _fragments(work: Work, source: Log, folder: Path) -> list[dict[str, Any]]:
     with ExitStack() as stack:
         for part in source.parts(_PART):
             kinds = dict.fromkeys(
-                occurrence_in(n, kind) for n, kind in contents.kinds(part) if selection.has(n, kind.DESCRIPTOR)
+                occurrence_in(n, kind) for n, kind in contents.decodable(part) if selection.has(n, kind.DESCRIPTOR)
             )
             for occurrence, column in zip(kinds, part.columns(list(kinds))):
                 clocks = line.clocks(sets[occurrence])
-                rows = tables.whole(part, [column], form._replace(**clocks._asdict()))
+                rows = tables.whole_table(part, [column], form._replace(**clocks._asdict()))
                 table = frames.as_frame(rows.columns, "pyarrow", True).drop_columns(["packet"])
                 if not len(table):
                     continue
@@ -124,7 +124,7 @@ def _sets(source: Log, selection: Selection) -> dict[Occurrence, set[int]]:
     """Finds the descriptor sets of each field in the whole log."""
     sets_by_kind: dict[Occurrence, set[int]] = {}
     for part in source.parts(_PART):
-        for number, kind in contents.kinds(part):
+        for number, kind in contents.decodable(part):
             if selection.has(number, kind.DESCRIPTOR):
                 sets_by_kind.setdefault(occurrence_in(number, kind), set()).add(number)
     return sets_by_kind

@@ -8,7 +8,7 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from .dataset import Part, home, placed
+from .dataset import Part, placed, rows_folder
 from .work import Pack, Source
 
 #: The minimum size of a row group in memory, in bytes, if a field has that much.
@@ -31,7 +31,7 @@ def planned(
         for sources in _enough([source for *_, source in several], group):
             contents = repr([(part.path.relative_to(folder).as_posix(), part.log, part.device) for part in sources])
             name = hashlib.sha256(contents.encode()).hexdigest()[:16]
-            place = work / home(clock, field) / f"{name}.parquet"
+            place = work / rows_folder(clock, field) / f"{name}.parquet"
             packs.append((clock, field, Pack(place, tuple(sources), group)))
     return packs, [part for part in before if part not in small]
 
@@ -48,7 +48,7 @@ def _enough(sources: Sequence[Source], group: int) -> list[list[Source]]:
     return parts
 
 
-def packed(work: Pack) -> tuple[int, int]:
+def write_packed(work: Pack) -> tuple[int, int]:
     """Writes a file, unless it exists. Returns the number of rows, and their size in memory."""
     import pyarrow.parquet as parquet
 

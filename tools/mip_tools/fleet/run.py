@@ -28,11 +28,11 @@ class Built:
 
     manifest: dataset.Manifest
     added: list[str] = field(default_factory=list)  # names of logs
-    known: list[str] = field(default_factory=list)  # logs that were in the data set before, maybe under another name
+    unchanged: list[str] = field(default_factory=list)  # logs of an earlier run, maybe under another name
     failed: dict[str, str] = field(default_factory=dict)  # name of a log -> reason
 
 
-def build(
+def build_dataset(
     sources: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
     out: str | os.PathLike[str],
     *,
@@ -76,7 +76,7 @@ def build(
             run.begin()
             run.sort(logs)
             if run.new:
-                work = Work(binding.wanted(), folder / dataset.WORK, tuple(only), invalid, sender)
+                work = Work(binding.use_argument(), folder / dataset.WORK, tuple(only), invalid, sender)
                 with _client(dask, workers, scheduler) as client:
                     run.decode(client, work)
                     run.pack(client)
@@ -90,7 +90,7 @@ class _Run:
     def __init__(self, folder: Path, options: dict[str, Any], group: int, progress: Progress) -> None:
         self.folder, self.work = folder, folder / dataset.WORK
         self._group, self._progress = group, progress
-        before = dataset.read(folder)
+        before = dataset.read_manifest(folder)
         self._before = before or dataset.Manifest(options)
         self.new: list[tuple[Log, str, int]] = []
         self.built = Built(dataset.Manifest(options, list(self._before.files), list(self._before.logs)))
@@ -105,7 +105,7 @@ class _Run:
         """Moves back the files that an interrupted run had already moved."""
         for path in dataset.unlisted(self.folder, self._before):
             clock, name = dataset.belongs(path)
-            back = self.work / dataset.home(clock, name) / path.name
+            back = self.work / dataset.rows_folder(clock, name) / path.name
             back.parent.mkdir(parents=True, exist_ok=True)
             os.replace(path, back)
         options_text = json.dumps(self._before.options)
@@ -129,7 +129,7 @@ class _Run:
                 self.built.failed[log.name] = getattr(error, "strerror", None) or str(error)
                 continue
             if identity in identities:
-                self.built.known.append(log.name)
+                self.built.unchanged.append(log.name)
             elif log.name in names:
                 self.built.failed[log.name] = "it has changed since it was added; its earlier rows are kept"
             else:
@@ -140,7 +140,7 @@ class _Run:
         """Has workers decode the new logs, large ones first."""
         order = sorted(self.new, key=lambda listed: -listed[2])
         jobs = [(log.name, (work, log, identity)) for log, identity, _ in order]
-        for name, result in self._done(client, tasks.decode, jobs, "logs"):
+        for name, result in self._done(client, tasks.decode_log, jobs, "logs"):
             if isinstance(result, Exception):
                 self.built.failed[name] = _why(result)
             elif "failed" in result:
@@ -172,7 +172,7 @@ class _Run:
             clock, name, path = ways[key]
             if isinstance(result, Exception):
                 raise Failure(f"the rows of {name} cannot be written: {_why(result)}; run it again")
-            place = f"{dataset.home(clock, name)}/{path.name}"
+            place = f"{dataset.rows_folder(clock, name)}/{path.name}"
             self.built.manifest.files.append(dataset.Part(place, clock, name, *result))
             self._packed.append(path)
 
@@ -188,7 +188,7 @@ class _Run:
             os.replace(path, place)
         if self.built.added:
             self._write_catalogue()
-        dataset.write(self.folder, manifest)
+        dataset.write_manifest(self.folder, manifest)
         for path in dataset.unlisted(self.folder, manifest):
             path.unlink()
         dataset.cleared(self.folder)

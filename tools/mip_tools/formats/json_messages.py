@@ -79,7 +79,7 @@ class Topic(NamedTuple):
 
 def encoded(field: Field, named: bool, device: str | None) -> bytes:
     """Encodes a message as JSON."""
-    return json.dumps(message(field, named, device), separators=SEPARATORS, allow_nan=False).encode()
+    return json.dumps(message_values(field, named, device), separators=SEPARATORS, allow_nan=False).encode()
 
 
 def clock_meaning(clock: str | None) -> str:
@@ -110,9 +110,9 @@ def timed(samples: Iterable[T], by_host: bool) -> Iterator[tuple[T, int]]:
 # --------------------------------------------------------------------------- messages and schemas
 
 
-def message(field: Field, named: bool, device: str | None) -> dict[str, Any]:
+def message_values(field: Field, named: bool, device: str | None) -> dict[str, Any]:
     """Returns the values of a field as its schema describes them, without numbers that JSON cannot represent."""
-    return _object(field, values.plain(field, named, device))
+    return _object(field, values.to_plain(field, named, device))
 
 
 def _object(record: Described, plain_values: dict[str, Any]) -> dict[str, Any]:
@@ -142,7 +142,7 @@ def _of_parameter(p: Parameter, named: bool) -> dict[str, Any]:
         return {"type": "string", **description}
     if p.kind in ("struct", "switch"):
         return {"type": "object", **description}
-    item_schema = _one(p, named)
+    item_schema = _item_schema(p, named)
     if p.kind == "array" and p.elements and p.length is None:
         return {"type": "object", "properties": dict.fromkeys(p.elements, item_schema), **description}
     if p.kind == "array":
@@ -150,7 +150,7 @@ def _of_parameter(p: Parameter, named: bool) -> dict[str, Any]:
     return item_schema | description
 
 
-def _one(p: Parameter, named: bool) -> dict[str, Any]:
+def _item_schema(p: Parameter, named: bool) -> dict[str, Any]:
     if isinstance(p.type, type) and issubclass(p.type, Structure):
         return {"type": "object"}
     if named and p.type is not None:

@@ -19,7 +19,7 @@ from ..names.selection import Selection
 from ..text.clocks import dated
 from .json_messages import Message, Topic
 from .mcap_file import write_mcap
-from .row_times import Time, shown
+from .row_times import Time, shown_clocks
 
 if TYPE_CHECKING:
     from ..columns import Log
@@ -35,7 +35,7 @@ _MOST = 1 << 20
 FORMATS = ("jsonl", "csv", "mcap")
 
 
-def write(
+def write_stream(
     out: IO[bytes],
     form: str,
     arriving: Iterator[Piece | None],
@@ -52,12 +52,12 @@ def write(
     Raises Failure if the stream ends without any of the fields.
     """
     if form == "mcap":
-        write_mcap(out, *messages(arriving, options, selection, out.flush, device), live=True)
+        write_mcap(out, *stream_messages(arriving, options, selection, out.flush, device), live=True)
     else:
         _write_table(out, form, arriving, options, selection, types, device, host)
 
 
-def messages(
+def stream_messages(
     arriving: Iterator[Piece | None],
     options: argparse.Namespace,
     selection: Selection,
@@ -138,7 +138,7 @@ def _write_table(
     wanted = tables.Form(
         options.by,
         *clocks,
-        shown=shown(options.time, clocks, "no time arrived"),
+        shown=shown_clocks(options.time, clocks, "no time arrived"),
         invalid=options.invalid,
         named=options.named,
         wanted=selection.has,
@@ -162,7 +162,7 @@ def _write_table(
                     wanted = wanted._replace(arrivals=np.array(arrivals[: log.packets], np.int64))
                     del arrivals[: log.packets]
                 if kinds:
-                    for table, _ in tables.parts(log, kinds, wanted):
+                    for table, _ in tables.table_parts(log, kinds, wanted):
                         write(started.converted(table.columns))
                 out.flush()
     finally:
@@ -182,7 +182,7 @@ def _noted(arriving: Iterator[Piece | None], arrivals: list[int]) -> Iterator[Pi
 def _kinds(log: Any, form: Form) -> list[Occurrence]:
     from ..columns import tables
 
-    return [Occurrence(*pair) for pair in tables.survey(log, form)[0]]
+    return [Occurrence(*pair) for pair in tables.survey_tables(log, form)[0]]
 
 
 def _preview(arriving: Iterator[Piece | None]) -> list[Piece]:

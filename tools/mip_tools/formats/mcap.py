@@ -13,7 +13,7 @@ from ..names.selection import Selection
 from .json_messages import clock_of
 from .mcap_file import require as require  # `mip export` calls it, as that of each format of messages
 from .mcap_file import write_mcap
-from .messages import Json, Messages, survey
+from .messages import Json, Messages, survey_messages
 
 
 class Job:
@@ -21,8 +21,8 @@ class Job:
 
     def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
         self._name, self._options, self._selection = name, options, selection
-        with inputs.columns(name, options.device) as log:
-            self.types, clocks = survey(log, selection)
+        with inputs.open_columns(name, options.device) as log:
+            self.types, clocks = survey_messages(log, selection)
             self._clock = clock_of(clocks, options)
             print_assumptions("export", log)
 
@@ -30,5 +30,5 @@ class Job:
         """Writes fields of these types into a file."""
         form = Json(self._options.named)
         made = Messages(types, self._selection, self._clock, self._options.invalid, form)
-        with outputs.whole(path) as out, inputs.columns(self._name, self._options.device) as log:
+        with outputs.whole(path) as out, inputs.open_columns(self._name, self._options.device) as log:
             write_mcap(out, made.of_log(log), self._clock, form.topic)

@@ -18,7 +18,7 @@ from ..logs import inputs
 from ..names.occurrence import Occurrence, occurrence_in
 from ..names.selection import Selection
 from ..text import row_texts
-from ..text.decoding import decoded
+from ..text.decoding import decoded_field
 from .json_messages import SEPARATORS, Message, Topic, encoded
 
 #: Bytes of a log whose messages are in memory at the same time.
@@ -29,12 +29,12 @@ _Rows = tuple[Array, Array, list[tuple[Occurrence, Any]]]
 _NOTHING: _Rows = (np.zeros(0, np.int64), np.zeros(0, np.int64), [])
 
 
-def survey(log: Log, selection: Selection) -> tuple[list[Occurrence], timeline.Clocks]:
+def survey_messages(log: Log, selection: Selection) -> tuple[list[Occurrence], timeline.Clocks]:
     """Finds the types of the selected fields in a log, in the order of their numbers, and its clocks."""
     kinds = {
         occurrence_in(number, kind)
         for part in log.parts(PART)
-        for number, kind in contents.kinds(part)
+        for number, kind in contents.decodable(part)
         if selection.has(number, kind.DESCRIPTOR)
     }
     ordered = sorted(kinds, key=lambda occurrence: (occurrence.set, occurrence.kind.DESCRIPTOR, occurrence.kind.NAME))
@@ -73,7 +73,7 @@ class Json:
         texts = row_texts.json_object(column, kind.kind, self.device, self._named, SEPARATORS)
         if texts is None:
             return None
-        messages = [text.encode() for text in row_texts.formatted(*texts, len(column))]
+        messages = [text.encode() for text in row_texts.formatted_rows(*texts, len(column))]
         odd = np.zeros(len(column), bool)
         for name in column:
             if column[name].dtype.kind == "f":  # NaN and infinity, which JSON does not have, are left out
@@ -163,7 +163,7 @@ class Messages:
             rows = self._by_column(part, piece, occurrence_in(number, every[0]), number, runs)
             if rows is not None:
                 return rows
-        packet, offset = walk.places(runs, len(piece.at))
+        packet, offset = walk.packets_and_offsets(runs, len(piece.at))
         fields = list(_decoded(piece, descriptor, packet, offset))
         kept = [
             (row, *pair)
@@ -177,18 +177,18 @@ class Messages:
         return self._kinds is None or kind in self._kinds
 
     def _keeps(self, part: Log, field: Field) -> bool:
-        return not self._drops or valid(field, part.device)
+        return not self._drops or all_valid(field, part.device)
 
     def _by_column(self, part: Log, piece: Piece, kind: Occurrence, number: int, runs: list[walk.Run]) -> _Rows | None:
         """Makes the messages of fields of one type and one size from a column; None if the form cannot do so."""
         reader = Reader(part, (number, kind.kind), None)
         reader.add(piece)
         column = reader.column()
-        packet, offset = walk.places(runs, len(piece.at))
+        packet, offset = walk.packets_and_offsets(runs, len(piece.at))
 
         def objects(rows: Array) -> Iterator[Field]:
             for raw in piece.fields(kind.kind.DESCRIPTOR, packet[rows], offset[rows]):
-                value = decoded(raw).value
+                value = decoded_field(raw).value
                 assert value is not None  # any bytes of this size can be decoded
                 yield value
 
@@ -201,17 +201,17 @@ class Messages:
 
 def _decoded(piece: Piece, descriptor: int, packet: Array, offset: Array) -> Iterator[tuple[Occurrence, Field] | None]:
     """Decodes fields to objects; None for a field that cannot be decoded."""
-    for item in map(decoded, piece.fields(descriptor, packet, offset)):
+    for item in map(decoded_field, piece.fields(descriptor, packet, offset)):
         yield None if item.kind is None or item.value is None else (occurrence_in(item.raw.set, item.kind), item.value)
 
 
-def valid(record: Structure, device: str | None) -> bool:
+def all_valid(record: Structure, device: str | None) -> bool:
     """Are all values of a record valid according to its flags?"""
     for p in info(type(record)).parameters:
         for flag in p.flags_of(record, device):
             bits = getattr(record, flag.attribute)
             if bits is None or not flag.holds(bits):
                 return False
-        if p.kind == "struct" and not valid(getattr(record, p.attribute), device):
+        if p.kind == "struct" and not all_valid(getattr(record, p.attribute), device):
             return False
     return True

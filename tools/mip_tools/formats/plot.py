@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..binding import Data, MissingExtra, Parameter, UnknownName, info
 from ..errors import Failure, Misuse
 from ..names.occurrence import Occurrence
-from ..names.selection import field, fields
+from ..names.selection import matching_fields, one_field
 from ..text import clocks
 
 if TYPE_CHECKING:
@@ -77,11 +77,11 @@ def _split(name: str) -> tuple[Occurrence, list[str]]:
     for count in range(len(parts), 0, -1):
         begin = ".".join(parts[:count])
         try:
-            fields(begin)
+            matching_fields(begin)
         except (Failure, UnknownName) as error:
             last = last or (error if isinstance(error, Failure) else None)
             continue
-        return field(begin), parts[count:]  # raises Misuse if several sets have it
+        return one_field(begin), parts[count:]  # raises Misuse if several sets have it
     raise last or Misuse(f"'{name}' is not a field")
 
 

@@ -23,7 +23,7 @@ from ..ros import cdr, standard
 from ..ros.types import Types
 from ..text import clocks
 from .json_messages import Message, clock_of, timed
-from .messages import Messages, Objects, survey
+from .messages import Messages, Objects, survey_messages
 
 #: The frame of messages in the axes of the device.
 FRAME = "imu_link"
@@ -63,8 +63,8 @@ class Job:
         if options.output == "-":
             raise Misuse("a bag is a folder; name one with -o")
         self._name, self._options, self._selection = name, options, selection
-        with inputs.columns(name, options.device) as log:
-            self.types, clocks = survey(log, selection)
+        with inputs.open_columns(name, options.device) as log:
+            self.types, clocks = survey_messages(log, selection)
             self._clock = clock_of(clocks, options)
             print_assumptions("export", log)
 
@@ -74,7 +74,7 @@ class Job:
         if os.path.lexists(path):
             raise Failure(f"{path} exists; name another folder")
         try:
-            with inputs.columns(self._name, self._options.device) as log:
+            with inputs.open_columns(self._name, self._options.device) as log:
                 self._write(folder, log)
         except BaseException as error:
             shutil.rmtree(folder, ignore_errors=True)
@@ -100,7 +100,7 @@ class Job:
             def messages() -> Iterator[Message]:
                 for part, first in made.parts(log):
                     chosen = (part, self.types, made.kept, self._clock)
-                    for each in converter.messages(standard.fields(*chosen), standard.attitudes(*chosen)):
+                    for each in converter.messages(standard.message_fields(*chosen), standard.attitudes(*chosen)):
                         for packet, message in zip((each.packet + first).tolist(), _encoded(each, types)):
                             waiting.setdefault(packet, []).append((each.topic, each.type, message))
                     yield from made.of_part(part, first)

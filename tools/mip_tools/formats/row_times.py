@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ..columns.timeline import Clocks
 
 
-def shown(wanted: str | None, clocks: Clocks, why: str) -> tuple[str, ...] | None:
+def shown_clocks(wanted: str | None, clocks: Clocks, why: str) -> tuple[str, ...] | None:
     """Returns the clocks that have a column, for `--time`; None for all. Raises Failure if the log lacks them; `why` it
     does."""
     if wanted in ("utc", "unix") and not clocks.dated:

@@ -9,13 +9,13 @@ from .earth import Matrix, Vector
 Quaternion = tuple[float, float, float, float]
 
 
-def rotation(roll: float, pitch: float, yaw: float) -> tuple[Quaternion, Matrix]:
+def euler_rotation(roll: float, pitch: float, yaw: float) -> tuple[Quaternion, Matrix]:
     """Converts Euler angles, applied in the order yaw, pitch, roll, to a quaternion and a matrix."""
     q = multiplied(
         multiplied((cos(yaw / 2), 0.0, 0.0, sin(yaw / 2)), (cos(pitch / 2), 0.0, sin(pitch / 2), 0.0)),
         (cos(roll / 2), sin(roll / 2), 0.0, 0.0),
     )
-    return q if q[0] >= 0 else (-q[0], -q[1], -q[2], -q[3]), matrix(q)
+    return q if q[0] >= 0 else (-q[0], -q[1], -q[2], -q[3]), attitude_matrix(q)
 
 
 def multiplied(a: Quaternion, b: Quaternion) -> Quaternion:
@@ -33,7 +33,7 @@ def conjugate(q: Quaternion) -> Quaternion:
     return q[0], -q[1], -q[2], -q[3]
 
 
-def matrix(q: Quaternion) -> Matrix:
+def attitude_matrix(q: Quaternion) -> Matrix:
     """Returns the matrix with `m * v = q^-1 * v * q`."""
     w, x, y, z = q
     return (
@@ -44,7 +44,7 @@ def matrix(q: Quaternion) -> Matrix:
 
 
 def quaternion(m: Matrix) -> Quaternion:
-    """Inverts `matrix`: returns the quaternion with a scalar part that is not negative."""
+    """Inverts `attitude_matrix`: returns the quaternion with a scalar part that is not negative."""
     squares = (
         1 + m[0] + m[4] + m[8], 1 + m[0] - m[4] - m[8], 1 - m[0] + m[4] - m[8], 1 - m[0] - m[4] + m[8],
     )  # fmt: skip

@@ -35,7 +35,7 @@ def leap_seconds(gps: int) -> int:
     return bisect_right(_LEAP_TIMES, gps)
 
 
-def utc(gps: int) -> datetime:
+def gps_to_utc(gps: int) -> datetime:
     """Converts GPS time to UTC, without a time zone; truncates to microseconds. A leap second repeats 23:59:59."""
     return _EPOCH + timedelta(microseconds=gps // 1000, seconds=-leap_seconds(gps))
 
@@ -149,7 +149,7 @@ def product(a: Matrix, b: Matrix) -> Matrix:
     return p, q, r, s, t, u, v, w, x
 
 
-def heading(north: float, east: float) -> float:
+def heading_of(north: float, east: float) -> float:
     """Returns the angle of a direction from north, 0 to 2 pi."""
     angle = atan2(east, north)
     return angle if angle >= 0 else angle + radians(360)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from .attitude import Quaternion, euler, matrix, quaternion, rotation
+from .attitude import Quaternion, attitude_matrix, euler, euler_rotation, quaternion
 from .earth import Matrix, Vector
 
 
@@ -15,7 +15,7 @@ def transposed(m: Matrix) -> Matrix:
 
 def of_euler(roll: float, pitch: float, yaw: float) -> Matrix:
     """Computes `Rz(yaw) * Ry(pitch) * Rx(roll)`."""
-    return transposed(rotation(roll, pitch, yaw)[1])
+    return transposed(euler_rotation(roll, pitch, yaw)[1])
 
 
 def to_euler(m: Matrix) -> Vector:
@@ -30,7 +30,7 @@ def of_quaternion(q: Sequence[float]) -> Matrix:
     """Returns the matrix of `v' = q * v * q^-1`; the length of the quaternion does not matter."""
     n = math.hypot(*q) or 1.0
     w, x, y, z = (c / n for c in q)
-    return transposed(matrix((w, x, y, z)))
+    return transposed(attitude_matrix((w, x, y, z)))
 
 
 def to_quaternion(m: Matrix) -> Quaternion:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..binding import DEVICE_CLOCK, SECOND
 from ..text.clocks import dated
-from ..text.numbers import counted
+from ..text.numbers import count_text
 
 if TYPE_CHECKING:
     from ..columns import Log
@@ -44,9 +44,9 @@ def reason_for_no_date(line: Timeline) -> str:
     stamped = sum(times.stamped for times in sets)
     own = sum(times.alone.get(DEVICE_CLOCK, 0) for times in sets)
     if own:
-        return f"not synchronized; {own} of {counted(stamped, 'timestamp')} without a date"
+        return f"not synchronized; {own} of {count_text(stamped, 'timestamp')} without a date"
     if stamped:
-        return f"{counted(stamped, 'timestamp')} of which none is valid"
+        return f"{count_text(stamped, 'timestamp')} of which none is valid"
     if line.clocks(line.sets).undated:
         return "no timestamp with a date is in the packets"
     return "no timestamps; add one to the message format"

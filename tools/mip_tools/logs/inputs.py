@@ -83,13 +83,13 @@ def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
         raise Failure(f"{name} cannot be read: {error.strerror or error}") from None
 
 
-def pieces(name: str, progress: bool = True) -> Iterator[Piece]:
+def file_pieces(name: str, progress: bool = True) -> Iterator[Piece]:
     """Yields the packets of a file or of standard input, and the bytes between them."""
     return (piece for piece in arriving(name, progress) if piece is not None)
 
 
 def arriving(name: str, progress: bool = True) -> Iterator[Piece | None]:
-    """Yields the same as `pieces`, and None after each read and regularly while nothing arrives."""
+    """Yields the same as `file_pieces`, and None after each read and regularly while nothing arrives."""
     scanner = Scanner()
     source = chunks(name, progress)
     for chunk in _waited_for(source) if name == "-" else source:
@@ -158,7 +158,7 @@ def need_numpy() -> None:
 
 
 @contextmanager
-def columns(name: str, device: str | Sender | None = None) -> Iterator[Log]:
+def open_columns(name: str, device: str | Sender | None = None) -> Iterator[Log]:
     """Opens a log, from a file or from standard input, as columns; `device` is who sent it. Raises Failure."""
     need_numpy()
     from ..columns import read_log

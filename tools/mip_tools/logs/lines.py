@@ -14,7 +14,7 @@ from ..columns.reader import Reader
 from ..columns.scan import Array
 from ..names.selection import Selection
 from ..text import objects, row_texts, show
-from ..text.decoding import DecodedField, decoded
+from ..text.decoding import DecodedField, decoded_field
 
 if TYPE_CHECKING:
     from ..columns import Log
@@ -55,16 +55,16 @@ class Lines:
             values += arguments
         is_vector = len(parts) == 1 and parts[0].startswith("(")
         template = name + (parts[0] if is_vector else f"({', '.join(parts)})")
-        return row_texts.formatted(template, values, len(column))
+        return row_texts.formatted_rows(template, values, len(column))
 
     def texts(self, p: Parameter, column: Column[Any]) -> row_texts.Texts | None:
         """Returns the format of a parameter and its values; filled in, they are what `Parameter.format` returns."""
         p = p if self.device is None else p.on(self.device)
-        values = row_texts.plain(p, column)
+        values = row_texts.plain_texts(p, column)
         if values is None:
             return None
         if row_texts.is_named(p):
-            form, arguments = row_texts.names(p, column, lambda value, holder: to_text(p, value, holder, None))
+            form, arguments = row_texts.name_texts(p, column, lambda value, holder: to_text(p, value, holder, None))
         else:
             form, arguments = _numbers(p, values)
         if p.flags:
@@ -85,10 +85,10 @@ class Objects:
         return objects.packet(at, packet, show.selected(packet, selection), self.device)
 
     def joined(self, at: int, number: int, fields: list[str]) -> str:
-        return objects.joined(at, number, fields)
+        return objects.packet_object(at, number, fields)
 
     def field(self, field: DecodedField) -> str:
-        return objects.field(field, self.device)
+        return objects.field_object(field, self.device)
 
     def fields(self, column: Column[Any], kind: type[Field], number: int) -> list[str] | None:
         """Formats all rows; None if a text depends on more than one value."""
@@ -96,10 +96,10 @@ class Objects:
         if made is None:
             return None
         head = f'{{"field": {json.dumps(kind.name_in(number))}, "values": '
-        return row_texts.formatted(f"{head}{made[0]}}}", made[1], len(column))
+        return row_texts.formatted_rows(f"{head}{made[0]}}}", made[1], len(column))
 
 
-def lines(log: Log, selection: Selection, form: Lines | Objects) -> Iterator[tuple[int, list[str]]]:
+def object_lines(log: Log, selection: Selection, form: Lines | Objects) -> Iterator[tuple[int, list[str]]]:
     """Yields the lines of the packets that have a selected field, many at once, each time with the number of packets
     that were searched."""
     for part in log.parts(PART):
@@ -140,7 +140,7 @@ def _fields(
     log: Log, piece: Piece, form: Lines | Objects, number: int, descriptor: int, runs: list[walk.Run]
 ) -> tuple[Array, Array, list[str]]:
     """Formats the fields of one set and descriptor. Returns their packets, their offsets in the payloads, the texts."""
-    packet, offset = walk.places(runs, len(piece.at))
+    packet, offset = walk.packets_and_offsets(runs, len(piece.at))
     types = registry.types(number, descriptor)
     shape = layout.layout(types[0]) if len(types) == 1 else None
     if shape is not None and shape.plain and all(run.length == shape.dtype.itemsize for run in runs):
@@ -149,7 +149,7 @@ def _fields(
         made = form.fields(reader.column(), types[0], number)
         if made is not None:
             return packet, offset, made
-    return packet, offset, [form.field(decoded(raw)) for raw in piece.fields(descriptor, packet, offset)]
+    return packet, offset, [form.field(decoded_field(raw)) for raw in piece.fields(descriptor, packet, offset)]
 
 
 def _numbers(p: Parameter, values: Array) -> row_texts.Texts:

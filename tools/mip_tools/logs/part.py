@@ -13,7 +13,7 @@ from ..columns.sender import identifies, near_replies
 from ..columns.stamps import NONE
 from ..names.selection import Selection
 from ..text import clocks
-from ..text.numbers import counted
+from ..text.numbers import count_text
 from .bounds import Bounds, When
 
 
@@ -27,18 +27,18 @@ class Within:
         self._last: int | None = None  # the last time, if no restart had set the clock back
         self._added = 0  # what the clock lacks since its last restart
         self._read = 0  # packets
-        self._found = 0  # packets within the bounds
+        self._count = 0  # packets within the bounds
         #: The offset of the first packet behind the range of bytes and packet numbers; None until it is reached.
         self.end: int | None = None
         #: Are the bytes before the first packet within the bounds?
         self.first = not bounds.bytes.first and not bounds.packets.first and bounds.begin is None
 
-    def known(self) -> str:
+    def description(self) -> str:
         """Describes the log, for the message that nothing was found in the range."""
-        if self._found:
+        if self._count:
             return "has only other fields there; `mip info` lists them"
         if self._now is None or self._start is None or self.end is not None:
-            return f"has {counted(self._read, 'packet')}{' up to there' * (self.end is not None)}"
+            return f"has {count_text(self._read, 'packet')}{' up to there' * (self.end is not None)}"
         begin = ""
         if self._bounds.dated:
             begin = f"begins at {clocks.stamp(self._clock or '', self._start, 2)} and "
@@ -95,7 +95,7 @@ class Within:
 
     def count(self, within: Array) -> None:
         """Counts the packets within the bounds."""
-        self._found += int(within.sum())
+        self._count += int(within.sum())
 
 
 def _identifying(log: Log, begin: int) -> Iterator[bytes]:

@@ -36,7 +36,7 @@ def recognized(data: bytes) -> Recognized:
 UNKNOWN = Recognized("neither MIP nor a known protocol", "is the baud rate right?")
 
 
-def packets(data: bytes) -> int:
+def count_packets(data: bytes) -> int:
     """Counts the packets in bytes."""
     parser = Parser()
     return len(parser.feed(data)) + len(parser.flush())
@@ -73,7 +73,7 @@ def _first(text: str, notations: Sequence[Callable[[str], bytes | None]]) -> byt
             data = notation(text)
         except (ValueError, TypeError, StopIteration, RecursionError):  # as JSON with too many brackets
             continue
-        if data is not None and (data.startswith(SYNC) or packets(data)):
+        if data is not None and (data.startswith(SYNC) or count_packets(data)):
             return data
     return None
 
@@ -205,10 +205,10 @@ def _damaged(data: bytes) -> Recognized | None:
         return Recognized(f"MIP as text, {len(plain)} bytes", "`mip dump` shows it")
     for change, what, remedy in _CHANGES:
         try:
-            found = packets(change(data))
+            found = count_packets(change(data))
         except (ValueError, IndexError):
             continue
-        if found > packets(data):
+        if found > count_packets(data):
             return Recognized(what, remedy)
     if (packet := without_checksum(data)) is not None:
         return Recognized("a packet without its checksum", f"it would be {bytes(packet)[-2:].hex(' ')}")
@@ -362,4 +362,4 @@ _QUESTIONS: tuple[Callable[[bytes], Recognized | None], ...] = (
 )  # fmt: skip
 
 
-__all__ = ["MOST", "Recognized", "from_text", "packets", "recognized"]
+__all__ = ["MOST", "Recognized", "count_packets", "from_text", "recognized"]

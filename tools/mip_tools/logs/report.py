@@ -15,7 +15,7 @@ from ..columns.scan import HEADER
 from ..columns.stamps import NONE
 from ..columns.timeline import DEVICE, Clocks, Timeline
 from ..sentences import Sentences
-from ..text.decoding import DecodedField, decoded, name_of
+from ..text.decoding import DecodedField, decoded_field, name_of
 from . import inputs, scan
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ class Report:
         return times.rate_of(kind.packets, kind.last - kind.first + 1) if times else None
 
 
-def examine(log: Log) -> Report:
+def report_on(log: Log) -> Report:
     """Reads a log once."""
     report, between = Report(), _Between()
     progress = inputs.Progress(log.size)
@@ -154,7 +154,7 @@ def first(piece: Piece, runs: list[Any]) -> DecodedField:
     packet, offset, run = min(firsts, key=lambda first: first[:2])
     begin = int(piece.at[packet]) + HEADER + offset
     data = piece.data[begin : begin + run.length].tobytes()
-    return decoded(RawField(run.set, run.descriptor, data))
+    return decoded_field(RawField(run.set, run.descriptor, data))
 
 
 def _add_times(report: Report, part: Log) -> None:

@@ -15,7 +15,7 @@ from ..names.selection import Selection
 from ..ports import connection
 from ..ports.silence import Line
 from ..text import show
-from ..text.decoding import DecodedField, decoded, name_of, raw_fields
+from ..text.decoding import DecodedField, decoded_field, name_of, raw_fields
 from ..text.references import references
 
 #: Seconds after which a value is old.
@@ -78,7 +78,7 @@ class Latest:
         self.device.learn(piece.packet)
         for raw in raw_fields(piece.packet):
             if self._selection.has(raw.set, raw.descriptor):
-                field = decoded(raw)
+                field = decoded_field(raw)
                 latest = self._latest.setdefault((raw.set, name_of(field)), _Latest(field))
                 latest.field = field
                 latest.times.append(now)
@@ -111,14 +111,14 @@ class Latest:
         return lines
 
 
-def pieces(
+def device_pieces(
     options: argparse.Namespace, latest: Latest, say: Callable[[str], object] | None = None
 ) -> Iterator[Piece | None]:
     """Yields data as it arrives, from a device that is asked who it is, until the time is over. Raises Failure, or Lost
-    like `connection.pieces`."""
+    like `connection.port_pieces`."""
     if inputs.is_port(options.input):
         line = Line(options.input, options.baud, "monitor", options.timeout)
-        yield from connection.pieces(line, options.duration, latest.device.ask, say)
+        yield from connection.port_pieces(line, options.duration, latest.device.ask, say)
         return
     end = None if options.duration is None else time.monotonic() + options.duration
     for piece in inputs.arriving(options.input, progress=False):

@@ -6,15 +6,15 @@ from collections.abc import Iterable
 
 from ..binding import DEVICES, FAMILIES, FIELDS, SETS, Command, registry
 from .occurrence import every
-from .typed import functions
+from .typed import constructor_functions
 
 
-def devices() -> list[str]:
+def device_ids() -> list[str]:
     """Returns the ids of all devices."""
     return list(DEVICES)
 
 
-def fields(only_commands: bool) -> list[str]:
+def field_names(only_commands: bool) -> list[str]:
     """Returns the names of all sets and fields, or of all commands."""
     names: list[str] = []
     for name, row in FIELDS.items():
@@ -28,5 +28,5 @@ def functions_of(words: Iterable[str]) -> list[str]:
     """Returns the functions of the command among these words."""
     for word in words:
         if word in FIELDS and issubclass(kind := registry.by_name(word), Command):
-            return functions(kind)
+            return constructor_functions(kind)
     return []

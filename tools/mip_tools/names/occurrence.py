@@ -21,19 +21,19 @@ class Occurrence(NamedTuple):
         return self.kind.name_in(self.set)
 
 
-def listed(kind: type[Field]) -> tuple[int, ...]:
+def sets_of(kind: type[Field]) -> tuple[int, ...]:
     """Returns the sets that have a field; empty for shared fields and the acknowledge."""
     return () if isinstance(kind.SETS, range) else tuple(kind.SETS)
 
 
 def occurrence_in(set_number: int, kind: type[Field]) -> Occurrence:
     """Returns the occurrence of a field in packets of this set."""
-    return Occurrence(set_number if listed(kind) else kind.SET, kind)
+    return Occurrence(set_number if sets_of(kind) else kind.SET, kind)
 
 
 def every(kind: type[Field]) -> list[Occurrence]:
     """Returns a field's occurrences, one for each of its sets; a field of every set has one occurrence."""
-    return [occurrence_in(number, kind) for number in listed(kind) or (0,)]
+    return [occurrence_in(number, kind) for number in sets_of(kind) or (0,)]
 
 
 def occurrences_named(name: str) -> list[Occurrence]:
@@ -48,7 +48,7 @@ def occurrences_named(name: str) -> list[Occurrence]:
 
 def named_set(name: str, kind: type[Field]) -> int | None:
     """Returns the set that a field's name states: "gnss_2.dop", "Gnss2.Dop" or "0x92,0x09"; None if it states none."""
-    sets = listed(kind)
+    sets = sets_of(kind)
     if len(sets) == 1:
         return sets[0]
     number = re.match(r"\(?0x([0-9a-f]{1,2}) *,", name.strip(), re.I)

@@ -39,7 +39,7 @@ FILLING = frozenset(
 )
 
 
-def everything() -> list[Occurrence]:
+def all_fields() -> list[Occurrence]:
     """Returns all fields of the specification."""
     return [Occurrence(*pair) for pair in registry.all_types()]
 
@@ -49,7 +49,7 @@ def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
     postings = _index()[0]
     scores: dict[Occurrence, float] = defaultdict(float)
     covered: dict[Occurrence, float] = defaultdict(float)
-    whole, count = 0.0, len(everything())
+    whole, count = 0.0, len(all_fields())
     for meant in _parts(list(dict.fromkeys(_words(text)))):
         amounts: dict[Occurrence, float] = defaultdict(float)
         for root, weight in meant.items():
@@ -67,7 +67,7 @@ def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
 
 def finds_any(text: str) -> bool:
     """Does a search find any field?"""
-    return bool(ranked(everything(), text))
+    return bool(ranked(all_fields(), text))
 
 
 def _words(text: str) -> list[str]:
@@ -98,7 +98,7 @@ def _texts(field: Occurrence) -> tuple[str, str, str, str]:
 @cache
 def _index() -> tuple[dict[str, dict[Occurrence, float]], list[str], dict[str, set[str]]]:
     """Returns stem -> field -> how much of it, all words, and stem -> stems of its synonyms."""
-    split = {field: [_words(text) for text in _texts(field)] for field in everything()}
+    split = {field: [_words(text) for text in _texts(field)] for field in all_fields()}
     means = [sum(len(texts[i]) for texts in split.values()) / len(split) or 1 for i in range(len(_WEIGHTS))]
     postings: dict[str, dict[Occurrence, float]] = defaultdict(lambda: defaultdict(float))
     for field, texts in split.items():

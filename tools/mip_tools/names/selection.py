@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from ..binding import UnknownName, registry
 from ..errors import Misuse
-from .occurrence import Occurrence, listed, occurrence_in, occurrences_named
+from .occurrence import Occurrence, occurrence_in, occurrences_named, sets_of
 from .search import finds_any
 
 _NUMBERS = re.compile(r"(0[xX][0-9A-Fa-f]{1,2}|\d{1,3})(?:[:,](0[xX][0-9A-Fa-f]{1,2}|\d{1,3}))?")
@@ -16,7 +16,7 @@ _NUMBERS = re.compile(r"(0[xX][0-9A-Fa-f]{1,2}|\d{1,3})(?:[:,](0[xX][0-9A-Fa-f]{
 Key = tuple[int, int | None]
 
 
-def keys(name: str) -> list[Key]:
+def resolve_keys(name: str) -> list[Key]:
     """Resolves a name: a field, a set, or numbers such as 0x80 or 0x80:0x04. Raises Failure."""
     numbers = _NUMBERS.fullmatch(name)
     if numbers is not None:
@@ -27,10 +27,10 @@ def keys(name: str) -> list[Key]:
     try:
         return [(registry.set_by_name(name), None)]
     except UnknownName:
-        return [(number, kind.DESCRIPTOR) for number, kind in fields(name)]
+        return [(number, kind.DESCRIPTOR) for number, kind in matching_fields(name)]
 
 
-def fields(name: str) -> list[Occurrence]:
+def matching_fields(name: str) -> list[Occurrence]:
     """Finds the fields with this name; several if it is ambiguous or several sets have it. Raises Failure."""
     numbers = _NUMBERS.fullmatch(name)
     if numbers is not None and numbers[2]:
@@ -59,9 +59,9 @@ def near(name: str) -> str:
     return ""
 
 
-def field(name: str) -> Occurrence:
+def one_field(name: str) -> Occurrence:
     """Finds the only field with this name. Raises Failure if several sets have one."""
-    kinds = fields(name)
+    kinds = matching_fields(name)
     if len(kinds) > 1:
         raise Misuse(f"'{name}' is in several sets; write {' or '.join(k.name for k in kinds)}")
     return kinds[0]
@@ -77,7 +77,7 @@ class Selection:
         self._only = _all(only)
         self._without = _all(without)
         self._least = 0x80 if data and not self._only else 0  # the first set that is selected
-        self._known: dict[tuple[int, int], bool] = {}
+        self._cache: dict[tuple[int, int], bool] = {}
 
     @property
     def has_names(self) -> bool:
@@ -90,12 +90,12 @@ class Selection:
 
     def has(self, set_number: int, descriptor: int) -> bool:
         """Is this field selected in packets of this set?"""
-        is_selected = self._known.get((set_number, descriptor))
+        is_selected = self._cache.get((set_number, descriptor))
         if is_selected is None:
             is_selected = not self._only or _within(self._only, set_number, descriptor)
             is_selected = is_selected and set_number >= self._least
             is_selected = is_selected and not _within(self._without, set_number, descriptor)
-            self._known[set_number, descriptor] = is_selected
+            self._cache[set_number, descriptor] = is_selected
         return is_selected
 
 
@@ -104,10 +104,10 @@ def _all(names: Iterable[str]) -> set[Key]:
     chosen: set[Key] = set()
     for text in names:
         if _NUMBERS.fullmatch(text):
-            chosen.update(keys(text))
+            chosen.update(resolve_keys(text))
             continue
         for name in filter(None, (part.strip() for part in text.split(","))):
-            chosen.update(keys(name))
+            chosen.update(resolve_keys(name))
     return chosen
 
 
@@ -116,5 +116,5 @@ def _within(wanted: set[Key], number: int, descriptor: int) -> bool:
         return True
     if number < 0x80:  # the acknowledge field belongs to no set
         return (0, descriptor) in wanted
-    shared = not any(listed(t) for t in registry.types(number, descriptor))
+    shared = not any(sets_of(t) for t in registry.types(number, descriptor))
     return shared and ((0xFF, descriptor) in wanted or (0xFF, None) in wanted)

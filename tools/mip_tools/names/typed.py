@@ -23,7 +23,7 @@ from ..binding import (
     registry,
 )
 from ..errors import Failure, Misuse
-from .selection import fields, keys, near
+from .selection import matching_fields, near, resolve_keys
 
 
 def command(kind: type[Command], words: Sequence[str]) -> Command:
@@ -33,7 +33,7 @@ def command(kind: type[Command], words: Sequence[str]) -> Command:
     wanted = [p for p in info(kind).parameters if p.attribute in accepted]
     values: dict[str, Any] = {}
     for p, word in _assigned(kind, wanted, words):
-        values[p.attribute] = value(p, word, values)
+        values[p.attribute] = parse_value(p, word, values)
     missing = [
         p.name for p in wanted if p.attribute not in values and accepted[p.attribute].default is inspect.Parameter.empty
     ]
@@ -55,12 +55,12 @@ def usage(kind: type[Command]) -> str:
     return f"`mip fields {kind.NAME}` lists its parameters"
 
 
-def functions(kind: type[Command]) -> list[str]:
+def constructor_functions(kind: type[Command]) -> list[str]:
     """Returns the functions for which a command has constructors."""
     return [f.name.lower() for f in FunctionSelector if f.value in kind.REQUIRED and hasattr(kind, f.name.lower())]
 
 
-def wanted(kind: type[Command], function: str) -> list[str]:
+def value_names(kind: type[Command], function: str) -> list[str]:
     """Returns the names of a function's values; optional ones are in brackets."""
     build = getattr(kind, function) if function else kind
     accepted = inspect.signature(build).parameters
@@ -72,7 +72,7 @@ def wanted(kind: type[Command], function: str) -> list[str]:
 
 
 def _constructor(kind: type[Command], words: Sequence[str]) -> tuple[Callable[..., Any], list[str]]:
-    names = functions(kind)
+    names = constructor_functions(kind)
     if not names:
         return kind, list(words)
     if not words or words[0].lower() not in names:
@@ -109,7 +109,7 @@ def _assigned(kind: type[Command], wanted: list[Parameter], words: list[str]) ->
 # --------------------------------------------------------------------------- values
 
 
-def value(p: Parameter, text: str, before: Mapping[str, Any], set_number: int | None = None) -> Any:
+def parse_value(p: Parameter, text: str, before: Mapping[str, Any], set_number: int | None = None) -> Any:
     """Converts a text to a parameter's value.
 
     `before` has the values of the parameters before it; `set_number` is the set of the fields that it names.
@@ -120,7 +120,7 @@ def value(p: Parameter, text: str, before: Mapping[str, Any], set_number: int | 
         case = p.cases.get(int(tag)) if tag is not None else None
         if case is None:
             raise Misuse(f"{p.name} has no value for {p.tag}={tag}; leave it out")
-        return value(case, text, before, set_number)
+        return parse_value(case, text, before, set_number)
     if text[:1] in "[{" and text:
         try:
             return _from_json(p, json.loads(text), set_number)
@@ -130,8 +130,10 @@ def value(p: Parameter, text: str, before: Mapping[str, Any], set_number: int | 
         return _structure(p, text, set_number)
     if p.kind == "array":
         parts = [part for part in text.split(",") if part]
-        return tuple(_structure(p, t, set_number) if _is_structure(p) else scalar(p, t, set_number) for t in parts)
-    return scalar(p, text, set_number)
+        return tuple(
+            _structure(p, t, set_number) if _is_structure(p) else parse_scalar(p, t, set_number) for t in parts
+        )
+    return parse_scalar(p, text, set_number)
 
 
 def _set_of(p: Parameter, before: Mapping[str, Any], inside: int | None) -> int | None:
@@ -155,7 +157,7 @@ def _structure(p: Parameter, text: str, set_number: int | None) -> Any:
         raise Misuse(f"{p.name}: '{text}' has too many parts; write {names}")
     values: dict[str, Any] = {}
     for m, part in zip(members, parts):
-        values[m.attribute] = value(m, part, values, set_number)
+        values[m.attribute] = parse_value(m, part, values, set_number)
     return _made(p, values)
 
 
@@ -186,10 +188,10 @@ def _from_json(p: Parameter, content: Any, set_number: int | None) -> Any:
         return _made(p, values)
     if isinstance(content, (dict, type(None))):
         raise Misuse(f"{p.name} cannot have the value {json.dumps(content)}")
-    return scalar(p, str(content).lower() if isinstance(content, bool) else str(content), set_number)
+    return parse_scalar(p, str(content).lower() if isinstance(content, bool) else str(content), set_number)
 
 
-def scalar(p: Parameter, text: str, set_number: int | None = None) -> Any:
+def parse_scalar(p: Parameter, text: str, set_number: int | None = None) -> Any:
     """Parses one value; `set_number` is the set of a field that it may name. Raises Misuse."""
     kind = p.type if isinstance(p.type, type) else None
     if p.kind == "text" or p.scalar == "char":
@@ -245,7 +247,7 @@ def _descriptor(p: Parameter, text: str, set_number: int) -> int:
     own = SETS.get(set_number, ())
     for name in (*(f"{word}.{text}" for word in own), text):
         try:
-            candidates = fields(name)
+            candidates = matching_fields(name)
         except Failure:
             continue
         for number, kind in candidates:
@@ -271,7 +273,7 @@ def _integer(text: str) -> int | None:
 def _named_number(text: str) -> int | None:
     """Returns the number of a set or the descriptor of a field with this name; None if there is none."""
     try:
-        number, descriptor = keys(text)[0]
+        number, descriptor = resolve_keys(text)[0]
     except Failure:
         return None
     return number if descriptor is None else descriptor

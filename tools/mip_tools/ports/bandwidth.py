@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from ..binding import MAX_PAYLOAD, OVERHEAD, SCALARS, Data, Device, Field, Structure, info
 from ..errors import Failure, Misuse
-from ..names.selection import field, fields, keys
+from ..names.selection import matching_fields, one_field, resolve_keys
 from ..text import show
 
 #: Bits on the line for each byte, with its start bit and stop bit.
@@ -38,7 +38,7 @@ class Load(NamedTuple):
     bytes: float  # in a second
 
 
-def load(number: int, streams: list[Stream], base: float = 0) -> Load:
+def set_load(number: int, streams: list[Stream], base: float = 0) -> Load:
     """Computes the load of a set. Fields that are due at the same moment share packets as far as they fit.
 
     `base` is the rate of the moments; 0 means the rate of the fastest field.
@@ -94,7 +94,7 @@ def loads(streams: list[Stream], profile: Device | None) -> list[Load]:
     if profile is not None:
         streams = [_adjusted(stream, profile) for stream in streams]
     bases = profile.base_rates if profile else {}
-    return [load(n, streams, bases.get(n, 0)) for n in dict.fromkeys(s.set for s in streams)]
+    return [set_load(n, streams, bases.get(n, 0)) for n in dict.fromkeys(s.set for s in streams)]
 
 
 def bauds(loads: list[Load]) -> int:
@@ -113,7 +113,7 @@ def stream(text: str) -> Stream:
     except ValueError:
         raise Misuse(f"'{text}' is not a stream; write NAME@HZ, as in sensor.scaled_accel@100") from None
     within, colon, plain = name.partition(":")
-    number, kind = _field(within, plain) if colon else field(name)
+    number, kind = _field(within, plain) if colon else one_field(name)
     if not issubclass(kind, Data):
         raise Misuse(f"{kind.NAME} is not a data field; only data is streamed")
     size = size_of(kind, elements)
@@ -124,10 +124,10 @@ def stream(text: str) -> Stream:
 
 def _field(within: str, name: str) -> tuple[int, type[Field]]:
     """Finds a field of a set, which may be a shared one."""
-    number, descriptor = keys(within)[0]
+    number, descriptor = resolve_keys(within)[0]
     if descriptor is not None or number < 0x80:
         raise Misuse(f"'{within}' is not a data set; write SET:NAME@HZ")
-    kinds = [kind for set_number, kind in fields(name) if set_number in (number, 0xFF)]
+    kinds = [kind for set_number, kind in matching_fields(name) if set_number in (number, 0xFF)]
     if not kinds:
         raise Misuse(f"{within} has no field '{name}'")
     return number, kinds[0]
@@ -135,7 +135,7 @@ def _field(within: str, name: str) -> tuple[int, type[Field]]:
 
 def _adjusted(stream: Stream, profile: Device) -> Stream:
     """Returns the stream with a rate that the device supports: its base rate divided by a whole number."""
-    kind = field(stream.name).kind
+    kind = one_field(stream.name).kind
     if not profile.has(stream.set, kind.DESCRIPTOR):
         raise Failure(f"{profile.title} does not send {stream.name} in {show.set_name(stream.set)}")
     base = profile.base_rates.get(stream.set, 0)

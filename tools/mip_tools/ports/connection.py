@@ -54,7 +54,7 @@ def reason(error: BaseException) -> str:
     return " ".join(str(message).split())
 
 
-def received(line: Line, seconds: float | None = None, begin: Begin | None = None) -> Iterator[bytes]:
+def received_bytes(line: Line, seconds: float | None = None, begin: Begin | None = None) -> Iterator[bytes]:
     """Yields the bytes received at a port as they arrive, until the time is over, and empty bytes during a pause.
 
     `begin` is called with the device as soon as the port is open; if it returns False, data from before are dropped.
@@ -80,7 +80,7 @@ def received(line: Line, seconds: float | None = None, begin: Begin | None = Non
                 yield b""
 
 
-def pieces(
+def port_pieces(
     line: Line,
     seconds: float | None = None,
     begin: Begin | None = None,
@@ -95,7 +95,7 @@ def pieces(
     silence: Silence | None = None
     last = time.monotonic()
     try:
-        for data in received(line, seconds, begin):
+        for data in received_bytes(line, seconds, begin):
             silence = silence or Silence(line, say)  # the port is open now
             if data:
                 last = time.monotonic()

@@ -10,7 +10,7 @@ from typing import Any
 
 from ..binding import DEVICES, SETS, Device, identify, model_number, types
 from ..errors import Failure
-from ..text.yaml_text import YamlFile, child, listed, parsed, plain, quoted, word
+from ..text.yaml_text import YamlFile, child, flow_list, node_value, parsed_yaml, quoted, scalar_text
 from .listing import ListedPort, Listing
 
 SHARED = 0xFF
@@ -154,7 +154,7 @@ class Facts:
             if by_set:
                 lines += [
                     f"{key}:",
-                    *(f"  {line}" for set_name, names in by_set.items() for line in listed(set_name, names)),
+                    *(f"  {line}" for set_name, names in by_set.items() for line in flow_list(set_name, names)),
                 ]
         return lines
 
@@ -186,7 +186,7 @@ def _port(port: ListedPort) -> str:
 # --------------------------------------------------------------------------- a new file
 
 
-def new(facts: Facts, folder: Path) -> str:
+def new_file(facts: Facts, folder: Path) -> str:
     """Composes a new file: an extension of a known device, or the profile of an unknown one."""
     model = facts.model
     is_known = model.profile is not None or _elsewhere(model.id, folder)
@@ -198,10 +198,10 @@ def new(facts: Facts, folder: Path) -> str:
         lines.append(f"extend: {model.id}")
     else:
         name = re.sub("[^a-z0-9]+", "_", model.id.removeprefix("3dm-")).strip("_")
-        lines += [f"device: {model.id}", f"name: {name}", f"title: {word(model.title)}"]
+        lines += [f"device: {model.id}", f"name: {name}", f"title: {scalar_text(model.title)}"]
         if model.number:
             lines.append(f"model_number: {model.number}")
-        lines += [f"description: {word(_description(model))}", f"incomplete: [{NEW}]"]
+        lines += [f"description: {scalar_text(_description(model))}", f"incomplete: [{NEW}]"]
     first, *rest = facts.entry(facts.remark())
     lines += ["evidence:", f"  - {first}", *(f"    {line}" for line in rest)]
     if facts.rates():
@@ -228,7 +228,7 @@ def _elsewhere(other_id: str, folder: Path) -> bool:
 # --------------------------------------------------------------------------- an existing file
 
 
-def merged(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
+def updated(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
     """Adds the facts to the text of a file, in which everything else remains. Raises Failure for another device's file.
 
     Returns the new text, and the contradictions between file and device by data set or port, each with its position.
@@ -241,11 +241,11 @@ def merged(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
         raise Failure(f"{path}:1:1: the file needs `extend: {wanted}` or `device: {wanted}`; add one, or move the file")
     if named.value != wanted:
         raise Failure(f"{file.place(named)}: this is '{named.value}', but the device is '{wanted}'; rename the file")
-    expected = plain(file.root)
+    expected = node_value(file.root)
     _add_evidence(file, facts, expected)
     contradictions = {**_add_rates(file, facts, expected, own is not None), **_add_ports(file, facts, expected)}
     text = file.changed()
-    if parsed(text, path) != expected:
+    if parsed_yaml(text, path) != expected:
         raise Failure(f"{path} cannot be changed without losing something; use --dry-run, and edit it by hand")
     return text, contradictions
 
@@ -256,7 +256,7 @@ def _add_evidence(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> Non
     flow = facts.flow_entry(facts.remark())
     new = _plain(flow, file.path)
     for i, entry in enumerate(entries):
-        stated = plain(entry)
+        stated = node_value(entry)
         if not isinstance(stated, dict) or (stated.get("kind"), stated.get("firmware")) != ("listed", new["firmware"]):
             continue
         if all(stated.get(key) == new.get(key) for key in ("fields", "undefined")):
@@ -344,4 +344,4 @@ def _number(text: str) -> float | None:
 
 
 def _plain(flow: str, path: Path) -> Any:
-    return parsed(flow, path)
+    return parsed_yaml(flow, path)

@@ -80,7 +80,7 @@ def ask(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda 
         return questions.listing()
 
 
-def identity(link: DeviceAtPort, name: str, complain: Callable[[str], None]) -> Listing:
+def read_identity(link: DeviceAtPort, name: str, complain: Callable[[str], None]) -> Listing:
     """Reads only the identity and the descriptors of a device, which may be streaming. Raises Failure."""
     questions = _Questions(link, name, complain)
     questions.greet()
@@ -158,7 +158,7 @@ class _Questions:
 
     def optional(self, command: str, *values: Any, function: str = "") -> Any:
         """Requests the response to a command that the device lists; None if there is none, as for a missing port."""
-        kind = _known(command)
+        kind = _type_or_none(command)
         if kind is None:
             return None
         try:
@@ -172,7 +172,7 @@ class _Questions:
             return None
 
     def _lists(self, command: str) -> bool:
-        kind = _known(command)
+        kind = _type_or_none(command)
         return kind is not None and (kind.SET, kind.DESCRIPTOR) in self._listed
 
     # ----------------------------------------------------------------- rates
@@ -194,7 +194,7 @@ class _Questions:
     def _ports(self, profile: Device | None) -> Iterator[ListedPort]:
         """Yields the ports of the device. All port numbers that the specification defines are tried."""
         speed, protocols = self._lists(SPEED), self._lists(PROTOCOLS)
-        if not (speed or protocols) or _known(PROTOCOLS) is None:
+        if not (speed or protocols) or _type_or_none(PROTOCOLS) is None:
             return
         numbers = command_type(PROTOCOLS).INFO["port"].type
         names = {value.value: _port_name(value.name) for value in info(numbers).values if value.name != _ALL}
@@ -230,7 +230,7 @@ def _names(protocols: Any) -> tuple[str, ...]:
     return tuple(named) + tuple(f"0x{1 << i:08X}" for i in range(32) if rest >> i & 1)
 
 
-def _known(command: str) -> Any:
+def _type_or_none(command: str) -> Any:
     """Returns the type of a command; None if the specification does not define it."""
     try:
         return registry.by_name(command)
@@ -240,7 +240,7 @@ def _known(command: str) -> Any:
 
 def command_type(name: str) -> Any:
     """Returns the type of a command that querying a device needs. Raises Failure if the package lacks it."""
-    kind = _known(name)
+    kind = _type_or_none(name)
     if kind is None:
         raise Failure(f"the generated package has no {name}, which is needed to query a device")
     return kind

@@ -16,10 +16,10 @@ from .silence import Line, Silence
 class Recording:
     """The bytes that a device sends, written as they arrive."""
 
-    def __init__(self, line: Line, seconds: float | None, most: int | None, known: KnownDevice) -> None:
+    def __init__(self, line: Line, seconds: float | None, most: int | None, device: KnownDevice) -> None:
         """`seconds` and `most` packets end it. The device is asked what it is, unless it is named: its reply is in the
         recording."""
-        self._line, self._seconds, self._most, self._known = line, seconds, most, known
+        self._line, self._seconds, self._most, self._device = line, seconds, most, device
         self._scanner = Scanner()
         self.size = 0
         self.packets = 0
@@ -29,7 +29,7 @@ class Recording:
     def write(self, out: IO[bytes]) -> None:
         """Writes the received bytes until the requested duration or number of packets is reached."""
         watch: Silence | None = None
-        for data in connection.received(self._line, self._seconds, self._known.ask):
+        for data in connection.received_bytes(self._line, self._seconds, self._device.ask):
             watch = watch or Silence(self._line)
             keep = len(data)
             if data:

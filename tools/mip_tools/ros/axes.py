@@ -38,7 +38,7 @@ def attitude(q: Numbers) -> Quaternion:
     return (w + z) / length, (x + y) / length, (x - y) / length, (w - z) / length
 
 
-def matrix(q: Quaternion) -> list[list[Any]]:
+def rotation_matrix(q: Quaternion) -> list[list[Any]]:
     """Returns the rotation matrix of a unit quaternion."""
     w, x, y, z = q
     return [
@@ -50,12 +50,12 @@ def matrix(q: Quaternion) -> list[list[Any]]:
 
 def into_body(q: Quaternion, v: Numbers) -> Vector:
     """Rotates a vector from the world to the axes of a body with this attitude."""
-    m = matrix(q)
+    m = rotation_matrix(q)
     x, y, z = (sum(m[k][i] * v[k] for k in range(3)) for i in range(3))
     return x, y, z
 
 
 def variances_into_body(q: Quaternion, variances: Numbers) -> list[Any]:
     """Converts variances along the axes of the world to the covariance (3 x 3, row by row) in the body."""
-    m = matrix(q)
+    m = rotation_matrix(q)
     return [sum(m[k][i] * variances[k] * m[k][j] for k in range(3)) for i in range(3) for j in range(3)]

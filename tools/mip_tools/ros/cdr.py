@@ -39,7 +39,7 @@ class Layout(NamedTuple):
         return [name for name in self.dtype.names or () if self.dtype[name].names is None]
 
 
-def layout(definitions: Any, name: str, texts: Mapping[str, str]) -> Layout | None:
+def cdr_layout(definitions: Any, name: str, texts: Mapping[str, str]) -> Layout | None:
     """Computes the layout of messages with these texts; None if their length varies."""
     names, types, offsets, values, end = [], [], [], {}, 0
     for path, base, count in _leaves(definitions, name, ""):

@@ -91,7 +91,7 @@ class Rows(NamedTuple):
 Fields = Mapping[str, Rows]
 
 
-def fields(log: Log, kinds: Iterable[Occurrence], kept: Callable[[Column[Any]], Array], clock: str) -> Fields:
+def message_fields(log: Log, kinds: Iterable[Occurrence], kept: Callable[[Column[Any]], Array], clock: str) -> Fields:
     """Returns, by name, the fields of a part of a log from which messages are made; `kept` selects rows of a column."""
     used = [occurrence for occurrence in kinds if occurrence.name.endswith(_USED)]
     rows_by_name = {}

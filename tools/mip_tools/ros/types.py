@@ -70,7 +70,7 @@ class Types:
         return layout.messages(len(column), {path: column[own] for path, own in zip(paths, column)})
 
     def _layout_of(self, name: str, texts: tuple[tuple[str, str], ...]) -> cdr.Layout | None:
-        return cdr.layout(self.store.fielddefs, name, dict(texts))
+        return cdr.cdr_layout(self.store.fielddefs, name, dict(texts))
 
     def of_field(self, name: str, field: Field, frame: str) -> bytes:
         """Encodes the message of a field, without its time."""

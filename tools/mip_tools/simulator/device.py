@@ -22,7 +22,7 @@ from ..devices import views
 from ..devices.codes import DEFAULT, LOAD, SAVE
 from ..devices.facts import COMMANDS
 from ..devices.profiles import device_named, port_named
-from ..devices.settings import Place, Settings, asking, command_type, home, is_setting, keys
+from ..devices.settings import Place, Settings, asking, command_type, instance_keys, is_setting, stored_by
 from ..geometry.earth import SECOND
 from .commands import ports
 from .commands.dispatch import carry_out
@@ -35,7 +35,7 @@ from .script import Script, ScriptedEvent
 from .state import DeviceState, Encoder
 from .streams import formats, nmea, values
 from .streams.events import Events
-from .streams.stream import Stream, answers, packets
+from .streams.stream import Stream, combined_answers, combined_fields
 from .world.world import World
 
 #: The start-up time of a device, during which it does not reply.
@@ -272,7 +272,7 @@ class VirtualDevice(DeviceState):
             busy = max(busy, outcome.delay)
             if outcome.after is not None:
                 behind.append(outcome.after)
-        for data in answers(packet.set, groups):
+        for data in combined_answers(packet.set, groups):
             self._tell("answer", data)
             self._transmit(link, data, max(delay, busy, link.reply_delay(self.now)))  # keeps the order of answers
         self._behind += behind
@@ -323,8 +323,8 @@ class VirtualDevice(DeviceState):
         for name, behavior in COMMANDS.items():
             if self.knows(name) and (behavior.effect in views.ORIENTATIONS or behavior.effect in FILTER_EFFECTS):
                 kind = command_type(name)
-                if is_setting(kind) and not keys(kind):
-                    self.apply((home(kind).NAME, ()), None)
+                if is_setting(kind) and not instance_keys(kind):
+                    self.apply((stored_by(kind).NAME, ()), None)
         for at, kept in list(self.settings.items()):
             self.apply(at, kept)
         self.world.started = True
@@ -360,11 +360,11 @@ class VirtualDevice(DeviceState):
         fields = [field for encode in encoders for field in encode()]
         if self.faults is not None:
             fields = self.faults.data(self.now, set_number, fields)
-        for data in packets(set_number, fields) if fields else ():
+        for data in combined_fields(set_number, fields) if fields else ():
             self._send(data, link, ports.MIP)
 
     def send_sentences(self, entries: Iterable[Any], link: Link | None = None) -> None:
-        text = nmea.sentences(entries, self.world)
+        text = nmea.compose_sentences(entries, self.world)
         if text:
             self._send(text, link, ports.NMEA)
 

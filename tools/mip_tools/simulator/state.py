@@ -38,7 +38,7 @@ class DeviceState(ABC):
         self.faults = faults
         self.seed = seed
         self.ports = assumed_ports(profile)
-        self.known = profile.fields
+        self.field_keys = profile.fields
         self.links: list[Link] = []
         self.outdoors = True  # the receivers receive satellites unless an event prevents it
         self.idle = False
@@ -67,11 +67,11 @@ class DeviceState(ABC):
     def knows(self, name: str) -> bool:
         """Does the device have this command?"""
         kind = command_type(name)
-        return (kind.SET, kind.DESCRIPTOR) in self.known
+        return (kind.SET, kind.DESCRIPTOR) in self.field_keys
 
     def sends(self, set_number: int, descriptor: int) -> bool:
         """Does the device send this field in this data set? It may be a shared one."""
-        return (set_number, descriptor) in self.known or (0xFF, descriptor) in self.known
+        return (set_number, descriptor) in self.field_keys or (0xFF, descriptor) in self.field_keys
 
     @abstractmethod
     def reset(self) -> None:

@@ -17,17 +17,17 @@ def dated(clock: str | None) -> bool:
 def stamp(clock: str, time: int, digits: int = 9) -> str:
     """Formats a time: UTC in ISO 8601 for clocks with a date, seconds for others."""
     if not dated(clock):
-        return seconds(time, digits)
+        return in_seconds(time, digits)
     unit = 10 ** (9 - digits)
     second, rest = divmod((time + unit // 2) // unit * unit, SECOND)
     try:
         date = (_UNIX + timedelta(seconds=second)).isoformat(timespec="seconds")
     except OverflowError:  # after the year 9999
-        return seconds(time, digits)
+        return in_seconds(time, digits)
     return f"{date}.{rest // unit:0{digits}d}Z"
 
 
-def seconds(time: int, digits: int = 9) -> str:
+def in_seconds(time: int, digits: int = 9) -> str:
     """Formats nanoseconds as a decimal number of seconds."""
     unit = 10 ** (9 - digits)
     whole, rest = divmod((abs(time) + unit // 2) // unit, 10**digits)

@@ -36,7 +36,7 @@ def malformed(packet: Packet) -> str:
     return ""
 
 
-def decoded(raw: RawField) -> DecodedField:
+def decoded_field(raw: RawField) -> DecodedField:
     """Decodes a field."""
     types = registry.types(raw.set, raw.descriptor)
     kind = chosen(types, raw)

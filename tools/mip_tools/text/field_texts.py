@@ -41,13 +41,13 @@ def _command(kind: type[Field]) -> list[str]:
     if not issubclass(kind, Command):
         return []
     lines = []
-    functions = typed.functions(kind)
+    functions = typed.constructor_functions(kind)
     if functions:
         lines.append(f"functions: {', '.join(functions)}")
     if kind.RESPONSES:
         lines.append(f"answered with {', '.join(r.NAME for r in kind.RESPONSES)}")
     for function in functions or [""]:
-        names = typed.wanted(kind, function)
+        names = typed.value_names(kind, function)
         lines.append(" ".join(("mip send PORT", kind.NAME, function, *names)).replace("  ", " "))
     return ["", *lines] if lines else []
 

@@ -22,6 +22,6 @@ def readable(size: float) -> str:
     raise AssertionError
 
 
-def counted(number: int, what: str) -> str:
+def count_text(number: int, what: str) -> str:
     """Formats a count: `1 byte`, `2 bytes`."""
     return f"{number} {what}{'s' * (number != 1)}"

@@ -17,10 +17,10 @@ def packet(offset: int, message: Packet, fields: Iterable[DecodedField], device:
     """Formats a packet with these fields, and with its bytes if `raw` is set."""
     wrong = malformed(message)
     rest = {**({"malformed": wrong} if wrong else {}), **({"raw": bytes(message).hex()} if raw else {})}
-    return joined(offset, message.set, [field(field_value, device) for field_value in fields], rest)
+    return packet_object(offset, message.set, [field_object(field_value, device) for field_value in fields], rest)
 
 
-def joined(offset: int, number: int, fields: Iterable[str], rest: dict[str, str] | None = None) -> str:
+def packet_object(offset: int, number: int, fields: Iterable[str], rest: dict[str, str] | None = None) -> str:
     """Formats a packet from the texts of its fields; `rest` are the keys after them."""
     head = f'{{"offset": {offset}, "set": {_set(number)}, "fields": [{", ".join(fields)}]'
     return head + "".join([f", {json.dumps(name)}: {json.dumps(text)}" for name, text in (rest or {}).items()]) + "}"
@@ -31,11 +31,11 @@ def _set(number: int) -> str:
     return json.dumps(show.set_name(number))
 
 
-def field(decoded: DecodedField, device: str | None) -> str:
+def field_object(decoded: DecodedField, device: str | None) -> str:
     """Formats a field with its values, and with its bytes if they cannot be decoded or if some are left over."""
     content: dict[str, Any] = {"field": name_of(decoded)}
     if decoded.value is not None:
-        content["values"] = values.plain(decoded.value, True, device, references(decoded.value, decoded.raw.set))
+        content["values"] = values.to_plain(decoded.value, True, device, references(decoded.value, decoded.raw.set))
     if decoded.value is None or decoded.trailing:
         content["data"] = decoded.raw.data.hex()
     return json.dumps(content | ({"error": decoded.error} if decoded.error else {}), allow_nan=False)

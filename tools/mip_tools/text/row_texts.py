@@ -13,7 +13,7 @@ from ..binding import Field, Parameter, info, named
 from ..columns import buffers
 from ..columns.scan import Array
 from ..columns.states import different
-from ..columns.text import numbers, pyarrow, shortest
+from ..columns.text import numbers, pyarrow, shortest_decimals
 
 if TYPE_CHECKING:
     from ..columns.column import Column
@@ -24,7 +24,7 @@ Texts = tuple[str, list[Array]]
 _MANY = 4096
 
 
-def formatted(template: str, values: list[Array], count: int) -> list[str]:
+def formatted_rows(template: str, values: list[Array], count: int) -> list[str]:
     """Formats each row; with pyarrow, several times as fast."""
     if not values:
         return [template % ()] * count
@@ -38,7 +38,7 @@ def formatted(template: str, values: list[Array], count: int) -> list[str]:
 
 
 def _items(values: Array) -> list[Any]:
-    return list((shortest(values) if values.dtype == np.float32 else values).tolist())
+    return list((shortest_decimals(values) if values.dtype == np.float32 else values).tolist())
 
 
 def _cells(pa: Any, values: Array) -> Any:
@@ -70,7 +70,7 @@ def json_object(
 
 
 def _json(p: Parameter, column: Column[Any], names_: bool, separators: tuple[str, str]) -> Texts | None:
-    values = plain(p, column)
+    values = plain_texts(p, column)
     if values is None:
         return None
     if is_named(p):
@@ -78,18 +78,18 @@ def _json(p: Parameter, column: Column[Any], names_: bool, separators: tuple[str
         def word(value: Any, holder: object) -> str:
             return json.dumps(named(p, value, holder) if names_ else value, separators=separators)
 
-        return names(p, column, word)
+        return name_texts(p, column, word)
     single, arguments = singles(values)
     if single == "%r" and not np.isfinite(values).all():
         single = "%s"
-        arguments = [np.where(np.isfinite(each), formatted("%r", [each], len(each)), "null") for each in arguments]
+        arguments = [np.where(np.isfinite(each), formatted_rows("%r", [each], len(each)), "null") for each in arguments]
     if not p.elements:
         return single, arguments
     between, after = separators
     return f"{{{between.join([f'{json.dumps(e)}{after}{single}' for e in p.elements])}}}", arguments
 
 
-def plain(p: Parameter, column: Column[Any]) -> Array | None:
+def plain_texts(p: Parameter, column: Column[Any]) -> Array | None:
     """Returns the values of a parameter if each is a number, a name or a vector, independent of other values."""
     if p.attribute not in column.names or any(v.by != "device" for v in p.variants) or p.refers:
         return None
@@ -103,7 +103,7 @@ def is_named(p: Parameter) -> bool:
     return p.type is not None or p.scalar == "bool"
 
 
-def names(p: Parameter, column: Column[Any], word: Callable[[Any, Any], str]) -> Texts:
+def name_texts(p: Parameter, column: Column[Any], word: Callable[[Any, Any], str]) -> Texts:
     """Formats values by name; each different value is formatted once in each state on which its bits depend.
 
     `word` takes a value, and an object with the state.

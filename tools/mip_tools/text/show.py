@@ -7,8 +7,8 @@ from enum import IntFlag
 
 from ..binding import OVERHEAD, SETS, SYNC, Acknowledge, Described, Item, Packet, PacketError, Structure, info, meant
 from ..names.selection import Selection
-from ..text.numbers import counted
-from .decoding import DecodedField, decoded, malformed, name_of, raw_fields
+from ..text.numbers import count_text
+from .decoding import DecodedField, decoded_field, malformed, name_of, raw_fields
 from .references import Inside, references
 
 
@@ -17,7 +17,7 @@ def set_name(number: int) -> str:
     return SETS[number][0] if number in SETS else f"0x{number:02X}"
 
 
-def spaced(data: bytes, most: int = 0) -> str:
+def spaced_bytes(data: bytes, most: int = 0) -> str:
     """Formats bytes in hexadecimal, at most this many."""
     if most and len(data) > most:
         return data[:most].hex(" ") + " …"
@@ -28,8 +28,8 @@ def selected(packet: Packet, selection: Selection) -> list[DecodedField]:
     """Decodes the selected fields of a packet."""
     raws = raw_fields(packet)
     if selection.everything:
-        return [decoded(raw) for raw in raws]
-    return [decoded(raw) for raw in raws if selection.has(raw.set, raw.descriptor)]
+        return [decoded_field(raw) for raw in raws]
+    return [decoded_field(raw) for raw in raws if selection.has(raw.set, raw.descriptor)]
 
 
 # --------------------------------------------------------------------------- a line
@@ -58,11 +58,11 @@ def inside(field: DecodedField, device: str | None) -> str:
         return f"({text}: {field.error})" if field.error else f"({text})"
     own = field.value.NAME.partition(".")[2]
     parts = []
-    for item in items(field.value, field.raw.set, device):
+    for item in field_items(field.value, field.raw.set, device):
         label = "" if item.parameter.name == own else f"{item.parameter.name}="
         parts.append(f"{label}{item.text}{'' if item.valid else ' (invalid)'}")
     if field.trailing:
-        parts.append(f"and {counted(field.trailing, 'more byte')}: {field.raw.data[-field.trailing :].hex()}")
+        parts.append(f"and {count_text(field.trailing, 'more byte')}: {field.raw.data[-field.trailing :].hex()}")
     is_vector = len(parts) == 1 and parts[0].startswith("(")
     return parts[0] if is_vector else f"({', '.join(parts)})"
 
@@ -76,7 +76,7 @@ def tree(packet: Packet, fields: list[DecodedField], device: str | None) -> Iter
     count = sum(1 for _ in raw_fields(packet))
     yield (
         f"{set_name(packet.set)} (0x{packet.set:02X}), {count} field{'s' * (count != 1)}, "
-        f"{len(raw)} bytes: {spaced(raw[:4])} … checksum {spaced(raw[-2:])}"
+        f"{len(raw)} bytes: {spaced_bytes(raw[:4])} … checksum {spaced_bytes(raw[-2:])}"
     )
     for f in fields:
         yield from (f"  {text}" for text in branch(f, device))
@@ -92,18 +92,18 @@ def branch(field: DecodedField, device: str | None) -> Iterator[str]:
     head = f"{name_of(field)} ({numbers})" if kind else f"unknown field ({numbers})"
     role = f" {kind.ROLE}," if kind is not None else ""
     begin = bytes((len(raw.data) + 2, raw.descriptor)) + raw.data
-    yield f"{head}{',' if role else ''}{role.rstrip(',')}: {spaced(begin, 24)}"
+    yield f"{head}{',' if role else ''}{role.rstrip(',')}: {spaced_bytes(begin, 24)}"
     if field.error:
         yield f"  cannot be decoded: {field.error}"
     if field.value is None:
         return
     yield from (f"  {text}" for text in leaves(field.value, device, references(field.value, raw.set)))
     if field.trailing:
-        more = counted(field.trailing, "more byte")
-        yield f"  and {more}: {spaced(raw.data[-field.trailing :])}"
+        more = count_text(field.trailing, "more byte")
+        yield f"  and {more}: {spaced_bytes(raw.data[-field.trailing :])}"
 
 
-def items(value: Described, set_number: int, device: str | None) -> list[Item]:
+def field_items(value: Described, set_number: int, device: str | None) -> list[Item]:
     """Returns the values of a field in packets of this set."""
     made: list[Item] = info(type(value)).items(value, device, references(value, set_number))
     return made
@@ -135,11 +135,11 @@ def leaves(value: Described, device: str | None, inside: Inside) -> Iterator[str
 
 def skipped(data: bytes) -> str:
     """Describes bytes outside packets, with the reason if they look like a packet."""
-    reason = damage(data)
-    return f"{counted(len(data), 'byte')} outside packets{', ' * bool(reason)}{reason}: {_as_text(data)}"
+    reason = damage_text(data)
+    return f"{count_text(len(data), 'byte')} outside packets{', ' * bool(reason)}{reason}: {_as_text(data)}"
 
 
-def damage(data: bytes) -> str:
+def damage_text(data: bytes) -> str:
     """Describes what is wrong with bytes that look like a packet; empty if they do not."""
     at = data.find(SYNC)
     if at < 0 or len(data) - at < 4:
@@ -148,7 +148,7 @@ def damage(data: bytes) -> str:
     missing = size - (len(data) - at)
     if missing > 0:
         are = "is" if missing == 1 else "are"
-        return f"{counted(missing, 'byte')} {are} missing at the end of a packet"
+        return f"{count_text(missing, 'byte')} {are} missing at the end of a packet"
     try:
         Packet(data[at : at + size])
     except PacketError as error:
@@ -159,4 +159,4 @@ def damage(data: bytes) -> str:
 def _as_text(data: bytes) -> str:
     if data and all(32 <= b < 127 or b in b"\r\n\t" for b in data):
         return repr(data.decode("ascii"))
-    return spaced(data, 32)
+    return spaced_bytes(data, 32)

@@ -13,24 +13,24 @@ from ..binding import shortest as shortest
 from .references import Inside
 
 
-def words(p: Parameter, value: Any) -> str:
+def value_text(p: Parameter, value: Any) -> str:
     """Formats a value, with names but without units."""
     return replace(p, units=()).format(value)
 
 
-def names(value: int) -> str:
+def name_of_value(value: int) -> str:
     """Returns the name of an enumeration value, or its number if it is undefined."""
     if isinstance(value, IntEnum):
         return info(type(value)).names.get(int(value), str(int(value)))
     return str(int(value))
 
 
-def number(value: float, scalar: str) -> str:
+def rounded(value: float, scalar: str) -> str:
     """Formats a number with the precision of its type on the wire."""
     return shortest(value) if scalar == "float" else repr(value)
 
 
-def plain(value: Described, named: bool, device: str | None = None, inside: Inside | None = None) -> dict[str, Any]:
+def to_plain(value: Described, named: bool, device: str | None = None, inside: Inside | None = None) -> dict[str, Any]:
     """Converts a field for strict JSON; numbers have the precision of their type on the wire. `inside` are the
     differences of its members."""
     values: dict[str, Any] = value.INFO.to_dict(value, named, True, device, inside)

@@ -176,26 +176,26 @@ def child(node: Any, key: str) -> Any:
     )
 
 
-def plain(node: Any) -> Any:
+def node_value(node: Any) -> Any:
     """Converts a node to mappings, lists and texts; numbers remain as they are written."""
     if kind_of(node) == "mapping":
-        return {str(key.value): plain(value) for key, value in node.value}
-    return [plain(item) for item in node.value] if kind_of(node) == "sequence" else node.value
+        return {str(key.value): node_value(value) for key, value in node.value}
+    return [node_value(item) for item in node.value] if kind_of(node) == "sequence" else node.value
 
 
-def parsed(text: str, path: Path) -> Any:
+def parsed_yaml(text: str, path: Path) -> Any:
     """Parses a YAML text into values."""
-    return plain(composed(text, path))
+    return node_value(composed(text, path))
 
 
 # --------------------------------------------------------------------------- writing
 
 
-def word(text: str) -> str:
+def scalar_text(text: str) -> str:
     """Formats a string as a YAML scalar: plain if possible, otherwise quoted.
 
-    >>> word("3DM-GQ7-GNSS/INS"), word("12"), word("a: b"), word("1.0.07"), word("-x"), word("no")
-    ('3DM-GQ7-GNSS/INS', '"12"', '"a: b"', '1.0.07', '"-x"', '"no"')
+    >>> [scalar_text(text) for text in ("3DM-GQ7-GNSS/INS", "12", "a: b", "1.0.07", "-x", "no")]
+    ['3DM-GQ7-GNSS/INS', '"12"', '"a: b"', '1.0.07', '"-x"', '"no"']
     """
     usual = re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 ./()+_'-]*(, [A-Za-z0-9 ./()+_'-]+)*[.)]?", text)
     number = re.fullmatch(r"[-+.0-9][0-9_.eExXA-Fa-f+-]*", text) and not re.fullmatch(r"\d+\.\d+\.\d+", text)
@@ -207,7 +207,7 @@ def quoted(text: str) -> str:
     return json.dumps(text, ensure_ascii=False)
 
 
-def listed(name: str, words: Iterable[str]) -> list[str]:
+def flow_list(name: str, words: Iterable[str]) -> list[str]:
     """Writes a key with a list in brackets, on as many lines as needed."""
     texts = list(words)
     whole = f"{name}: [{', '.join(texts)}]"

@@ -94,7 +94,7 @@ class Server:
             return "This name is not that of the server."
         if hmac.compare_digest(request.path.encode(), f"/{self.token}".encode()):
             return None
-        origin = pages.quoted(origins[0]) if origins else "unknown origin"
+        origin = pages.terminal_safe(origins[0]) if origins else "unknown origin"
         self._say(f"a page of {origin} was rejected: it does not know the token")
         return "This page does not know the token."
 

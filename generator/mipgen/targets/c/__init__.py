@@ -51,7 +51,7 @@ MANIFESTS = (
 
 def files(model: m.Model) -> Iterator[File]:
     made = list(code(model))
-    made.append(File("src/mip/mip.h", "mip.h.j2", {"headers": everything(made)}))
+    made.append(File("src/mip/mip.h", "mip.h.j2", {"headers": all_headers(made)}))
     made += list(in_cpp(model))
     headers = sorted(name for name in present(made) if name.endswith(".hpp"))
     made.append(File("src/mip/mip.hpp", "mip.hpp.j2", {"headers": [x for x in headers if x != "ostream.hpp"]}))
@@ -69,7 +69,7 @@ def files(model: m.Model) -> Iterator[File]:
     shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
     shown["by_source"] = model.program("bench_c_sources.md").rstrip()
     shown["bench_peer"] = model.program("bench_c_peer.md").rstrip()
-    session = calls.session(model)
+    session = calls.session_calls(model)
     shown["first"] = model.program("stream.c").partition("*/\n")[2].rstrip() if session else ""
     shown["ping"] = session.ping if session else ""
     shown["quickstart"] = quickstart.partition("*/\n")[2].rstrip()
@@ -85,7 +85,7 @@ def code(model: m.Model) -> Iterator[File]:
         yield File(f"src/mip/{name}.h", f"{name}.h.j2", {"library": library})
     for name in ("names", "profiles", "protocol", "reflection", "registry"):
         yield File(f"src/mip/{name}.c", f"{name}.c.j2", {"library": library})
-    if session := calls.session(model):
+    if session := calls.session_calls(model):
         for end in ("h", "c"):
             yield File(f"src/mip/connect.{end}", f"connect.{end}.j2", {"session": session})
     yield from times(model)
@@ -100,7 +100,7 @@ def code(model: m.Model) -> Iterator[File]:
             yield File(f"src/mip/{name}_inline.h", "inline.h.j2", {"header": name, "fields": family.inline}, of)
         if family.has_commands:
             yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"family": family}, of)
-        if functions := [x for f in family.fields for x in validity.functions(f.of, model)]:
+        if functions := [x for f in family.fields for x in validity.validity_functions(f.of, model)]:
             yield File(f"src/mip/{name}_valid.h", "valid.h.j2", {"family": family, "functions": functions}, of)
         if of.fields:
             yield File(f"src/mip/{name}.c", "family.c.j2", {"family": family}, of)
@@ -108,13 +108,13 @@ def code(model: m.Model) -> Iterator[File]:
 
 def times(model: m.Model) -> Iterator[File]:
     """Yields what finds the times of packets."""
-    sources, clocks = [*validity.sources(model)], model.protocol.clocks
+    sources, clocks = [*validity.clock_sources(model)], model.protocol.clocks
     facts = {
-        "clocks": [{"of": c, "name": validity.constant(c)} for c in clocks],
+        "clocks": [{"of": c, "name": validity.clock_constant(c)} for c in clocks],
         "epochs": [c.epoch_days or 0 for c in clocks],
         "leaps": model.protocol.leaps,
         "sources": sources,
-        "groups": [*enumerate(model.derived(validity.devices).groups, validity.USUAL + 1)],
+        "groups": [*enumerate(model.derived(validity.reading_devices).groups, validity.USUAL + 1)],
         "most_parts": max((len(s.parts) for s in sources), default=1),
         "most_readings": max((1, *(len(s.readings) for s in sources))),
         "unknown": validity.UNKNOWN,
@@ -134,7 +134,7 @@ def in_cpp(model: m.Model) -> Iterator[File]:
             yield File(f"src/mip/{family.name}_commands.hpp", "commands.hpp.j2", {"family": family}, family.of)
 
 
-def everything(made: list[File]) -> list[str]:
+def all_headers(made: list[File]) -> list[str]:
     """Returns the headers that programs include, both generated and from the runtime."""
     inner = ("checksum.h", "export.h", "mip.h", "parser.h", "program.h")
     return [name for name in present(made) if name.endswith(".h") and name not in inner]

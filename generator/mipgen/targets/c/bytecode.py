@@ -130,7 +130,7 @@ def _shape(f: m.Field) -> str:
 
 def _is_far(f: m.Field) -> bool:
     """Do offsets in memory need two bytes?"""
-    return memory.record(f, memory.widest).last > 0xFF
+    return memory.record_memory(f, memory.widest).last > 0xFF
 
 
 def _layout(f: m.Field, sizes: range) -> Step:
@@ -214,7 +214,7 @@ def _numbers(p: m.Parameter, count: int, place: tuple[str, str], joins: bool) ->
 
 def _items(p: m.Parameter, base: str, record: str, name: str) -> Iterator[Step | Numbers | Part]:
     """Yields the steps for the elements of an array, or for the characters of a text, which a NUL follows."""
-    wire, item, fixed = extent.element(p), p.item, p.count or 1
+    wire, item, fixed = extent.item_size(p), p.item, p.count or 1
     if p.counter is not None:
         counter = (base, record + member(p.counter))
         yield Step("MIP_COUNTED", (f"MIP_SIZE({', '.join(counter)})", capacity(p), wire), 4, counter)

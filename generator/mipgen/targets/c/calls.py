@@ -9,10 +9,10 @@ from mipgen import model as m
 from mipgen.lower import extent
 from mipgen.lower import session as lower
 from mipgen.lower.calls import replies
-from mipgen.lower.memory import members
+from mipgen.lower.memory import stored
 
 from .comments import Comments
-from .direct import place, put, unsigned
+from .direct import at_offset, put_number, unsigned
 from .members import CFunction, Constructor, argument, capacity, constructors, selector, takes_enum
 from .names import argument_name, constant, field_name, member, module, short, type_name
 
@@ -47,7 +47,7 @@ class Data:
     def statements(self) -> list[str]:
         if self.octets:
             return [f"const uint8_t data[] = {{{', '.join(self.octets)}}};"]
-        numbers = [put(scalar, place("data", at), value) for scalar, at, value in self.numbers]
+        numbers = [put_number(scalar, at_offset("data", at), value) for scalar, at, value in self.numbers]
         declared = f"uint8_t data[{'MIP_MAX_FIELD_DATA' if self.length else self.size}];"
         return [declared, *numbers, *self.loops] if numbers or self.loops else []
 
@@ -120,7 +120,7 @@ class Call:
 def sent_with(f: m.Field, model: m.Model) -> tuple[str, ...]:
     """Returns the arguments of MIP_SEND; empty if the command has no structure, or several responses or none."""
     responses = model.responses(f)
-    return (_name("send", f), field_name(f), field_name(responses[0])) if members(f) and len(responses) == 1 else ()
+    return (_name("send", f), field_name(f), field_name(responses[0])) if stored(f) and len(responses) == 1 else ()
 
 
 def functions(f: m.Field, model: m.Model) -> list[CFunction]:
@@ -142,7 +142,7 @@ def sends(f: m.Field, model: m.Model) -> list[CFunction]:
 def _send(f: m.Field, name: str, response: m.Field | None, more: str) -> CFunction:
     doc = f"{f.title}: adds the command to a packet.{more} See mip_client_send."
     client = ["struct mip_client *client", "struct mip_request *request", "struct mip_builder *packet"]
-    command = [f"const struct {field_name(f)} *command"] if members(f) else []
+    command = [f"const struct {field_name(f)} *command"] if stored(f) else []
     sent = f"&{field_name(f)}_command, {'command' if command else 'NULL'}, {_decoded(response)}"
     call = f"return mip_client_send(client, request, packet, {sent}, now);"
     declarations = [*client, *command, *_declared(response), "uint32_t now"]
@@ -184,7 +184,7 @@ class Session:
     stream: str
 
 
-def session(model: m.Model) -> Session | None:
+def session_calls(model: m.Model) -> Session | None:
     """Resolves the session; None if the specification, or the selected part of it, lacks one of the commands."""
     start = lower.session(model)
     if start is None:
@@ -238,7 +238,7 @@ def _made(_: m.Model) -> dict[str, list[Call]]:
 
 
 def _calls(f: m.Field, model: m.Model) -> list[Call]:
-    if not members(f):
+    if not stored(f):
         return list(_ways(f, None, model))
     made = [c for way in constructors(f) for c in _ways(f, way, model)]
     responses = model.responses(f)
@@ -310,9 +310,8 @@ def _data(
             loops += loop
             if p.counter:
                 count = argument_name(p.counter)
-                length = (
-                    f"{count} <= {capacity(p)} ? {at} + {extent.element(p)} * (size_t){count} : MIP_MAX_FIELD_DATA + 1"
-                )
+                size = extent.item_size(p)
+                length = f"{count} <= {capacity(p)} ? {at} + {size} * (size_t){count} : MIP_MAX_FIELD_DATA + 1"
         else:
             return None
         at += extent.size(p)[0]
@@ -329,7 +328,7 @@ def _loop(p: m.Parameter, at: int, value: str) -> list[str]:
     lines = [*checked, f"for (size_t i = 0; i < {count}{f' && i < {capacity(p)}' if p.counter else ''}; i++) {{"]
     for q in parts:
         index = f"[i].{member(q.name)}" if p.item.struct else "[i]"
-        lines.append(put(q.scalar, f"{place('data', at)} + {extent.element(p)} * i", f"{value}{index}"))
+        lines.append(put_number(q.scalar, f"{at_offset('data', at)} + {extent.item_size(p)} * i", f"{value}{index}"))
         at += q.size
     return [*lines, "}"]
 

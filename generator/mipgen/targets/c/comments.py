@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from mipgen import model as m
 from mipgen.emit.wrapping import wrapped
 from mipgen.facts import describe
-from mipgen.lower.memory import members
+from mipgen.lower.memory import stored
 
 from . import names
 from .literals import hexadecimal
@@ -155,7 +155,7 @@ class Comments:
 
     def _without_member(self, record: m.Record) -> list[str]:
         """Describes parameters that exist only on the wire."""
-        left = [p for p in record.parameters if p not in members(record)]
+        left = [p for p in record.parameters if p not in stored(record)]
         items = [f"- {p.name}: {' '.join(self.member(p, record))}" for p in left]
         return ["\n".join(["Parameters without a member, on the wire only:", *items])] if items else []
 

@@ -8,7 +8,7 @@ from typing import TypeGuard
 
 from mipgen import model as m
 from mipgen.emit.naming import Escape, Identifier
-from mipgen.lower.memory import members
+from mipgen.lower.memory import stored
 
 from . import calls, names, runtime
 from .members import constructors, dimensions, selector, takes_enum
@@ -65,7 +65,7 @@ def accessors(f: m.Field) -> list[Accessor]:
     """Returns the functions of a data field or a response, which have better types than the members in C."""
     if f.role == m.COMMAND:
         return []
-    return [a for p in members(f) if (a := _accessor(p, f))]
+    return [a for p in stored(f) if (a := _accessor(p, f))]
 
 
 def _accessor(p: m.Parameter, f: m.Field) -> Accessor | None:
@@ -121,7 +121,7 @@ def _command(f: m.Field, c: calls.Call) -> Command:
     parameters, c_name = c.way.parameters if c.way else (), names.field_name(f)
     arrays = {p.counter: p for p in parameters if p.counter}
     function = c.way.function if c.way else None
-    answer = response(c.response) if c.response else "void"
+    answer = only_response(c.response) if c.response else "void"
     passed = ["device_", *(a for p in c.parameters for a in _passed(p, arrays)), *(["to_"] if c.response else [])]
     filled = ["to_", *(a for p in parameters for a in _passed(p, arrays))]
     what = f"{f.title}: {function.name}." if function else f"{f.title}."
@@ -137,7 +137,7 @@ def _command(f: m.Field, c: calls.Call) -> Command:
     )
 
 
-def response(*responses: m.Field) -> str:
+def only_response(*responses: m.Field) -> str:
     """Returns the only response to a command, or void."""
     return f"::{qualified(responses[0])}" if len(responses) == 1 else "void"
 
@@ -200,7 +200,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     used = {*names.LANGUAGE["cpp_used"], *names.LANGUAGE["scalars"].values()} - _KEYWORDS
     place = model.protocol.position
     yield Identifier("namespace mip", "mip", "the package", place, word=False)
-    for name in sorted(used | runtime.in_namespace() | {name for name in runtime.names() if name.islower()}):
+    for name in sorted(used | runtime.in_namespace() | {name for name in runtime.runtime_names() if name.islower()}):
         yield Identifier("namespace mip", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
         yield from _of_type(t, "namespace mip")
@@ -222,7 +222,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
                 continue
             for c in commands(f, model):
                 yield Identifier(scope, c.name, f.full_name, f.position)
-            if not constructors(f) and members(f):
+            if not constructors(f) and stored(f):
                 yield Identifier(scope, bare(f), f.full_name, f.position)
 
 

@@ -10,7 +10,7 @@ from mipgen.emit.wrapping import Brackets, Expression, after, laid_out
 from mipgen.facts import literals
 from mipgen.facts.literals import Literal
 from mipgen.facts.sample_values import GivenValues, SampleValues
-from mipgen.lower.memory import members
+from mipgen.lower.memory import stored
 
 from . import snippets
 from .cpp import accessors, command_name, namespace, qualified, word
@@ -39,8 +39,8 @@ class Programs:
     def data(self, f: m.Field) -> str:
         """Composes the lines that read a data field of a packet."""
         called = {a.name for a in accessors(f)}
-        counted = {p.counter for p in members(f) if p.counter}
-        parameters = [p for p in members(f) if p.name not in counted]
+        counted = {p.counter for p in stored(f) if p.counter}
+        parameters = [p for p in stored(f) if p.name not in counted]
         names = [
             f"value->{word(p.name)}()" if word(p.name) in called else f"value->{member(p.name)}" for p in parameters
         ]
@@ -56,11 +56,11 @@ class Programs:
 
 def _call(f: m.Field, form: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
     """Writes the declarations for a call, and the call, whose result is assigned."""
-    values = literals.record(f.parameters, samples.values(f, form))
+    values = literals.record_values(f.parameters, samples.values(f, form))
     call = snippets.call_of(f, form, samples)
     before: list[Expression] = []
     if call.whole:  # all of it is reserved
-        before.append(after(f"const {field_name(f)} command = ", snippets.record(values)))
+        before.append(after(f"const {field_name(f)} command = ", snippets.initializer(values)))
         called = Brackets(f"{result}device.call(", ["command"], ");", comma="")
         return [laid_out(line, width) for line in (*(snippets.statement(x) for x in before), called)]
     counted = {p.counter for p in call.parameters if p.counter}
@@ -93,7 +93,7 @@ def _argument(p: m.Parameter, x: Literal) -> tuple[list[Expression], Expression]
             assert p.element is not None
             element = qualified(p.element) if isinstance(p.element, m.Struct) else c_type(p.element)
             inner = f"[{len(first.items)}]" if isinstance(first, literals.Items) else ""
-            return [after(f"const {element} {word(p.name)}[]{inner} = ", snippets.value(x))], word(p.name)
+            return [after(f"const {element} {word(p.name)}[]{inner} = ", snippets.literal(x))], word(p.name)
         case literals.Items(items=()):
             return [], "{}"
-    return [], snippets.value(x)
+    return [], snippets.literal(x)

@@ -32,7 +32,7 @@ def is_direct(f: m.Field) -> bool:
     return bool(runs.runs(f))
 
 
-def inline(f: m.Field, model: m.Model) -> Inline:
+def inline_view(f: m.Field, model: m.Model) -> Inline:
     return Inline(
         of=f,
         name=field_name(f),
@@ -71,15 +71,20 @@ def _belongs(numbers: Sequence[int], name: str) -> str:
 
 def _statements(r: Run) -> tuple[str, str]:
     """Reads and writes a member, or one of the numbers or texts inside it."""
-    scalar, member, source, target = r.scalar, _member(r), place("field->data", r.offset), place("data", r.offset)
+    scalar, member, source, target = (
+        r.scalar,
+        _member(r),
+        at_offset("field->data", r.offset),
+        at_offset("data", r.offset),
+    )
     if r.count is None:
-        return _get(scalar, source, member), put(scalar, target, member, cast=_cast(scalar) != "")
+        return _get(scalar, source, member), put_number(scalar, target, member, cast=_cast(scalar) != "")
     if scalar.size == 1:
         end = f"\n{member}[{r.count}] = '\\0';" if r.parameter.kind == "text" else ""
         return f"memcpy({member}, {source}, {r.count});{end}", f"memcpy({target}, {member}, {r.count});"
     loop, step = f"for (size_t i = 0; i < {r.count}; i++) {{\n%s\n}}", f" + {scalar.size} * i"
     get = _get(scalar, source + step, f"{member}[i]")
-    return loop % get, loop % put(scalar, target + step, f"{member}[i]", cast=_cast(scalar) != "")
+    return loop % get, loop % put_number(scalar, target + step, f"{member}[i]", cast=_cast(scalar) != "")
 
 
 def _get(scalar: m.Scalar, at: str, value: str) -> str:
@@ -88,7 +93,7 @@ def _get(scalar: m.Scalar, at: str, value: str) -> str:
     return f"{value} = {_cast(scalar)}mip_get_{scalar.width}({at});"
 
 
-def put(scalar: m.Scalar, at: str, value: str, cast: bool = True) -> str:
+def put_number(scalar: m.Scalar, at: str, value: str, cast: bool = True) -> str:
     """Writes a number to a place in the data."""
     if scalar.kind == "float":
         return f"mip_put_{scalar.name}({at}, &{value});"
@@ -105,7 +110,7 @@ def _cast(scalar: m.Scalar) -> str:
     return f"({c_type(scalar)})" if scalar.kind in ("signed", "char") else ""
 
 
-def place(data: str, offset: int) -> str:
+def at_offset(data: str, offset: int) -> str:
     return f"{data} + {offset}" if offset else data
 
 

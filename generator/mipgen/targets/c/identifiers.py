@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from mipgen import model as m
 from mipgen.emit.naming import Identifier
-from mipgen.lower.memory import members
+from mipgen.lower.memory import stored
 
 from . import calls, cpp, names, runtime
 from .direct import is_direct
@@ -27,7 +27,7 @@ from .names import (
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
-    for name in runtime.names():
+    for name in runtime.runtime_names():
         yield Identifier("C", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
         yield from of_type(t, model)
@@ -44,10 +44,10 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     for d in model.devices:
         yield Identifier("C", f"mip_profile_{d.name}", f"device {d.id}", d.position)
     yield from cpp.identifiers(model)
-    yield from package(model)
+    yield from package_names(model)
 
 
-def package(model: m.Model) -> Iterator[Identifier]:
+def package_names(model: m.Model) -> Iterator[Identifier]:
     """Yields the name of the package, which `rename` puts in the place of `mip`, and those that it cannot have."""
     for place, taken in names.LANGUAGE["packages"].items():
         for name in taken:
@@ -83,7 +83,7 @@ def of_field(f: m.Field, model: m.Model) -> Iterator[Identifier]:
 
 def _members(record: m.Record, model: m.Model) -> Iterator[Identifier]:
     scope = f"struct {symbol(record)}"
-    for p in members(record):
+    for p in stored(record):
         yield Identifier(scope, member(p.name), p.name, p.position)
         if p.fills:
             yield Identifier(scope, f"{member(p.name)}_count", p.name, p.position)

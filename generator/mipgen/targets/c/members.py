@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 from mipgen.lower import calls, extent
-from mipgen.lower.memory import members
+from mipgen.lower.memory import stored
 
 from .literals import hexadecimal
 from .names import (
@@ -73,7 +73,7 @@ def union_prefix(alternative: m.Parameter) -> str:
 
 def last_present(f: m.Field) -> list[tuple[m.Parameter, int]]:
     """Returns the optional parameters, each with the value of `present` when it is the last one present."""
-    return [(p, f.present_with[p.name]) for p in members(f) if p.optional and not p.counts]
+    return [(p, f.present_with[p.name]) for p in stored(f) if p.optional and not p.counts]
 
 
 # --------------------------------------------------------------------------- constructors
@@ -94,7 +94,7 @@ class Constructor:
     @property
     def assigned(self) -> list[m.Parameter]:
         """What the caller passes, and reserved values that are not zero."""
-        return [p for p in members(self.field) if p in self.parameters or p.reserved]
+        return [p for p in stored(self.field) if p in self.parameters or p.reserved]
 
     @property
     def macro(self) -> tuple[str, str, str] | None:
@@ -118,10 +118,10 @@ class Constructor:
 
 
 def constructors(f: m.Field) -> list[Constructor]:
-    if f.role != m.COMMAND or not (f.functions or any(p.reserved is None for p in members(f))):
+    if f.role != m.COMMAND or not (f.functions or any(p.reserved is None for p in stored(f))):
         return []
     ways = calls.constructors(f)
-    return [Constructor(f, way.function, tuple(p for p in members(f) if p in way.passed)) for way in ways]
+    return [Constructor(f, way.function, tuple(p for p in stored(f) if p in way.passed)) for way in ways]
 
 
 #: How a constructor refuses: the function selector stays 0, which no device answers.
@@ -143,7 +143,7 @@ def write_from_response(f: m.Field, model: m.Model) -> CFunction | None:
     responses = model.responses(f)
     if way is None or not way.parameters or len(responses) != 1 or responses[0].command != f.name:
         return None
-    available = {p.name: p for p in members(responses[0])}
+    available = {p.name: p for p in stored(responses[0])}
     if not all(p.name in available and same_type(p, available[p.name]) for p in way.parameters):
         return None
     name, values = field_name(f), [x for p in way.parameters for x in _values_of(p)]
@@ -239,7 +239,7 @@ def condition_tests(f: m.Field, c: m.Condition) -> list[Test]:
     return [(at + i, str(byte)) for i, byte in enumerate(c.value.to_bytes(p.size, "big"))]
 
 
-def replies(f: m.Field, model: m.Model) -> list[str]:
+def reply_rows(f: m.Field, model: m.Model) -> list[str]:
     """Writes the replies to a command, see `mip_response` in client.h: rows with one layout of a response and one test
     of the command. If there are fewer layouts than tests, or the reverse, the last one is repeated."""
     silent = [x for x in f.functions if not x.reply]

@@ -24,7 +24,7 @@ _COMMENTS = re.compile(r"/\*.*?\*/|//[^\n]*|#include[^\n]*|\{[#%].*?[#%]\}", re.
 
 
 @cache
-def names() -> tuple[str, ...]:
+def runtime_names() -> tuple[str, ...]:
     """Returns the names with the prefix of the library: `mip_parser_init`, `MIP_OK`."""
     identifiers: set[str] = set()
     templates = {f"{name}.h": (resources.root() / f"templates/c/{name}.h.j2") for name in _GENERATED}
@@ -75,5 +75,5 @@ def _declared(text: str) -> Iterator[str]:
 
 def _runtime(end: str) -> dict[str, Traversable]:
     """Returns the files of the runtime whose names end like this, by path."""
-    every = resources.files(resources.root() / "runtime/c")
+    every = resources.files_in(resources.root() / "runtime/c")
     return {path: file for path, file in every if path.endswith(end)}

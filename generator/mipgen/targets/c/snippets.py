@@ -10,7 +10,7 @@ from mipgen.emit.wrapping import Brackets, Expression, after, laid_out
 from mipgen.facts import literals
 from mipgen.facts.literals import Literal
 from mipgen.facts.sample_values import GivenValues, SampleValues, title_of
-from mipgen.lower.memory import members
+from mipgen.lower.memory import stored
 
 from .calls import Call, calls
 from .literals import number, string
@@ -37,7 +37,7 @@ class Programs:
 
     def data(self, f: m.Field) -> str:
         """Composes the lines that read a data field of a packet; a complete program handles errors."""
-        names = [f"value.{member(p.name)}" for p in members(f)]
+        names = [f"value.{member(p.name)}" for p in stored(f)]
         read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
         return "\n".join([
             f'#include "mip/{module(f.family)}.h"',
@@ -72,12 +72,12 @@ def sequence(
 
 def _call(f: m.Field, form: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
     """Writes the declarations for a call, and the call, whose result is assigned."""
-    values = literals.record(f.parameters, samples.values(f, form))
+    values = literals.record_values(f.parameters, samples.values(f, form))
     call = call_of(f, form, samples)
     before: list[Expression] = []
     arguments: list[Expression] = ["device"]
     if call.whole:  # all of it is reserved
-        before.append(after(f"const struct {field_name(f)} command = ", record(values)))
+        before.append(after(f"const struct {field_name(f)} command = ", initializer(values)))
         arguments.append("&command")
     for p in call.parameters:
         declared, expressions = _argument(p, f, values[p.name])
@@ -108,21 +108,21 @@ def _argument(p: m.Parameter, f: m.Field, x: Literal) -> tuple[list[Expression],
     name, element = argument_name(p.name), c_type(p.element) if p.element else ""
     match x:
         case literals.Alternative():
-            return [after(f"const union {union_name(p, f)} {name} = ", value(x))], [f"&{name}"]
+            return [after(f"const union {union_name(p, f)} {name} = ", literal(x))], [f"&{name}"]
         case literals.Text():
-            return [], [*_count(p, x.text), value(x)]
+            return [], [*_count(p, x.text), literal(x)]
         case literals.Items(items=()):
             return [], [*_count(p, ()), "NULL"]
         case literals.Items(items=(first, *_)):
             inner = f"[{len(first.items)}]" if isinstance(first, literals.Items) else ""
-            return [after(f"const {element} {name}[]{inner} = ", value(x))], [*_count(p, x.items), name]
+            return [after(f"const {element} {name}[]{inner} = ", literal(x))], [*_count(p, x.items), name]
         case literals.Structure() | literals.Octets():
-            return [after(f"const {element} {name} = ", value(x))], [f"&{name}"]
+            return [after(f"const {element} {name} = ", literal(x))], [f"&{name}"]
         case literals.Choice(value=None) if takes_enum(p):
             return [], [f"(enum {type_name(x.type)}){x.number.value}"]
         case literals.Choice(value=m.EnumValue() as named) if takes_enum(p):
             return [], [constant(x.type, named)]
-    return [], [value(x)]
+    return [], [literal(x)]
 
 
 def _count(p: m.Parameter, items: Sequence[object]) -> list[str]:
@@ -130,13 +130,13 @@ def _count(p: m.Parameter, items: Sequence[object]) -> list[str]:
     return [str(len(items))] if p.fills else []
 
 
-def record(values: dict[str, Literal]) -> Brackets:
+def initializer(values: dict[str, Literal]) -> Brackets:
     """Writes the initializer of a structure. A union without a value is omitted, because {0} would lack braces."""
     members = {k: x for k, x in values.items() if not (isinstance(x, literals.Alternative) and x.value is None)}
-    return Brackets("{", [after(f".{member(k)} = ", value(x)) for k, x in members.items()] or ["0"], "}")
+    return Brackets("{", [after(f".{member(k)} = ", literal(x)) for k, x in members.items()] or ["0"], "}")
 
 
-def value(x: Literal) -> Expression:
+def literal(x: Literal) -> Expression:
     match x:
         case literals.Decimal():
             return x.text + ("F" if x.size == 4 else "")
@@ -145,7 +145,7 @@ def value(x: Literal) -> Expression:
         case literals.Whole():
             return str(x.value) if x.value < 0 else number(x.value, x.size, x.text)
         case literals.Choice():
-            return constant(x.type, x.value) if x.value else value(x.number)
+            return constant(x.type, x.value) if x.value else literal(x.number)
         case literals.Flags():
             return " | ".join(constant(x.type, b) for b in x.names) or number(x.number.value, x.number.size)
         case literals.Octets():
@@ -153,9 +153,9 @@ def value(x: Literal) -> Expression:
         case literals.Text():
             return string(x.text)
         case literals.Items():
-            return Brackets("{", [*map(value, x.items)] or ["0"], "}")
+            return Brackets("{", [*map(literal, x.items)] or ["0"], "}")
         case literals.Structure():
-            return record(x.members)
+            return initializer(x.members)
         case literals.Alternative():
             p = x.case.parameter if x.case and x.value else None
-            return Brackets("{", [after(f".{member(p.name)} = ", value(x.value)) if p and x.value else "0"], "}")
+            return Brackets("{", [after(f".{member(p.name)} = ", literal(x.value)) if p and x.value else "0"], "}")

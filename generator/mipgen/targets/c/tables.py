@@ -9,7 +9,7 @@ from mipgen import model as m
 from mipgen.emit import package
 from mipgen.emit.formatting import CLANG_FORMAT
 from mipgen.emit.naming import upper
-from mipgen.lower.memory import members
+from mipgen.lower.memory import stored
 
 from . import literals
 from .members import capacity, union_prefix
@@ -166,7 +166,7 @@ def _length(p: m.Parameter) -> tuple[str, str, str]:
 
 def _place(p: m.Parameter, record: m.Record, model: m.Model, union: m.Parameter | None) -> tuple[str, ...]:
     """Writes the offset and size of a member, and the offset of its item count."""
-    if not union and p not in members(record):
+    if not union and p not in stored(record):
         return "0", "0", "0"
     within = f"union {union_name(union, union_owner(union, record, model))}" if union else f"struct {symbol(record)}"
     name = (union_prefix(p) if union else "") + member(p.name)

@@ -27,7 +27,7 @@ class Devices:
         return [n for n, ids in enumerate(self.groups, USUAL + 1) if ids[0] in reading.devices]
 
 
-def devices(model: m.Model) -> Devices:
+def reading_devices(model: m.Model) -> Devices:
     by_device: dict[str, set[int]] = {}
     own = {r.devices for f in model.fields for p in f.parameters for r in validity.readings([p], f) if r.devices}
     for n, ids in enumerate(sorted(own)):
@@ -42,7 +42,7 @@ def devices(model: m.Model) -> Devices:
 # --------------------------------------------------------------------------- values
 
 
-def functions(f: m.Field, model: m.Model) -> Iterator[CFunction]:
+def validity_functions(f: m.Field, model: m.Model) -> Iterator[CFunction]:
     """Yields the functions that tell whether the values of a field are valid: one, if the same flags mark all."""
     flagged = [(p, validity.readings([p], f)) for p in f.parameters]
     flagged = [(p, readings) for p, readings in flagged if readings] if f.role != m.COMMAND else []
@@ -53,7 +53,7 @@ def functions(f: m.Field, model: m.Model) -> Iterator[CFunction]:
         arguments = [f"const struct {names.field_name(f)} *{_FIELD}"]
         if len(readings) > 1:
             arguments.append("uint8_t reading")
-        body = [*_body(f, readings, model.derived(devices))]
+        body = [*_body(f, readings, model.derived(reading_devices))]
         yield CFunction(f"{name}_valid", [what], "static inline bool", arguments, body)
 
 
@@ -98,20 +98,20 @@ class Source:
 
     @property
     def clock(self) -> str:
-        return constant(self.of.clocks[0])
+        return clock_constant(self.of.clocks[0])
 
     @property
     def other(self) -> str:
         """The clock of a time of week that is not valid as a date."""
-        return constant(self.of.clocks[1]) if self.of.clocks[1:] else "NO_CLOCK"
+        return clock_constant(self.of.clocks[1]) if self.of.clocks[1:] else "NO_CLOCK"
 
 
-def constant(clock: m.Clock) -> str:
+def clock_constant(clock: m.Clock) -> str:
     return f"MIP_CLOCK_{clock.name.upper()}"
 
 
-def sources(model: m.Model) -> Iterator[Source]:
-    of = model.derived(devices)
+def clock_sources(model: m.Model) -> Iterator[Source]:
+    of = model.derived(reading_devices)
     for t in validity.timestamps(model):
         places = {p.name: t.place(p.name) for p, _ in t.parts}
         arrays = {place.before.terms for place in places.values()}

@@ -157,7 +157,7 @@ class Record:
 
 
 def record(r: m.Record, model: m.Model) -> Record:
-    docs, own = Comments(model), memory.members(r)
+    docs, own = Comments(model), memory.stored(r)
     present = [Member(docs.present(r), "uint8_t present")] if isinstance(r, m.Field) and r.optional else []
     unused = Member(["Not used: there are no parameters."], "uint8_t empty")
     return Record(
@@ -244,13 +244,13 @@ def field(f: m.Field, model: m.Model) -> Field:
         writes=write_from.name if write_from else "",
         codec=bytecode.codec(f, model),
         quarters=math.ceil((f.timeout or 0) * 4),
-        replies=members.replies(f, model) if is_command else [],
+        replies=members.reply_rows(f, model) if is_command else [],
         sends=calls.functions(f, model) if is_command else [],
         required=", ".join(map(str, tables.required(f))) if f.functions else "",
         reflection=tables.reflection(f),
         accessors=cpp.accessors(f),
         commands=cpp.commands(f, model) if is_command else [],
-        response=cpp.response(*model.responses(f)),
+        response=cpp.only_response(*model.responses(f)),
     )
 
 
@@ -299,7 +299,7 @@ class Family:
 
     @cached_property
     def inline(self) -> list[direct.Inline]:
-        return [direct.inline(f, self.model) for f in members.in_order(self.of) if direct.is_direct(f)]
+        return [direct.inline_view(f, self.model) for f in members.in_order(self.of) if direct.is_direct(f)]
 
     @property
     def specified(self) -> list[Field]:
@@ -377,7 +377,7 @@ class Library:
     def inline(self) -> list[direct.Inline]:
         """The acknowledge, if its layout is fixed."""
         acknowledge = self.model.protocol.acknowledge
-        return [direct.inline(acknowledge, self.model)] if direct.is_direct(acknowledge) else []
+        return [direct.inline_view(acknowledge, self.model)] if direct.is_direct(acknowledge) else []
 
     @cached_property
     def acknowledge(self) -> Field:

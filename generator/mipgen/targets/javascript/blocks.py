@@ -19,11 +19,11 @@ def block(p: m.Parameter, where: str) -> str:
     """Writes the block that decodes and encodes a parameter, in the module `where`."""
     match p.kind:
         case "constant":
-            return call("constant", scalar(p.scalar), whole(p.constant or 0))
+            return call("constant", scalar(p.scalar), whole_number(p.constant or 0))
         case "counter":
             return call("counter", scalar(p.scalar), json.dumps(p.counts))
         case "switch":
-            cases = (f"[{whole(c.tag.value)}, {json.dumps(c.parameter.name)}, {block(c.parameter, where)}]"
+            cases = (f"[{whole_number(c.tag.value)}, {json.dumps(c.parameter.name)}, {block(c.parameter, where)}]"
                      for c in p.cases if c.parameter)  # fmt: skip
             return call("union", json.dumps(p.tag), f"[{', '.join(cases)}]")
     if p.several and not p.vector:
@@ -59,22 +59,22 @@ def scalar(of: m.Scalar) -> str:
     return f"codec.{of.name}"
 
 
-def whole(value: int) -> str:
+def whole_number(value: int) -> str:
     """Writes a whole number: as a BigInt, if no Number is the same.
 
-    >>> whole(9007199254740992), whole(9007199254740993)
+    >>> whole_number(9007199254740992), whole_number(9007199254740993)
     ('9007199254740992', '9007199254740993n')
     """
     return str(value) if int(float(value)) == value else f"{value}n"
 
 
-def exact(document: str) -> str:
+def exact_json(document: str) -> str:
     """Returns a JSON document as an expression with the same numbers.
 
-    >>> exact('{"a":9007199254740993,"b":"9007199254740993","c":0.9007199254740993,"d":1e30}')
+    >>> exact_json('{"a":9007199254740993,"b":"9007199254740993","c":0.9007199254740993,"d":1e30}')
     '{"a":9007199254740993n,"b":"9007199254740993","c":0.9007199254740993,"d":1e30}'
     """
-    return _LARGE.sub(lambda match: match[0] if match[1] is None else whole(int(match[1])), document)
+    return _LARGE.sub(lambda match: match[0] if match[1] is None else whole_number(int(match[1])), document)
 
 
 def _initial(p: m.Parameter) -> str:
@@ -82,7 +82,7 @@ def _initial(p: m.Parameter) -> str:
     return value if p.length is None else f"Array({p.length}).fill({value})"
 
 
-def key(name: str) -> str:
+def object_key(name: str) -> str:
     """Writes a name as the key of an object."""
     return json.dumps(name) if name[:1].isdigit() else name
 
@@ -100,7 +100,7 @@ def numbers(sets: Iterable[int]) -> str:
     return f"[{', '.join(f'0x{n:02x}' for n in sets)}]"
 
 
-def attributes(f: m.Field, model: m.Model) -> Iterator[str]:
+def class_attributes(f: m.Field, model: m.Model) -> Iterator[str]:
     """Yields the attributes that only some classes of fields have."""
     if f.groups and not f.selector:
         yield f"optional: {len(f.always)}"
@@ -124,7 +124,7 @@ def attributes(f: m.Field, model: m.Model) -> Iterator[str]:
     if f.timeout:
         yield f"TIMEOUT: {f.timeout:g}"
     silencers = [
-        f"[() => {_elsewhere(setting, f)}, {json.dumps(c.parameter)}, {whole(c.value)}]"
+        f"[() => {_elsewhere(setting, f)}, {json.dumps(c.parameter)}, {whole_number(c.value)}]"
         for c, setting in silenced_by(f, model)
     ]
     if silencers:
@@ -184,5 +184,5 @@ def _reply(r: m.Reply, f: m.Field) -> str:
 
 
 def _conditions(conditions: tuple[m.Condition, ...]) -> str:
-    rows = (f"[{json.dumps(c.parameter)}, {whole(c.value)}, {json.dumps(c.boolean)}]" for c in conditions)
+    rows = (f"[{json.dumps(c.parameter)}, {whole_number(c.value)}, {json.dumps(c.boolean)}]" for c in conditions)
     return f"[{', '.join(rows)}]"

@@ -55,7 +55,7 @@ class _Program:
         lines = []
         ways = {way.function: way for way in constructors(f)}
         for shown in samples.shown(f):
-            way, values = ways[shown.function], literals.record(f.parameters, samples.values(f, shown))
+            way, values = ways[shown.function], literals.record_values(f.parameters, samples.values(f, shown))
             arguments = self.members({p.name: values[p.name] for p in way.values})
             made = f"{self.name(f)}.{member(way.function.name)}(" if way.function else f"new {self.name(f)}("
             asks = bool(samples.replies(f, shown))

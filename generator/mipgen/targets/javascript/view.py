@@ -145,7 +145,7 @@ class Package:
     @cached_property
     def document(self) -> str:
         """The model as JSON, with the same numbers in JavaScript."""
-        return blocks.exact(json_document.text(self.model))
+        return blocks.exact_json(json_document.text(self.model))
 
 
 # --------------------------------------------------------------------------- types
@@ -174,7 +174,7 @@ def type_view(t: m.Type, model: m.Model) -> Type:
 
 
 def _part(name: str, definition: str, of: str, doc: list[str]) -> Item:
-    key = blocks.key(constant(name))
+    key = blocks.object_key(constant(name))
     return Item(key, definition, f"readonly {key}: {of};", doc)
 
 
@@ -185,7 +185,7 @@ def _parameters(record: m.Record, model: m.Model) -> list[Item]:
     where = home(record)
     return [
         Item(
-            blocks.key(p.name),
+            blocks.object_key(p.name),
             blocks.block(p, where),
             "" if p.derived else f"{declared(p, where, p.name in record.present_with)};",
             COMMENTS.member(p, record, model),
@@ -228,13 +228,13 @@ def field_view(f: m.Field, model: m.Model) -> Field:
              [c.function.description])
         for c, t in responses.items() if c.function
     ]  # fmt: skip
-    attributes = list(blocks.attributes(f, model))
+    attributes = list(blocks.class_attributes(f, model))
     doc, items, values = COMMENTS.field(f, model), _parameters(f, model), _values(f, name)
     return Field(f, name, doc, blocks.sets(f), attributes, items, head, values, constructors)
 
 
 def _response_type(call: m.Call, f: m.Field, model: m.Model) -> str:
-    layouts = calls.answers(f, call.function, model)
+    layouts = calls.possible_layouts(f, call.function, model)
     return " | ".join(dict.fromkeys(reference(layout, home(f)) for layout in layouts)) or "undefined"
 
 

@@ -24,7 +24,7 @@ from mipgen.lower.session import Rate, session
 from mipgen.model import guides, simulation
 from mipgen.model.simulation import Quantity
 
-from .names import programs, symbols, type_name
+from .names import call_data, symbols, type_name
 
 #: The version of the document's format, which the README explains; the schema states it too.
 FORMAT = "1.0"
@@ -105,12 +105,12 @@ def _parts(model: m.Model) -> dict[str, Any]:
         "lists": [_list(x) for x in listings(model)],
         "scalars": {s.name: {"size": s.size, "kind": s.kind} for s in m.SCALARS.values()},
         "functions": [_attributes(f) for f in p.functions],
-        "units": plain(p.units),
-        "frames": plain(p.frames),
-        "manuals": plain(p.manuals),
-        "notes": plain(p.notes),
-        "vocabulary": plain(p.vocabulary),
-        "synonyms": plain(p.synonyms),
+        "units": json_value(p.units),
+        "frames": json_value(p.frames),
+        "manuals": json_value(p.manuals),
+        "notes": json_value(p.notes),
+        "vocabulary": json_value(p.vocabulary),
+        "synonyms": json_value(p.synonyms),
         "clocks": [_clock(c, model) for c in p.clocks],
         "leap_seconds": dict(p.leap_seconds),
         "types": [_attributes(t) for t in types(model)],
@@ -122,7 +122,7 @@ def _parts(model: m.Model) -> dict[str, Any]:
         "errata": [_attributes(e) for e in model.errata],
         "simulation": _attributes(model.simulation),
         "guides": [_attributes(g) for g in model.guides],
-        "programs": programs(model),
+        "programs": call_data(model),
     }
 
 
@@ -138,7 +138,7 @@ def _session(model: m.Model) -> dict[str, Any]:
     ]
     commands = {"identify": start.identify, "format": start.format, "stream": start.stream, "resume": start.resume}
     names = {key: f.full_name for key, f in commands.items()}
-    more = {"descriptors": plain(start.descriptors), "item": type_name(item), "older": older}
+    more = {"descriptors": json_value(start.descriptors), "item": type_name(item), "older": older}
     return {"session": {**_rate(start.base_rate), **names, **more}}
 
 
@@ -178,7 +178,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
 # --------------------------------------------------------------------------- values
 
 
-def plain(value: Any) -> Any:
+def json_value(value: Any) -> Any:
     """Converts a value inside another; an object that is listed elsewhere is represented by its name."""
     kind = type(value)
     if kind in (str, int, float, bool):
@@ -186,7 +186,7 @@ def plain(value: Any) -> Any:
     if kind in _PLAIN:
         return _PLAIN[kind](value)
     if isinstance(value, (tuple, list)):
-        return [plain(v) for v in value]
+        return [json_value(v) for v in value]
     return _attributes(value) if dataclasses.is_dataclass(kind) else value
 
 
@@ -204,14 +204,14 @@ _PLAIN: dict[type, Callable[[Any], Any]] = {
     m.Unit: attrgetter("symbol"),
     simulation.Source: _source,
     bytes: bytes.hex,
-    dict: lambda values: {key: plain(v) for key, v in values.items()},
+    dict: lambda values: {key: json_value(v) for key, v in values.items()},
 }
 
 
 def _attributes(thing: Any) -> dict[str, Any]:
     """Returns the attributes of an object of the model, and the added ones."""
     attributes = {
-        RENAMED.get(name, name): plain(v)
+        RENAMED.get(name, name): json_value(v)
         for name, default in _written(type(thing))
         if (v := getattr(thing, name)) is not default and _is_written(v, default)  # most are the default itself
     }
@@ -277,7 +277,7 @@ def _reading(r: validity.Reading) -> dict[str, Any]:
 
 def _parameter(p: m.Parameter, attributes: dict[str, Any]) -> dict[str, Any]:
     head = {"name": attributes.pop("name"), **({"type": type_name(p.element)} if p.element is not None else {})}
-    cases = [{"tag": c.tag.name, **({"parameter": plain(c.parameter)} if c.parameter else {})} for c in p.cases]
+    cases = [{"tag": c.tag.name, **({"parameter": json_value(c.parameter)} if c.parameter else {})} for c in p.cases]
     return {**head, **attributes, **({"cases": cases} if cases else {})}
 
 
@@ -326,8 +326,8 @@ def _set(s: m.Set, model: m.Model) -> dict[str, Any]:
     """Returns a set with the fields that occur in it and the types of its family."""
     family = model.family(s.family)
     assert family is not None
-    more = {"types": plain(family.types), "fields": plain(model.fields_in(s))}
-    return _attributes(s) | more | ({"named": plain(family.named)} if family.named else {})
+    more = {"types": json_value(family.types), "fields": json_value(model.fields_in(s))}
+    return _attributes(s) | more | ({"named": json_value(family.named)} if family.named else {})
 
 
 def _occurrence(o: m.Occurrence, f: m.Field) -> dict[str, Any]:
@@ -408,9 +408,9 @@ def _operation(p: m.Parameter) -> dict[str, Any]:
     for name, attribute in _OPERATIONS[p.kind].items():
         value = getattr(p, attribute)
         if value is not None:
-            attributes[name] = _operation(value) if name == "item" else plain(value)
+            attributes[name] = _operation(value) if name == "item" else json_value(value)
     if p.union:
-        attributes["tag_type"] = plain(p.union.type)
+        attributes["tag_type"] = json_value(p.union.type)
         attributes["cases"] = [_case(c) for c in p.cases]
     return attributes
 

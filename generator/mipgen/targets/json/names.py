@@ -24,7 +24,7 @@ def symbols(thing: m.Type | m.Field) -> dict[str, str]:
     return {language: name for language, name in names.items() if name}
 
 
-def programs(model: m.Model) -> dict[str, dict[str, Any]]:
+def call_data(model: m.Model) -> dict[str, dict[str, Any]]:
     """Returns the data that a tool needs, besides `symbols`, to write calls of the bindings.
 
     Its tables contain only names that differ between a language and the specification.

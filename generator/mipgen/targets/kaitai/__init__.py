@@ -10,7 +10,7 @@ from mipgen.emit.target import File, Identifier, Target
 
 from . import expressions, names
 from .names import member, type_name, value
-from .view import Ksy, home, text
+from .view import Ksy, type_of_data, yaml_line
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -24,7 +24,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
         yield Identifier("the modules", name, f"{name}, {what}", None, word=False)
     yield Identifier("the modules", "mip", "the package", model.protocol.position, word=False)
     for scope, name, what, position in _names(model):
-        yield Identifier(scope, names.joined(name), what, position)
+        yield Identifier(scope, names.camel_case(name), what, position)
 
 
 Named = tuple[str, str, str, m.Position | None]
@@ -39,7 +39,7 @@ def _names(model: m.Model) -> Iterator[Named]:
         yield "the enumeration kind", name, f"{fields[0].full_name} ({number:#06x})", fields[0].position
         if len(fields) > 1 and fields not in seen:  # several sets may have the same layouts
             seen.add(fields)
-            yield "mip", home(fields), f"layouts of {fields[0].full_name}", fields[0].position
+            yield "mip", type_of_data(fields), f"layouts of {fields[0].full_name}", fields[0].position
     for f in model.derived(Ksy).fields:
         yield "mip", type_name(f), f.full_name, f.position
         yield from _members(f, f.position)
@@ -80,7 +80,7 @@ def _attributes(record: m.Record, scope: str, place: m.Position | None) -> Itera
 TARGET = Target(
     title="Kaitai Struct, mip.ksy",
     files=files,
-    filters={"text": text, "hex": "0x{:02x}".format},
+    filters={"text": yaml_line, "hex": "0x{:02x}".format},
     identifiers=identifiers,
     rename=package.everywhere,
     grammar=names.GRAMMAR,

@@ -14,7 +14,7 @@ from .names import member, type_name, value
 
 def least(parameters: Iterable[m.Parameter]) -> Extent:
     """Returns the bytes that must be present, once counters are known."""
-    return extent.shortest(parameters).counted
+    return extent.shortest_size(parameters).counted
 
 
 def bytes_of(e: Extent) -> str:
@@ -33,12 +33,12 @@ def _path(words: str) -> str:
 # --------------------------------------------------------------------------- counts
 
 
-def count(p: m.Parameter, record: m.Record) -> str:
+def count_condition(p: m.Parameter, record: m.Record) -> str:
     """Writes the condition for a count: the elements fit into the rest of the data and into a field."""
     after = record.parameters[record.parameters.index(p) + 1 :]
     at = next(i for i, q in enumerate(after) if q.name == p.counts)
     array, before = after[at], least(after[:at])
-    each, between = extent.element(array), bytes_of(before)
+    each, between = extent.item_size(array), bytes_of(before)
     needed = f"_ * {each}" if each > 1 else "_"
     if before == Extent():
         return f"_ <= {array.capacity} and {needed} <= _io.size - _io.pos"
@@ -59,7 +59,7 @@ class Rest:
 
 def rests(record: m.Record) -> list[Rest]:
     return [
-        Rest(f"{member(p.name)}_count", p.name, extent.element(p))
+        Rest(f"{member(p.name)}_count", p.name, extent.item_size(p))
         for p in record.parameters
         if p.kind == "array" and p.fills
     ]
@@ -85,7 +85,7 @@ class Peek:
         return bytes_of(self.place + least([self.tag]))
 
 
-def present(group: m.Group, f: m.Field) -> str:
+def presence_condition(group: m.Group, f: m.Field) -> str:
     """Writes the condition for the parameters of a group to be present; empty if they always are."""
     required = [c.function for c in f.calls if len(c.required) >= group.last]
     if required == [None]:
@@ -96,10 +96,10 @@ def present(group: m.Group, f: m.Field) -> str:
 
 
 def peeks(record: m.Record) -> list[Peek]:
-    """Returns the tags that `present` reads ahead."""
+    """Returns the tags that `presence_condition` reads ahead."""
     ahead: list[Peek] = []
     for group in record.groups:
-        if isinstance(record, m.Field) and present(group, record):
+        if isinstance(record, m.Field) and presence_condition(group, record):
             list(_room(group, record, ahead))
     return ahead
 
@@ -233,7 +233,7 @@ def _unused(first: int, end: int) -> Iterator[Segment]:
         first += width
 
 
-def number(t: m.Bitfield) -> str:
+def bits_as_number(t: m.Bitfield) -> str:
     """Writes all bits of a bitfield as one number."""
     return _together(t, 0, t.width - 1)
 

@@ -46,10 +46,10 @@ def kind_name(f: m.Field, number: int) -> str:
     return _type(f.name_in(number).replace(".", "_")) if f.set else type_name(f)
 
 
-def joined(name: str) -> str:
+def camel_case(name: str) -> str:
     """Returns a name in camel case, as some languages write it, to find names that would be equal there.
 
-    >>> joined("pos_1"), joined("pos1")
+    >>> camel_case("pos_1"), camel_case("pos1")
     ('pos1', 'pos1')
     """
     first, *others = name.split("_")
@@ -61,5 +61,5 @@ def cases(union: str) -> str:
     return f"{union}_cases"
 
 
-#: Identifiers as `joined` writes them.
-GRAMMAR = Grammar(r"[a-z][A-Za-z0-9]*", frozenset(map(joined, RESERVED)))
+#: Identifiers as `camel_case` writes them.
+GRAMMAR = Grammar(r"[a-z][A-Za-z0-9]*", frozenset(map(camel_case, RESERVED)))

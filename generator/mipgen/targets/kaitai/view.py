@@ -71,11 +71,11 @@ class Ksy:
     @cached_property
     def homes(self) -> list[tuple[str, str]]:
         """The kind of each descriptor, and the type of its data."""
-        return [(name, home(fields)) for _, name, fields in self.kinds]
+        return [(name, type_of_data(fields)) for _, name, fields in self.kinds]
 
     @cached_property
     def several(self) -> list[Layouts]:
-        several = {home(fields): fields for _, _, fields in self.kinds if len(fields) > 1}
+        several = {type_of_data(fields): fields for _, _, fields in self.kinds if len(fields) > 1}
         return [
             Layouts(name, [*map(type_name, fields)], expressions.layouts(fields)) for name, fields in several.items()
         ]
@@ -103,7 +103,9 @@ class Ksy:
         return [("kind", kinds), *((type_name(t), [self._value(v) for v in t.values]) for t in enums)]
 
     def _value(self, v: m.EnumValue) -> Item:
-        return Item(value(v.name), _original(v.name, value(v.name)), prose(v.description, self.model), str(v.value))
+        return Item(
+            value(v.name), _original(v.name, value(v.name)), plain_prose(v.description, self.model), str(v.value)
+        )
 
     @cached_property
     def readings(self) -> dict[str, list[str]]:
@@ -126,7 +128,7 @@ def _first(fields: Sequence[m.Field]) -> m.Field:
     return min(fields, key=lambda f: f.position or ())
 
 
-def home(fields: Sequence[m.Field]) -> str:
+def type_of_data(fields: Sequence[m.Field]) -> str:
     """Returns the type of a descriptor's data."""
     return type_name(_first(fields)) + ("_layouts" if len(fields) > 1 else "")
 
@@ -135,16 +137,16 @@ def home(fields: Sequence[m.Field]) -> str:
 
 
 def type_view(t: m.Type | m.Field, model: m.Model) -> Type:
-    name, doc = type_name(t), prose(t.description, model)
+    name, doc = type_name(t), plain_prose(t.description, model)
     match t:
         case m.Vector():
             elements = [Item(member(e), [f"type: {SCALARS[t.scalar.name]}"]) for e in t.elements]
             return Type(name, ["-kind: vector"], doc, elements, [], [])
         case m.Bitfield():
             lines = ["-kind: bits"] if t.scalar else ["-kind: bytes", "meta:", "  bit-endian: le"]
-            number = Item(expressions.NUMBER, [f'value: "{expressions.number(t)}"'], "All bits as a number.")
+            number = Item(expressions.NUMBER, [f'value: "{expressions.bits_as_number(t)}"'], "All bits as a number.")
             aliases = [
-                Item(member(b.name), [f'value: "{expressions.alias(b, t)}"'], prose(b.description, model))
+                Item(member(b.name), [f'value: "{expressions.alias(b, t)}"'], plain_prose(b.description, model))
                 for b in t.bits
                 if b.alias
             ]
@@ -160,13 +162,13 @@ def _bits(s: expressions.Segment, model: m.Model) -> Item:
     lines = [f"type: b{s.width}"]
     if s.bits:
         lines += [*_original(s.bits.name, s.name), *([f"enum: {type_name(s.bits.enum)}"] if s.bits.enum else ())]
-    return Item(s.name, lines, prose(s.bits.description, model) if s.bits else "")
+    return Item(s.name, lines, plain_prose(s.bits.description, model) if s.bits else "")
 
 
 def _record(t: m.Record, lines: list[str], doc: str, model: m.Model) -> Type:
     conditions = {}
     if isinstance(t, m.Field):
-        conditions = {p.name: expressions.present(g, t) for g in t.groups for p in g.parameters}
+        conditions = {p.name: expressions.presence_condition(g, t) for g in t.groups for p in g.parameters}
     attributes = [_attribute(p, _lines(p, t), conditions.get(p.name, ""), about(p, t, model)) for p in t.parameters]
     rests = [Item(r.name, [f"value: (_io.size - _io.pos) / {r.each}"]) for r in expressions.rests(t)]
     peeks = [Item(p.name, [f"pos: {p.at}", *_type_of(p.tag), f"if: _io.size >= {p.end}"]) for p in expressions.peeks(t)]
@@ -190,7 +192,7 @@ def _attribute(p: m.Parameter, lines: list[str], condition: str, doc: str) -> It
 
 
 def _original(words: str, name: str) -> list[str]:
-    return [f"-orig-id: {text(words)}"] if words != name else []
+    return [f"-orig-id: {yaml_line(words)}"] if words != name else []
 
 
 def _lines(p: m.Parameter, record: m.Record) -> list[str]:
@@ -199,7 +201,7 @@ def _lines(p: m.Parameter, record: m.Record) -> list[str]:
         case "constant":
             return [*_type_of(p), f"valid: {p.constant}"]
         case "counter":
-            return [*_type_of(p), "valid:", f"  expr: {expressions.count(p, record)}"]
+            return [*_type_of(p), "valid:", f"  expr: {expressions.count_condition(p, record)}"]
         case "text":
             size = member(p.counter) if p.count is None and p.counter else p.count
             return ["type: str", "size-eos: true" if size is None else f"size: {size}"]
@@ -224,17 +226,17 @@ _PLAIN = re.compile(r"[A-Za-z][\w ,.;()/+-]*(?<! )")
 _WORDS = {"true", "false", "null", "yes", "no", "on", "off"}  # these are not text in YAML 1.1
 
 
-def text(words: str) -> str:
+def yaml_line(words: str) -> str:
     """Writes a text on one line of YAML.
 
-    >>> text("Speed, in m/s."), text("Of: all"), text('a "b"')
+    >>> yaml_line("Speed, in m/s."), yaml_line("Of: all"), yaml_line('a "b"')
     ('Speed, in m/s.', '"Of: all"', '"a \\\\"b\\\\""')
     """
     plain = _PLAIN.fullmatch(words) and words.lower() not in _WORDS
     return words if plain else json.dumps(words, ensure_ascii=False)
 
 
-def prose(words: str, model: m.Model) -> str:
+def plain_prose(words: str, model: m.Model) -> str:
     return say(describe.prose(words, model)) if words else ""
 
 
@@ -260,4 +262,4 @@ def _reference(ref: describe.Ref) -> str:
 def about(p: m.Parameter, record: m.Record, model: m.Model) -> str:
     """Composes the documentation of a parameter, or of a union's alternative; empty if there is none."""
     facts = describe.topics(describe.parameter(p, record, model), *TOPICS) if p in record.parameters else []
-    return " ".join(filter(None, (prose(p.description, model), *(say(f.sentence) for f in facts))))
+    return " ".join(filter(None, (plain_prose(p.description, model), *(say(f.sentence) for f in facts))))

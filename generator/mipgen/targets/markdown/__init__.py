@@ -77,7 +77,7 @@ def _lists(site: Site, model: m.Model) -> Iterator[File]:
         yield file(p := at(path), "index.md.j2", contents=Contents(p))
     if site.lists["starts"]:
         yield file(at(places.START), "start.md.j2")
-        yield file(at(places.PROGRAMS), "programs.md.j2", frames=start.frames(model))
+        yield file(at(places.PROGRAMS), "programs.md.j2", frames=start.frame_files(model))
     yield file(p := at(places.PACKETS), "packets.md.j2", packets=Packets(p))
     yield file(p := at(places.UNITS), "units.md.j2", units=Units(p))
     for path in site.lists["comparison"]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.lower.extent import Extent, Term, exact, totals
+from mipgen.lower.extent import Extent, Term, exact_size, totals
 
 from .text import code
 
@@ -32,10 +32,10 @@ class Row:
         return ".".join([*around, name])
 
 
-def layout(record: m.Record, at: Extent = BEGIN, prefix: str = "", depth: int = 0) -> Iterator[Row]:
+def parameter_offsets(record: m.Record, at: Extent = BEGIN, prefix: str = "", depth: int = 0) -> Iterator[Row]:
     """Yields every parameter with its offset, including those inside structures and unions."""
     for p in record.parameters:
-        row = Row(prefix + p.name, at, exact(p, prefix), p, record)
+        row = Row(prefix + p.name, at, exact_size(p, prefix), p, record)
         yield row
         yield from _inside(row, p, depth)
         if row.size is not None:  # else nothing follows
@@ -44,15 +44,15 @@ def layout(record: m.Record, at: Extent = BEGIN, prefix: str = "", depth: int = 
 
 def _inside(row: Row, p: m.Parameter, depth: int) -> Iterator[Row]:
     if p.struct:
-        yield from layout(p.struct, row.offset, f"{row.name}.", depth)
+        yield from parameter_offsets(p.struct, row.offset, f"{row.name}.", depth)
     elif p.item.struct:
         index = "ijklmn"[depth]
         step = Extent(0, (Term(p.item.struct.max_size, index),))
-        yield from layout(p.item.struct, row.offset + step, f"{row.name}[{index}].", depth + 1)
+        yield from parameter_offsets(p.item.struct, row.offset + step, f"{row.name}[{index}].", depth + 1)
     for c in p.cases:
         q = c.parameter
         name = f"{row.name}.{q.name}" if q else row.name
-        size = exact(q, f"{row.name}.") if q else Extent()
+        size = exact_size(q, f"{row.name}.") if q else Extent()
         member = Row(name, row.offset, size, q, row.record, (c, p))
         yield member
         if q is not None:

@@ -14,7 +14,7 @@ from mipgen.facts.describe import Ref
 from mipgen.model.guides import Guide
 
 from .index import Index
-from .text import code, hexadecimal, inline, opening, plain
+from .text import code, escaped_line, hexadecimal, inline, opening
 from .tools import Tool
 
 README = "README.md"
@@ -107,19 +107,19 @@ def label(thing: Thing) -> str:
     """Returns the label of a thing, as Markdown."""
     match thing:
         case m.Set():
-            return plain(f"{thing.title} ({hexadecimal(thing.number)})")
+            return escaped_line(f"{thing.title} ({hexadecimal(thing.number)})")
         case m.Family():
-            return plain(f"{thing.title} ({', '.join(hexadecimal(s.number) for s in thing.sets)})")
+            return escaped_line(f"{thing.title} ({', '.join(hexadecimal(s.number) for s in thing.sets)})")
         case m.Field():
-            return plain(f"{thing.title} ({descriptors(thing)})")
+            return escaped_line(f"{thing.title} ({descriptors(thing)})")
         case m.Device() | m.Word() | Tool():
-            return plain(thing.title)
+            return escaped_line(thing.title)
         case Guide():
-            return plain(thing.title[0].upper() + thing.title[1:])
+            return escaped_line(thing.title[0].upper() + thing.title[1:])
         case m.Example() | m.Erratum() | m.Manual():
-            return plain(thing.id)
+            return escaped_line(thing.id)
         case str():
-            return plain(thing)
+            return escaped_line(thing)
     return code(thing.name)
 
 

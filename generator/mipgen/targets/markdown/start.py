@@ -78,7 +78,7 @@ class Frame:
     programs: tuple[Program, ...]
 
 
-def frames(model: m.Model) -> list[Frame]:
+def frame_files(model: m.Model) -> list[Frame]:
     """Collects the files in `examples/` whose names begin with "frame"."""
     kinds = (
         ("command", "frame", "Commands", "These programs open a device, send the command and report the outcome."),

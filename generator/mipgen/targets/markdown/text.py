@@ -37,7 +37,7 @@ def opening(markdown: str) -> str:
     return re.sub(r"^([-+#>=])", r"\\\1", numbered)
 
 
-def plain(text: object) -> str:
+def escaped_line(text: object) -> str:
     """Escapes a text that is a whole line, cell or heading."""
     return opening(inline(text))
 

@@ -177,7 +177,7 @@ def _changes(v: m.Variant, p: m.Parameter, record: m.Record) -> dict[str, object
         "only": tuple(x.name for x in v.only) or None,
         "deprecated": v.deprecated,
         "type": Source(qualified(v.type)) if v.type else Source(None) if v.unknown else None,
-        "flags": _flags(validity.flags(v.valid, record)) if v.valid is not None and not v.by_device else None,
+        "flags": _flags(validity.flags_named(v.valid, record)) if v.valid is not None and not v.by_device else None,
     }
     return {k: x for k, x in changes.items() if x is not None}
 

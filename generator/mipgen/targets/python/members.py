@@ -51,7 +51,7 @@ class Member:
         """The type of an argument that must be passed: a vector accepts any numbers, an array any sequence."""
         accepted = self._element if self.is_array else self.annotation
         if vectors := self.vectors:
-            accepted += " | codec.Rows" if any(columns(v) for v in vectors) else " | codec.Numbers"
+            accepted += " | codec.Rows" if any(matrix_columns(v) for v in vectors) else " | codec.Numbers"
         return f"Sequence[{accepted}]" if self.is_array else accepted
 
     @property
@@ -126,10 +126,10 @@ class Member:
         return f"{annotation} | None" if self.may_be_absent and self.of.element is not None else annotation
 
 
-def columns(v: m.Vector) -> int:
+def matrix_columns(v: m.Vector) -> int:
     """Returns the number of columns of a matrix, whose elements are named by row and column, m11, m12 …; else 0.
 
-    >>> columns(m.Vector("matrix2f", m.SCALARS["float"], ("m11", "m12", "m21", "m22"), ""))
+    >>> matrix_columns(m.Vector("matrix2f", m.SCALARS["float"], ("m11", "m12", "m21", "m22"), ""))
     2
     """
     count = math.isqrt(len(v.elements))

@@ -29,7 +29,9 @@ _constant = Escape(frozenset(), digit_prefix="N")
 def _taken() -> set[str]:
     """Returns the modules that every package has, the functions that can be imported from it, and the names that are
     beside the modules of sets where those are imported."""
-    files = (path.rpartition("/")[2] for path, _ in resources.files(resources.root() / "runtime/python/mip_protocol"))
+    files = (
+        path.rpartition("/")[2] for path, _ in resources.files_in(resources.root() / "runtime/python/mip_protocol")
+    )
     exported = (resources.root() / "templates/python/__init__.py.j2").read_text("utf-8").partition("__all__ = [")[2]
     modules = {name.removesuffix(".py") for name in files if name.endswith(".py")}
     return {"devices", "protocol", "types", *modules, *_LANGUAGE["devices"], *re.findall(r'"([a-z]\w*)"', exported)}

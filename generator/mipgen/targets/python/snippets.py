@@ -54,7 +54,7 @@ class _Program:
         lines = []
         calls = {call.function: call for call in constructors(f)}
         for shown in samples.shown(f):
-            call, values = calls[shown.function], literals.record(f.parameters, samples.values(f, shown))
+            call, values = calls[shown.function], literals.record_values(f.parameters, samples.values(f, shown))
             arguments = [self.value(values[p.name]) for p in call.values]
             command = f"{self.name(f)}.{member(call.function.name)}" if call.function else self.name(f)
             head, tail = ("print(", ")") if samples.replies(f, shown) else ("", "")

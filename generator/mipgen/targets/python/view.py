@@ -86,7 +86,7 @@ class Type(Class):
     @cached_property
     def columns(self) -> int:
         """The number of columns of a matrix; 0 for any other vector."""
-        return members.columns(self.of) if isinstance(self.of, m.Vector) else 0
+        return members.matrix_columns(self.of) if isinstance(self.of, m.Vector) else 0
 
 
 def types(of: Iterable[m.Type], model: m.Model) -> list[Type | Record]:
@@ -162,7 +162,7 @@ class Field(Record):
 
     def _response(self, call: m.Call) -> str:
         """Returns the type of the response to a call: a response, one of several, or None."""
-        layouts = calls.answers(self.of, call.function, self.model)
+        layouts = calls.possible_layouts(self.of, call.function, self.model)
         return " | ".join(dict.fromkeys(reference(layout, home(self.of)) for layout in layouts)) or "None"
 
     @property

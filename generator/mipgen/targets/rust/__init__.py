@@ -90,7 +90,7 @@ def keywords(model: m.Model) -> list[str]:
 
 def identifiers(model: m.Model) -> Iterable[Identifier]:
     crate = model.derived(Crate)
-    for fixed in names.modules():
+    for fixed in names.crate_modules():
         yield Identifier("the crate", fixed, f"the module {fixed}", None)
     for fixed in names.features():
         yield Identifier("the features", fixed, f"the feature {fixed}", None, word=False)

@@ -28,23 +28,23 @@ class Docs:
     def family(self, family: m.Family) -> list[Block]:
         if len(family.sets) == 1:
             return self.set(family.sets[0])
-        return self._set(family, f"{prose(family.title)} ({numbers(family)})", module(family.name))
+        return self._set(family, f"{prose(family.title)} ({set_numbers(family)})", module(family.name))
 
     def set(self, s: m.Set) -> list[Block]:
         return self._set(s, f"{prose(s.title)} (0x{s.number:02X})", module(s.family))
 
     def _set(self, thing: m.Set | m.Family, head: str, here: str) -> list[Block]:
         uncertain, _ = self._facts(describe.uncertain(thing, self.model), here)
-        return [f"{head}: {self._prose(thing.description, here)}", uncertain, sources(thing)]
+        return [f"{head}: {self._prose(thing.description, here)}", uncertain, sources_line(thing)]
 
     def field(self, f: m.Field) -> list[Block]:
         facts, notes = self._facts(describe.in_code(f, self.model), home(f))
         description = self._prose(f.description, home(f))
-        return [f"{title(f)}.", description, facts, *self._only_on_the_wire(f), notes, sources(f)]
+        return [f"{title(f)}.", description, facts, *self._only_on_the_wire(f), notes, sources_line(f)]
 
     def parameter(self, p: m.Parameter, record: m.Record) -> tuple[str, str, list[str]]:
         facts, notes = self._facts(describe.parameter(p, record, self.model), home(record))
-        return self._prose(p.description, home(record)) or ("" if facts else words(p.name)), facts, notes
+        return self._prose(p.description, home(record)) or ("" if facts else name_in_words(p.name)), facts, notes
 
     def _only_on_the_wire(self, record: m.Record) -> list[Block]:
         """Describes the parameters that have no member."""
@@ -61,20 +61,20 @@ class Docs:
     def type(self, t: m.Type) -> list[Block]:
         facts, _ = self._facts(describe.type_facts(t, self.model), home(t))
         parameters = self._only_on_the_wire(t) if isinstance(t, m.Struct) else []
-        return [self._prose(t.description, home(t)) or words(t.name), facts, *parameters, sources(t)]
+        return [self._prose(t.description, home(t)) or name_in_words(t.name), facts, *parameters, sources_line(t)]
 
     def part(self, part: m.EnumValue | m.Bits, of: m.Enum | m.Bitfield) -> list[Block]:
         model = self.model
         composed = describe.value(part, model) if isinstance(part, m.EnumValue) else describe.bits(part, model)
         facts, _ = self._facts(composed, home(of))
-        return [f"{self._prose(part.description, home(of)) or words(part.name)} {facts}".strip()]
+        return [f"{self._prose(part.description, home(of)) or name_in_words(part.name)} {facts}".strip()]
 
     def case(self, case: m.Case, union: m.Parameter, record: m.Record) -> list[Block]:
         composed = [describe.case(case, union, record)]
         composed += describe.parameter(case.parameter, record, self.model) if case.parameter else []
         facts, notes = self._facts(composed, home(record))
         description = (case.parameter and case.parameter.description) or case.tag.description
-        return [self._prose(description, home(record)) or words(case.tag.name), facts, notes]
+        return [self._prose(description, home(record)) or name_in_words(case.tag.name), facts, notes]
 
     def variants(self, p: m.Parameter, record: m.Record, variants: Iterable[m.Variant], here: str) -> str:
         """Describes where these variants of a parameter apply."""
@@ -85,7 +85,7 @@ class Docs:
 
     def device(self, d: m.Device) -> list[Block]:
         facts, _ = self._facts(describe.device(d, self.model), "devices")
-        blocks: list[Block] = [prose(d.title), self._prose(d.description, "devices"), facts, sources(d)]
+        blocks: list[Block] = [prose(d.title), self._prose(d.description, "devices"), facts, sources_line(d)]
         for n in d.notes:
             rows = [tuple(map(prose, row)) for row in n.rows]
             rule = [("---",) * len(rows[0])] if rows else []
@@ -94,7 +94,7 @@ class Docs:
 
     def difference(self, v: m.DeviceVariant) -> str:
         """Describes the difference on a device, as plain text."""
-        text = describe.difference(v.variant, v.parameter, v.field, self.model)
+        text = describe.variant_text(v.variant, v.parameter, v.field, self.model)
         return describe.say(text, lambda r: r.words)
 
     # ------------------------------------------------------------------ texts of the specification
@@ -118,20 +118,20 @@ def title(f: m.Field) -> str:
     return f"{prose(f.title)} ({key})"
 
 
-def numbers(family: m.Family) -> str:
+def set_numbers(family: m.Family) -> str:
     """Writes the descriptor sets of a family, as people read them."""
     return ", ".join(f"0x{s.number:02X}" for s in family.sets)
 
 
-def sources(thing: m.Field | m.Family | m.Set | m.Type | m.Device) -> str:
+def sources_line(thing: m.Field | m.Family | m.Set | m.Type | m.Device) -> str:
     cited = "; ".join(map(prose, describe.sources(thing)))
     return f"Source: {cited}." if cited else ""
 
 
-def words(name: str) -> str:
+def name_in_words(name: str) -> str:
     """Writes a name as a sentence, if there is no description.
 
-    >>> words("time_of_week")
+    >>> name_in_words("time_of_week")
     'Time of week.'
     """
     return f"{name.replace('_', ' ').capitalize()}."

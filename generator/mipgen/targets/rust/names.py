@@ -54,7 +54,7 @@ def constant(words: str) -> str:
     return _constant(upper(words))
 
 
-def constants(functions: Iterable[m.Function]) -> str:
+def selector_macros(functions: Iterable[m.Function]) -> str:
     """Writes function selectors as the macros of the crate list them."""
     return " ".join(constant(f.name) for f in functions)
 
@@ -92,7 +92,7 @@ def response_variant(response: m.Field, command: m.Field) -> str:
 # --------------------------------------------------------------------------- places
 
 
-def modules() -> list[str]:
+def crate_modules() -> list[str]:
     """Returns the modules that every crate has, also those that are private."""
     return sorted({"session", *_in_runtime("lib.rs", r"^(?:pub )?mod (\w+);")})
 

@@ -57,7 +57,7 @@ class _Program:
         ways = {way.function: way for way in self.crate.record(f).constructors}
         for call in samples.shown(f):
             way, asks = ways[call.function], bool(samples.replies(f, call))
-            arguments = self.arguments(way, literals.record(f.parameters, samples.values(f, call)), f)
+            arguments = self.arguments(way, literals.record_values(f.parameters, samples.values(f, call)), f)
             before, behind = ('println!("{:?}", ', ")") if asks else ("", "")
             head = f"{before}device.request(&{self.name(f)}::{way.name}("
             lines.append(laid_out(Brackets(head, arguments, f"))?{behind};"), WIDTH))

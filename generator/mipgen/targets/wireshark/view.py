@@ -99,7 +99,7 @@ def row(p: m.Parameter, record: m.Record | None, model: m.Model) -> str:
         case "array":
             layout = {
                 **_length(p),
-                "size": extent.element(p),
+                "size": extent.item_size(p),
                 "elements": _texts(p.vector.elements if p.vector else ()),
             }
             content = {"item": row(p.item, None, model)}
@@ -109,12 +109,12 @@ def row(p: m.Parameter, record: m.Record | None, model: m.Model) -> str:
             layout = {"tag": string(p.tag or "")}
             content = {"cases": "{" + "".join(f"\n      {_case(c, record, model)}," for c in p.cases) + " }"}
     meaning = _meaning(p, record, model) if record else {}
-    return table({"kind": string(p.kind), "name": string(p.name), **layout, **meaning, **content})
+    return lua_table({"kind": string(p.kind), "name": string(p.name), **layout, **meaning, **content})
 
 
 def _case(c: m.Case, record: m.Record | None, model: m.Model) -> str:
     item = row(c.parameter, record, model) if c.parameter else ""
-    return f"[{number(c.tag.value)}] = {table({'label': string(c.tag.name), 'item': item})}"
+    return f"[{lua_number(c.tag.value)}] = {lua_table({'label': string(c.tag.name), 'item': item})}"
 
 
 def _length(p: m.Parameter) -> dict[str, object]:
@@ -126,25 +126,25 @@ def _meaning(p: m.Parameter, record: m.Record, model: m.Model) -> dict[str, obje
     units = ("" if unit == "1" else unit.symbol for unit in p.units) if set(p.units) - {"1"} else ()
     facts = [fact for fact in describe.parameter(p, record, model) if fact.topic not in _LEFT_OUT]
     doc = " ".join(filter(None, (plain(describe.prose(p.description, model)), *(plain(f.sentence) for f in facts))))
-    readings = [table(_reading(v)).replace("{ ", "{", 1) for v in p.variants if v.type]
+    readings = [lua_table(_reading(v)).replace("{ ", "{", 1) for v in p.variants if v.type]
     return {"units": _texts(units), "doc": string(doc), "readings": _list(readings) if readings else ""}
 
 
 def _reading(v: m.Variant) -> dict[str, object]:
-    condition = {"device": string(v.key)} if v.by_device else {"by": string(v.by), "value": number(v.value or 0)}
+    condition = {"device": string(v.key)} if v.by_device else {"by": string(v.by), "value": lua_number(v.value or 0)}
     return {**condition, "member": string(v.member) if v.member else "", **_names(v.type)}
 
 
 def _field(f: m.Field, model: m.Model) -> Field:
     groups = [
-        table(
+        lua_table(
             {"kind": '"group"', "first": g.first, "last": g.last, "body": _list(row(p, f, model) for p in g.parameters)}
         )
         for g in f.groups
     ]
     rows = [*(row(p, f, model) for p in f.always), *groups]
     places = _list(
-        table({"set": hexadecimal(o.set), "name": string(f.name_in(o.set)), "title": string(o.title)})
+        lua_table({"set": hexadecimal(o.set), "name": string(f.name_in(o.set)), "title": string(o.title)})
         for o in f.occurrences
     )
     return Field(f, plain(describe.prose(f.description, model)), list(_attributes(f)), rows, places)
@@ -157,9 +157,9 @@ def _attributes(f: m.Field) -> Iterator[str]:
     else:
         yield f"always = {f.required()}"
     if f.signature:
-        yield f"constants = {_list(table({'at': at, 'value': octets(value)}) for at, value in f.signature)}"
+        yield f"constants = {_list(lua_table({'at': at, 'value': octets(value)}) for at, value in f.signature)}"
     if f.silent_when:
-        conditions = (table({"name": string(c.parameter), "value": number(c.value)}) for c in f.silent_when)
+        conditions = (lua_table({"name": string(c.parameter), "value": lua_number(c.value)}) for c in f.silent_when)
         yield f"silent_when = {_list(conditions)}"
     if names.is_plain(f):
         yield "plain = true"
@@ -184,7 +184,7 @@ def _names(t: m.Type | None) -> dict[str, object]:
 
 def _parts(t: m.Enum | m.Bitfield, model: m.Model) -> list[str]:
     if isinstance(t, m.Enum):
-        return [f"[{number(v.value)}] = {string(v.name)}" for v in t.values]
+        return [f"[{lua_number(v.value)}] = {string(v.name)}" for v in t.values]
     return [_bits(b, t, model) for b in t.bits]
 
 
@@ -192,7 +192,7 @@ def _bits(b: m.Bits, t: m.Bitfield, model: m.Model) -> str:
     place = place_of(b, t)
     attributes = {"name": string(b.name), "at": place.at, "size": place.size, "mask": place.mask, "shift": place.shift}
     attributes |= {"width": b.width, "little": "true" if place.little else "", "enum": _named(b.enum) if b.enum else ""}
-    return table(attributes | {"doc": string(plain(describe.prose(b.description, model)))})
+    return lua_table(attributes | {"doc": string(plain(describe.prose(b.description, model)))})
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,9 +231,9 @@ def place_of(b: m.Bits, t: m.Bitfield) -> Place:
 # --------------------------------------------------------------------------- Lua
 
 
-def table(attributes: Mapping[str, object]) -> str:
+def lua_table(attributes: Mapping[str, object]) -> str:
     """
-    >>> table({"name": string("x"), "doc": "", "size": 0})
+    >>> lua_table({"name": string("x"), "doc": "", "size": 0})
     '{ name = "x", size = 0 }'
     """
     return f"{{ {', '.join(f'{name} = {value}' for name, value in attributes.items() if value != '')} }}"
@@ -265,7 +265,7 @@ def octets(values: Iterable[int]) -> str:
     return '"' + "".join(f"\\{byte}" for byte in values) + '"'
 
 
-def number(value: int) -> str:
+def lua_number(value: int) -> str:
     """Writes a number in the form in which `decode.lua` reads it: its bytes, if Lua's numbers are not exact."""
     return str(value) if value < 1 << 53 else octets(value.to_bytes(8, "big"))
 

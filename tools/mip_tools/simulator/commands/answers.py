@@ -17,7 +17,7 @@ from . import knowledge
 EMPTY = FieldValues()
 
 
-def response(device: DeviceState, command: Command) -> Response | None:
+def compose_response(device: DeviceState, command: Command) -> Response | None:
     """Composes the response to a command that was carried out; None if it requests none."""
     kind = _layout(device, command)
     if kind is None:

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ...binding import Acknowledge, Command, DecodeError, Packet, PacketError, RawField, chosen, registry, types
-from ...devices.checks import NOTHING, check, meaning_all
+from ...devices.checks import NOTHING, check_value, meaning_all
 from ...devices.codes import DEFAULT, INVALID_PARAMETER, LOAD, OK, SAVE, SETS, UNKNOWN_COMMAND, UNKNOWN_SET, Refused
 from ...devices.facts import COMMANDS, FUNCTIONS
-from ...devices.settings import asking, is_setting, keys, place
+from ...devices.settings import asking, instance_keys, is_setting, storage_place
 from ..link import Link
 from ..state import DeviceState
-from .answers import response
+from .answers import compose_response
 from .effects import DONE, Outcome, act
 
 Group = Sequence[RawField]  # an acknowledge field, and a response if there is one
@@ -32,13 +32,13 @@ def carry_out(device: DeviceState, link: Link, packet: Packet) -> Iterator[tuple
                 group, outcome = _done(device, link, command)
                 yield raw, group, outcome
             except Refused as refusal:
-                code = _known(device, refusal.code)
+                code = _defined_code(device, refusal.code)
                 yield raw, [_acknowledge(raw.set, raw.descriptor, code)], DONE
     except PacketError:  # no field can be found after a malformed one
         return
 
 
-def _known(device: DeviceState, code: int) -> int:
+def _defined_code(device: DeviceState, code: int) -> int:
     """Returns the code, or, if the device has no code for unknown sets, the one for an unknown command."""
     codes = device.profile.ack_codes
     return UNKNOWN_COMMAND if code == UNKNOWN_SET and codes and code not in codes else code
@@ -52,9 +52,9 @@ def _command(device: DeviceState, raw: RawField) -> Command | None:
     """Decodes the command in a field; None if the device does not answer it. Raises Refused."""
     if raw.descriptor == Acknowledge.DESCRIPTOR or raw.descriptor >= 0x80:
         return None  # an answer, not a command
-    if all(set_number != raw.set for set_number, _ in device.known):
+    if all(set_number != raw.set for set_number, _ in device.field_keys):
         raise Refused(UNKNOWN_SET)
-    if (raw.set, raw.descriptor) not in device.known:
+    if (raw.set, raw.descriptor) not in device.field_keys:
         raise Refused(UNKNOWN_COMMAND)
     kind = chosen(registry.types(raw.set, raw.descriptor), raw)
     if kind is None or not issubclass(kind, Command):
@@ -74,7 +74,7 @@ def _done(device: DeviceState, link: Link, command: Command) -> tuple[Group, Out
         letters = device.profile.functions.get((kind.SET, kind.DESCRIPTOR))
         if function not in kind.REQUIRED or (letters is not None and function not in {FUNCTIONS[x] for x in letters}):
             raise Refused(INVALID_PARAMETER)
-    check(command, device.profile, keys(kind))
+    check_value(command, device.profile, instance_keys(kind))
     if is_setting(kind) and function in (SAVE, LOAD, DEFAULT):
         outcome = _kept(device, command, function)
     else:
@@ -84,7 +84,7 @@ def _done(device: DeviceState, link: Link, command: Command) -> tuple[Group, Out
     if not command.answered or _silenced(device, command):
         return (), outcome
     answer = [_acknowledge(kind.SET, kind.DESCRIPTOR, OK)]
-    made = response(device, command)
+    made = compose_response(device, command)
     if made is not None:
         answer.append(RawField(kind.SET, made.DESCRIPTOR, made.encode()))
     return answer, outcome
@@ -100,8 +100,8 @@ def _written(command: Command) -> Command:
 
 def _kept(device: DeviceState, command: Command, function: int) -> Outcome:
     """Saves, loads or resets a setting: one instance, or all."""
-    at = place(command)
-    names = keys(type(command))
+    at = storage_place(command)
+    names = instance_keys(type(command))
     everything = any(meaning_all(command, name, getattr(command, name), function) for name in names)
     places = device.settings.places(at[0]) if everything else [at]
     if function == SAVE:
@@ -116,6 +116,6 @@ def _silenced(device: DeviceState, command: Command) -> bool:
     """Does a setting suppress the acknowledge of this command?"""
     for set_number, descriptor, attribute, value in command.SILENCED_BY:
         kind: Any = types(set_number, descriptor)[0]
-        if getattr(device.settings.current(asking(kind.NAME, [0] * len(keys(kind)))), attribute) == value:
+        if getattr(device.settings.current(asking(kind.NAME, [0] * len(instance_keys(kind)))), attribute) == value:
             return True
     return False

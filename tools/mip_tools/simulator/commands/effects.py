@@ -146,7 +146,7 @@ def _baud_rate(device: DeviceState, call: Call) -> Outcome:
 
 def _mounting(device: DeviceState, call: Call) -> Outcome:
     effect = COMMANDS[call.command.NAME].effect
-    matrix = views.matrix(effect, call.values)
+    matrix = views.vehicle_matrix(effect, call.values)
     if call.writes and not views.is_rotation(matrix):
         raise Refused(INVALID_PARAMETER)
     device.world.sensor_to_vehicle = matrix
@@ -188,7 +188,7 @@ def _gps_time(device: DeviceState, call: Call) -> Outcome:
 
 def _protocols(device: DeviceState, call: Call) -> Outcome:
     if call.writes:
-        ports.check(device, call.values, call.link)
+        ports.check_protocols(device, call.values, call.link)
     return Outcome(after=lambda: ports.arrange(device))
 
 

@@ -10,7 +10,7 @@ from math import inf, radians
 from typing import Any
 
 from ...geometry import earth
-from ...geometry.attitude import euler, rotation
+from ...geometry.attitude import euler, euler_rotation
 from ...geometry.rotations import transposed
 from ..filter.estimate import SOURCES
 from ..state import DeviceState
@@ -70,7 +70,7 @@ def _tare(device: DeviceState, v: Values) -> None:
     world, axes = device.world, _names(v["axes"])
     if axes:
         angles = (0.0 if name in axes else x for name, x in zip(("roll", "pitch", "yaw"), euler(world.dcm)))
-        world.sensor_to_vehicle = earth.product(rotation(*angles)[1], transposed(world.state.dcm))
+        world.sensor_to_vehicle = earth.product(euler_rotation(*angles)[1], transposed(world.state.dcm))
 
 
 def _relative_position(device: DeviceState, v: Values) -> None:
@@ -111,7 +111,7 @@ def _attitude(device: DeviceState, v: Values) -> None:
 
 def _attitude_from_sensors(device: DeviceState, v: Values) -> None:
     world = device.world
-    yaw = earth.heading(world.dcm[0], world.dcm[1]) + v["declination"] - world.declination
+    yaw = earth.heading_of(world.dcm[0], world.dcm[1]) + v["declination"] - world.declination
     world.filter.set_attitude(world.state, None, None, yaw)
     world.filter.set_heading(world.state, yaw)
 

@@ -33,9 +33,9 @@ def _number(device: DeviceState, last: str) -> str:
     return _padded(f"{device.profile.model_number or 0:04d}{last}")
 
 
-def descriptors(device: DeviceState) -> list[int]:
+def all_descriptors(device: DeviceState) -> list[int]:
     """Lists set and descriptor of all commands and data, in order; shared data has its own set."""
-    return sorted(set_number << 8 | descriptor for set_number, descriptor in device.known)
+    return sorted(set_number << 8 | descriptor for set_number, descriptor in device.field_keys)
 
 
 # --------------------------------------------------------------------------- events
@@ -120,13 +120,13 @@ def _receivers(device: DeviceState, context: Context) -> Sequence[tuple[int, int
 
 def sentence(device: DeviceState, entry: Any) -> bool:
     """Can the device send this NMEA sentence?"""
-    return entry.source_descriptor_set in data_sets(device.profile) and nmea.known(entry)
+    return entry.source_descriptor_set in data_sets(device.profile) and nmea.is_supported(entry)
 
 
 def _port_protocols(way: int) -> Quantity:
     def value(device: DeviceState, context: Context) -> int:
         port = ports.by_number(device, context["port"])
-        return 0 if port is None else ports.protocols(device, port)[way]
+        return 0 if port is None else ports.port_protocols(device, port)[way]
 
     return value
 
@@ -161,8 +161,8 @@ QUANTITIES: dict[str, Quantity] = {
     "device.lot_number": lambda device, context: _padded(""),
     "device.options": lambda device, context: _padded("4g, 300d/s"),
     "device.number": lambda device, context: device.profile.model_number or 0,
-    "device.descriptors": lambda device, context: descriptors(device)[:MOST_DESCRIPTORS],
-    "device.further_descriptors": lambda device, context: descriptors(device)[MOST_DESCRIPTORS:][:MOST_DESCRIPTORS],
+    "device.descriptors": lambda device, context: all_descriptors(device)[:MOST_DESCRIPTORS],
+    "device.further_descriptors": lambda device, context: all_descriptors(device)[MOST_DESCRIPTORS:][:MOST_DESCRIPTORS],
     "device.uptime": lambda device, context: (device.now - device.booted) / 1e9,
     "device.bytes_sent": lambda device, context: device.bytes_sent & 0xFFFFFFFF,
     "device.bytes_received": lambda device, context: device.bytes_received & 0xFFFFFFFF,

@@ -24,7 +24,7 @@ PARSERS = {
 }
 
 
-def main(device: DeviceState, name: str) -> bool:
+def is_main(device: DeviceState, name: str) -> bool:
     """Is this a main port, the first of its kind, such as UART 1?"""
     kinds = [port.name.split()[0] for port in device.ports if port.name != name]
     before = [port.name for port in device.ports]
@@ -32,13 +32,13 @@ def main(device: DeviceState, name: str) -> bool:
     return name.split()[0] not in kinds[:first]
 
 
-def protocols(device: DeviceState, port: Port) -> tuple[int, int]:
+def port_protocols(device: DeviceState, port: Port) -> tuple[int, int]:
     """Returns the protocols that a port receives and sends; if no command sets them, all protocols of the port."""
     takes, gives = (sum(PROTOCOLS.get(name, 0) for name in names) or MIP for names in (port.receives, port.sends))
     for setting in device.settings_of("protocols"):
         if setting["port"] == port.id:
             return setting["incoming"], setting["outgoing"]
-    if main(device, port.name) or not device.has_effect("protocols"):
+    if is_main(device, port.name) or not device.has_effect("protocols"):
         return takes, gives
     return 0, 0
 
@@ -48,23 +48,23 @@ def by_number(device: DeviceState, number: int) -> Port | None:
     return next((p for p in device.ports if p.id == number or (p.id is None and not device.profile.ports)), None)
 
 
-def check(device: DeviceState, values: dict[str, Any], link: Link | None) -> None:
+def check_protocols(device: DeviceState, values: dict[str, Any], link: Link | None) -> None:
     """Raises Refused if a port cannot have these protocols."""
     port = by_number(device, values["port"])
-    if link is not None and not main(device, link.port):
+    if link is not None and not is_main(device, link.port):
         raise Refused(COMMAND_FAILED)
     if port is None:
         raise Refused(INVALID_PARAMETER)
     for way, names in (("incoming", port.receives), ("outgoing", port.sends)):
         if values[way] & ~sum(PROTOCOLS.get(name, 0) for name in names):
             raise Refused(INVALID_PARAMETER)
-    if main(device, port.name) and not values["incoming"] & values["outgoing"] & MIP:
+    if is_main(device, port.name) and not values["incoming"] & values["outgoing"] & MIP:
         raise Refused(COMMAND_FAILED)
     for name, limit in PARSERS.items():
-        others = [p for p in device.ports if p is not port and not main(device, p.name)]
-        taken = sum(bool(protocols(device, p)[0] & PROTOCOLS[name]) for p in others)
+        others = [p for p in device.ports if p is not port and not is_main(device, p.name)]
+        taken = sum(bool(port_protocols(device, p)[0] & PROTOCOLS[name]) for p in others)
         most = device.profile.limits.get(limit)
-        wants = values["incoming"] & PROTOCOLS[name] and not main(device, port.name)
+        wants = values["incoming"] & PROTOCOLS[name] and not is_main(device, port.name)
         if wants and most is not None and taken >= most.value:
             raise Refused(COMMAND_FAILED)
 
@@ -92,7 +92,7 @@ def baud_rates(device: DeviceState) -> dict[str, int]:
 
 def arrange(device: DeviceState) -> None:
     """Applies the settings of the ports to their links."""
-    by_port = {port.name: protocols(device, port) for port in device.ports}
+    by_port = {port.name: port_protocols(device, port) for port in device.ports}
     bauds = baud_rates(device)
     for link in device.links:
         link.takes, link.gives = by_port.get(link.port, (MIP, MIP | NMEA))

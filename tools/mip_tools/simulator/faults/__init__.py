@@ -125,18 +125,18 @@ class Faults:
             return [(0, packet)]
         at = self._lines.pop(line, None) or _Line()
         before = b""
-        right: list[bytes] = []
+        packets: list[bytes] = []
         for kind in _INSERTED:
             if kind in struck:
-                before += self._inserted(now, kind, right)
+                before += self._inserted(now, kind, packets)
         body, intact = self._body(now, packet, struck)
         if intact and mip:
-            right.append(packet)
+            packets.append(packet)
         if "double_packet" in struck:
             self.tell(now, "double_packet", "the packet arrives twice", packet=packet, added=packet)
             body += packet
-            right.append(packet)
-        before = self._apart(now, at, before, body, right)
+            packets.append(packet)
+        before = self._apart(now, at, before, body, packets)
         parts = self._timed(now, at, before, body, struck, packet)
         if at.pending or at.free > now:
             self._lines[line] = at
@@ -150,17 +150,17 @@ class Faults:
                 text = "the packet was in transit when the line was cut"
                 self.tell(now, "disconnect", text, packet=packet, damaged=True)
 
-    def _inserted(self, now: int, kind: str, right: list[bytes]) -> bytes:
+    def _inserted(self, now: int, kind: str, packets: list[bytes]) -> bytes:
         random = self._random[kind]
         if kind == "noise":
             made = damage.noise(self._most(kind), random)
         elif kind == "nmea":
-            made = damage.nmea(random)
+            made = damage.make_nmea(random)
         elif kind == "false_header":
             made = damage.false_header(random)
         else:
             made = damage.unknown_packet(random)
-            right.append(made)
+            packets.append(made)
         self.tell(now, kind, f"{len(made)} bytes are inserted", added=made)
         return made
 
@@ -172,25 +172,25 @@ class Faults:
         kind = next((k for k in _DAMAGE if k in struck), "")  # at most one fault damages a packet
         if not kind:
             return packet, True
-        body, what = damage.damage(kind, packet, self._most(kind) or 1, self._random[kind])
+        body, what = damage.damage_packet(kind, packet, self._most(kind) or 1, self._random[kind])
         self.tell(now, kind, what, packet=packet, damaged=True)
         return body, False
 
-    def _apart(self, now: int, at: _Line, before: bytes, body: bytes, right: list[bytes]) -> bytes:
+    def _apart(self, now: int, at: _Line, before: bytes, body: bytes, packets: list[bytes]) -> bytes:
         """Adds zeros to the bytes before a packet if they would otherwise form a packet with it by chance.
 
         A false start swallows the packets after it until it is complete. In one of 65536 cases, its
         checksum is correct by chance; extra bytes prevent this. In the same way, the bytes after a lost
         byte may happen to equal it.
         """
-        wanted, spare = at.hidden + right, 0
+        wanted, spare = at.hidden + packets, 0
         received: list[bytes] = []
         pending = b""
         for spare in range(8):
             parser, stream = Parser(), at.pending + bytes(spare) + before + body
             received = [bytes(p) for p in parser.feed(stream)]
             pending = stream[len(stream) - parser.pending :]
-            if received + damage.packets(pending) == wanted:
+            if received + damage.parsed_packets(pending) == wanted:
                 break
         else:  # has not been seen
             for lost in wanted:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from random import Random
 
 from ...binding import MAX_PAYLOAD, MODULES, SYNC, PacketBuilder, Parser
-from ...sentences import checksum
+from ...sentences import nmea_checksum
 
 
-def damage(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, str]:
+def damage_packet(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, str]:
     """Damages a packet. Returns the result, which is no longer valid, and a description of the damage."""
     for _ in range(100):
         size = random.randint(1, min(most, len(packet)))
@@ -22,7 +22,7 @@ def damage(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, 
             made, what = packet[: at + size] + packet[at:], f"{size} bytes at {at} arrive twice"
         else:
             made, what = _changed(packet, size, random)
-        if made != packet and not packets(made):
+        if made != packet and not parsed_packets(made):
             return made, what
     return packet[:-1], "1 byte at the end is lost"
 
@@ -35,7 +35,7 @@ def _changed(packet: bytes, count: int, random: Random) -> tuple[bytes, str]:
     return bytes(made), f"bytes are changed at {', '.join(map(str, places))}"
 
 
-def packets(stream: bytes) -> list[bytes]:
+def parsed_packets(stream: bytes) -> list[bytes]:
     """Returns the packets that a parser finds."""
     parser = Parser()
     return [bytes(p) for p in parser.feed(stream) + parser.flush()]
@@ -47,7 +47,7 @@ def noise(most: int, random: Random) -> bytes:
         made = bytearray(random.randbytes(random.randint(1, most)))
         if random.random() < 0.25:
             made[-2:] = SYNC
-        if not packets(bytes(made)):
+        if not parsed_packets(bytes(made)):
             return bytes(made)
 
 
@@ -59,7 +59,7 @@ def false_header(random: Random) -> bytes:
     return made + field[: random.randrange(3)]
 
 
-def nmea(random: Random) -> bytes:
+def make_nmea(random: Random) -> bytes:
     """Makes an NMEA sentence, such as a GNSS receiver sends on the same line."""
     clock = f"{random.randrange(24):02}{random.randrange(60):02}{random.randrange(60):02}.00"
     north, east = random.randrange(9000), random.randrange(18000)
@@ -70,7 +70,7 @@ def nmea(random: Random) -> bytes:
             f"GPGGA,{clock},{north:04}.0000,N,{east:05}.0000,E,1,08,1.0,100.0,M,0.0,M,,",
         )
     )
-    return f"${text}*{checksum(text)}\r\n".encode()
+    return f"${text}*{nmea_checksum(text)}\r\n".encode()
 
 
 def unknown_packet(random: Random) -> bytes:

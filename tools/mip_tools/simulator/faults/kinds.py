@@ -130,7 +130,7 @@ def _number(text: str, part: str) -> float:
         raise Misuse(f"fault {part!r}: {text!r} is not a number") from None
 
 
-def table() -> str:
+def kinds_table() -> str:
     """Lists all kinds, for the help of the command line."""
     lines = []
     for chance, text in CHANCES.items():

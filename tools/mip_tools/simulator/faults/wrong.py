@@ -121,7 +121,7 @@ def _truncated(kind: type[Field], data: bytes) -> bool:
 
 
 @cache
-def responses(set_number: int) -> tuple[type[Response], ...]:
+def wrong_responses(set_number: int) -> tuple[type[Response], ...]:
     return tuple(t for n, t in all_types() if n == set_number and issubclass(t, Response))
 
 
@@ -130,13 +130,13 @@ def other_response(raw: RawField, seen: dict[tuple[int, int], RawField], random:
     sent = [f for (n, d), f in sorted(seen.items()) if n == raw.set and d != raw.descriptor]
     if sent:
         return random.choice(sent)
-    descriptors = sorted({t.DESCRIPTOR for t in responses(raw.set)} - {raw.descriptor})
+    descriptors = sorted({t.DESCRIPTOR for t in wrong_responses(raw.set)} - {raw.descriptor})
     descriptor = random.choice(descriptors) if descriptors else raw.descriptor ^ 1
     return RawField(raw.set, descriptor, random.randbytes(len(raw.data)))
 
 
 def unused_response(raw: RawField, random: Random) -> RawField:
     """Returns the same data with a descriptor that no response of the set has."""
-    used = {t.DESCRIPTOR for t in responses(raw.set)} | {ACKNOWLEDGE}
+    used = {t.DESCRIPTOR for t in wrong_responses(raw.set)} | {ACKNOWLEDGE}
     free = [d for d in range(0x80, 0xF0) if d not in used]
     return raw._replace(descriptor=random.choice(free))

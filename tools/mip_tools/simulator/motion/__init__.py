@@ -7,7 +7,7 @@ from math import cos, fmod, inf, isfinite, pi, radians, sin
 from pathlib import Path
 from typing import Any
 
-from ...geometry.attitude import rotation
+from ...geometry.attitude import euler_rotation
 from .replay import Replay
 from .state import Motion, MotionError, Plane, State, check_place
 from .track import Track
@@ -26,7 +26,7 @@ class Standing:
         heading: float = 0.0, pitch: float = 0.0, roll: float = 0.0,
     ) -> None:  # fmt: skip
         check_place("standing", latitude, longitude, height)
-        q, m = rotation(radians(roll), radians(pitch), radians(heading))
+        q, m = euler_rotation(radians(roll), radians(pitch), radians(heading))
         zero = (0.0, 0.0, 0.0)
         self._state = State(radians(latitude), radians(longitude), height, zero, zero, q, m, zero)
 

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from ...binding import DecodeError, Packet, PacketError, Parser, reflection, registry
-from ...devices.facts import shown
+from ...devices.facts import value_sources
 from ...devices.names import value_named
 from ...geometry import earth
-from ...geometry.attitude import Quaternion, between, matrix, quaternion, rotation, rotation_vector
+from ...geometry.attitude import Quaternion, attitude_matrix, between, euler_rotation, quaternion, rotation_vector
 from ...geometry.earth import SECOND, WEEK, Vector
 from .state import MotionError, State
 
@@ -111,7 +111,7 @@ class Replay:
             acceleration = ((d - a) / around[3], (e - b) / around[3], (f - c) / around[3])
         elif t >= self.duration:
             velocity = (0.0, 0.0, 0.0)
-        return State(latitude, longitude, height, velocity, acceleration, q, matrix(q), rate)
+        return State(latitude, longitude, height, velocity, acceleration, q, attitude_matrix(q), rate)
 
     def _when(self, t: float) -> float:
         if self._loop and self.duration > 0:
@@ -210,7 +210,7 @@ def _clocks(packet: Packet) -> dict[str, int]:
 @cache
 def _places(set_number: int, kind: Any, names: Sequence[str]) -> tuple[tuple[Any, float], ...]:
     """Finds the parameters that contain these quantities, with their factors; empty if one is missing."""
-    sources = {v.quantity: (path, v.factor) for path, v in shown(kind, set_number).parameters.items()}
+    sources = {v.quantity: (path, v.factor) for path, v in value_sources(kind, set_number).parameters.items()}
     if not all(name in sources for name in names):
         return ()
     parameters = {p.name: p for p in reflection.info(kind).parameters}
@@ -252,7 +252,7 @@ def _standard(name: str, value: list[Any]) -> Quaternion | Vector:
     if name == "attitude.dcm":
         return quaternion(value[0])
     if name == "attitude.roll":
-        return rotation(value[0], value[1], value[2])[0]
+        return euler_rotation(value[0], value[1], value[2])[0]
     if name.endswith(".ecef"):
         return earth.llh(*value[0])
     x, y, z = value if len(value) == 3 else value[0]

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from .state import MotionError, Plane, State
-from .waypoints import Waypoint, check, read_waypoints
+from .waypoints import Waypoint, check_track, read_waypoints
 
 SHARPEST = radians(170)
 STEEPEST = 1.0
@@ -91,7 +91,7 @@ class Track:
             if not (isfinite(value) and value > 0):
                 raise MotionError(f"track: {name}={value:g} must be above 0")
         points = read_waypoints(points) if isinstance(points, (str, Path)) else list(points)
-        check(points, loop)
+        check_track(points, loop)
         first = points[0]
         self._plane = Plane(radians(first.latitude), radians(first.longitude), first.height)
         self._limit, self._loop = acceleration, loop

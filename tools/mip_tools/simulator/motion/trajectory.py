@@ -10,7 +10,7 @@ from itertools import pairwise
 from math import cos, degrees, inf, isfinite, pi, radians, sin
 from pathlib import Path
 
-from ...geometry.attitude import rotation
+from ...geometry.attitude import euler_rotation
 from ...geometry.earth import E2, Vector, radii
 from .state import PLACES, MotionError, State, check_place, is_place
 from .waypoints import read_text
@@ -112,7 +112,7 @@ class Trajectory:
         """Computes positions from the speed and the attitude, in small steps."""
 
         def rates(t: float, at: Sequence[float]) -> Vector:
-            _, m = rotation(*(angle.at(t)[0] for angle in self._angles))
+            _, m = euler_rotation(*(angle.at(t)[0] for angle in self._angles))
             v = speed.at(t)[0]
             along, across = radii(at[0])
             return m[0] * v / (along + at[2]), m[1] * v / ((across + at[2]) * cos(at[0])), -m[2] * v
@@ -157,7 +157,7 @@ class Trajectory:
             latitude, longitude, height,
             (m * dn, n * de, -up),
             (m * ddn + dm * dn, n * dde + dr * de, -faster),
-            *rotation(roll, pitch, yaw),
+            *euler_rotation(roll, pitch, yaw),
             (p - r * sp, q * cr + r * cp * sr, r * cp * cr - q * sr),
         )  # fmt: skip
 

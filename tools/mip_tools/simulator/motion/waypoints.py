@@ -20,7 +20,7 @@ class Waypoint(NamedTuple):
     speed: float | None = None  # m/s
 
 
-def check(points: Sequence[Waypoint], loop: bool) -> None:
+def check_track(points: Sequence[Waypoint], loop: bool) -> None:
     """Raises MotionError if the points do not form a track."""
     least = 3 if loop else 2
     if len(points) < least:

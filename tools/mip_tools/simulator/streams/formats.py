@@ -9,7 +9,7 @@ from ...binding import reflection
 from ...devices.codes import WRITE
 from ...devices.facts import COMMANDS
 from ...devices.profiles import assumed_rates, data_sets
-from ...devices.settings import command_type, home, keys
+from ...devices.settings import command_type, instance_keys, stored_by
 from ..state import DeviceState
 from .stream import Stream
 
@@ -77,8 +77,8 @@ def _keeper(device: DeviceState, set_number: int) -> Any:
     """Returns the command that stores the message format of a set."""
     for name, behavior in COMMANDS.items():
         if behavior.effect == "format" and device.knows(name):
-            kind = home(command_type(name))
-            if COMMANDS[kind.NAME].arguments["set"] == set_number or keys(kind):
+            kind = stored_by(command_type(name))
+            if COMMANDS[kind.NAME].arguments["set"] == set_number or instance_keys(kind):
                 return kind
     return None
 
@@ -92,8 +92,8 @@ def factory(device: DeviceState, keep: bool) -> None:
         at = COMMANDS[kind.NAME].arguments
         entry = next(p.type for p in reflection.info(kind).parameters if p.attribute == at["fields"])
         decimation = max(1, round(rate(device, set_number) / FACTORY_RATE))
-        own = sorted(x for s, x in device.known if s == set_number)[:FACTORY_FIELDS]
+        own = sorted(x for s, x in device.field_keys if s == set_number)[:FACTORY_FIELDS]
         wanted = [*(of_set(device, set_number) if keep else ()), *((x, decimation) for x in own)]
         values: dict[str, Any] = {str(at["fields"]): tuple(entry(*pair) for pair in wanted)}
-        values |= {name: set_number for name in keys(kind)}
+        values |= {name: set_number for name in instance_keys(kind)}
         device.settings.write(kind(function=WRITE, **values))

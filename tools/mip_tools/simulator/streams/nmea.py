@@ -9,8 +9,8 @@ from typing import Any, NamedTuple, Protocol
 
 from ...binding import SETS
 from ...geometry.attitude import euler
-from ...geometry.earth import Vector, utc
-from ...sentences import checksum
+from ...geometry.earth import Vector, gps_to_utc
+from ...sentences import nmea_checksum
 from ..surroundings.satellites import only
 from ..world.quantities import quantity
 from ..world.world import World
@@ -47,7 +47,7 @@ class _Fix(NamedTuple):
 
 
 def _fix(world: World, receiver: int | None) -> _Fix:
-    time = utc(world.gps)
+    time = gps_to_utc(world.gps)
     if receiver is None:
         s = world.place
         n, e, d = (quantity(world, f"uncertainty.{axis}") for axis in ("north", "east", "down"))
@@ -185,12 +185,12 @@ def _sentence(entry: Entry) -> tuple[_Sentence, str, str] | None:
     return None if talker is None else (sentence, source, talker)
 
 
-def known(entry: Entry) -> bool:
+def is_supported(entry: Entry) -> bool:
     """Is there such a sentence with this talker, from this source?"""
     return _sentence(entry) is not None
 
 
-def sentences(entries: Iterable[Entry], world: World) -> bytes:
+def compose_sentences(entries: Iterable[Entry], world: World) -> bytes:
     """Composes the sentences at the world's time, with checksums and line ends; unknown entries are skipped."""
     lines = []
     for entry in entries:
@@ -198,5 +198,5 @@ def sentences(entries: Iterable[Entry], world: World) -> bytes:
         if chosen is not None:
             sentence, source, talker = chosen
             fix = _fix(world, _SOURCES.get(source))
-            lines += [f"${text}*{checksum(text)}\r\n" for text in (talker + t for t in sentence.make(world, fix))]
+            lines += [f"${text}*{nmea_checksum(text)}\r\n" for text in (talker + t for t in sentence.make(world, fix))]
     return "".join(lines).encode("ascii")

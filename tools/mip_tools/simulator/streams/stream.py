@@ -48,7 +48,7 @@ class Stream:
         self._advance()
 
 
-def packets(set_number: int, fields: Iterable[RawField]) -> list[bytes]:
+def combined_fields(set_number: int, fields: Iterable[RawField]) -> list[bytes]:
     """Combines fields to as few packets as their order permits; shared fields at the front are repeated in each."""
     packets: list[bytes] = []
     front: list[RawField] = []
@@ -72,7 +72,7 @@ def packets(set_number: int, fields: Iterable[RawField]) -> list[bytes]:
     return packets
 
 
-def answers(set_number: int, groups: Iterable[Sequence[RawField]]) -> list[bytes]:
+def combined_answers(set_number: int, groups: Iterable[Sequence[RawField]]) -> list[bytes]:
     """Combines answers to as few packets as possible; an acknowledge is never separated from its response."""
     packets: list[bytes] = []
     builder, size = PacketBuilder(set_number), 0

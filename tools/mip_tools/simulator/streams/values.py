@@ -9,7 +9,7 @@ from functools import cache
 from typing import Any
 
 from ...binding import SCALARS, Device, Field, Parameter, reflection, registry
-from ...devices.facts import FieldValues, Value, shown
+from ...devices.facts import FieldValues, Value, value_sources
 from ...devices.names import value_named
 from ...devices.settings import filled
 from ..motion.replay import Replay
@@ -37,7 +37,7 @@ def encoder(kind: type[Field], profile: Device, world: World, set_number: int, c
     if not all(_packs(p) for p, _ in _flat(kind)):
         unchanging = _defaults(kind)
         return lambda: [unchanging]
-    source = shown(kind, set_number)
+    source = value_sources(kind, set_number)
     simulated = _encoder(kind, profile, world, set_number, source, channel)
     motion = world.motion
     if not isinstance(motion, Replay) or not _recorded(source):
@@ -58,7 +58,7 @@ def senses(profile: Device) -> frozenset[str]:
     quantities: set[str] = set()
     for number, kind in registry.all_types():
         if (number, kind.DESCRIPTOR) in profile.fields:
-            quantities.update(v.quantity for v in shown(kind, number).parameters.values())
+            quantities.update(v.quantity for v in value_sources(kind, number).parameters.values())
     return frozenset(sense for sense, quantity in _SENSES.items() if quantity in quantities)
 
 
@@ -69,7 +69,7 @@ def receiver_of(number: int) -> int:
         v.quantity[:6]
         for set_number, kind in registry.all_types()
         if set_number == number
-        for v in shown(kind, set_number).parameters.values()
+        for v in value_sources(kind, set_number).parameters.values()
     }
     return next((receiver for receiver in (1, 2) if f"gnss_{receiver}" in quantities), 0)
 

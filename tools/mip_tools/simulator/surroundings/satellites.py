@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import asin, cos, pi, radians, sin, sqrt
 from typing import NamedTuple
 
-from ...geometry.earth import GM, LIGHT, ROTATION, SECOND, WEEK, Vector, ecef, heading, to_ned
+from ...geometry.earth import GM, LIGHT, ROTATION, SECOND, WEEK, Vector, ecef, heading_of, to_ned
 
 NODE_RATE = -8.0e-9
 LOWEST = radians(10)
@@ -94,7 +94,7 @@ SATELLITES: tuple[Satellite, ...] = (
 )
 
 
-def place(s: Satellite, t: float) -> Vector:
+def position_at(s: Satellite, t: float) -> Vector:
     """Returns the Earth-fixed position at a GPS time in seconds."""
     mean = s.anomaly + s.motion * t
     e = mean + ECCENTRICITY * sin(mean)
@@ -111,7 +111,7 @@ def place(s: Satellite, t: float) -> Vector:
 
 def velocity(s: Satellite, t: float) -> Vector:
     """Returns the Earth-fixed velocity."""
-    (a, b, c), (d, e, f) = place(s, t - 0.5), place(s, t + 0.5)
+    (a, b, c), (d, e, f) = position_at(s, t - 0.5), position_at(s, t + 0.5)
     return d - a, e - b, f - c
 
 
@@ -120,7 +120,7 @@ def _line(s: Satellite, t: float, antenna: Vector) -> tuple[Vector, float, float
     delay, length = 0.075, 0.0
     line = (0.0, 0.0, 0.0)
     for _ in range(3):
-        x, y, z = place(s, t - delay)
+        x, y, z = position_at(s, t - delay)
         turn = ROTATION * delay
         x, y = x + y * turn, y - x * turn
         line = (x - antenna[0], y - antenna[1], z - antenna[2])
@@ -129,7 +129,7 @@ def _line(s: Satellite, t: float, antenna: Vector) -> tuple[Vector, float, float
     return line, length, delay
 
 
-def seen(
+def in_view(
     gps: int, latitude: float, longitude: float, height: float, moves: Vector, bias: float, drift: float
 ) -> tuple[Seen, ...]:
     """Returns satellites in view of an antenna that `moves` (Earth-fixed), with the `bias` of the receiver clock."""
@@ -138,7 +138,7 @@ def seen(
     up = (cos(latitude) * cos(longitude), cos(latitude) * sin(longitude), sin(latitude))
     rows = []
     for s in SATELLITES:
-        x, y, z = place(s, t)
+        x, y, z = position_at(s, t)
         above = (x - antenna[0]) * up[0] + (y - antenna[1]) * up[1] + (z - antenna[2]) * up[2]
         if above < 1e6:
             continue
@@ -150,7 +150,7 @@ def seen(
         v = velocity(s, t - delay)
         rate = sum((a - b) * c for a, b, c in zip(v, moves, line)) / length
         doppler = -(rate + LIGHT * drift) * s.frequency / LIGHT
-        rows.append((s, elevation, heading(n, e), length + LIGHT * (bias - s.clock_bias), doppler))
+        rows.append((s, elevation, heading_of(n, e), length + LIGHT * (bias - s.clock_bias), doppler))
     return tuple(Seen(i, len(rows), *row) for i, row in enumerate(rows, 1))
 
 
@@ -160,7 +160,7 @@ def only(satellites: Sequence[Seen], constellation: str) -> tuple[Seen, ...]:
     return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
 
 
-def without(satellites: Sequence[Seen], constellations: frozenset[str]) -> tuple[Seen, ...]:
+def renumbered(satellites: Sequence[Seen], constellations: frozenset[str]) -> tuple[Seen, ...]:
     """Returns the satellites of other constellations, renumbered."""
     kept = [s for s in satellites if s.satellite.constellation not in constellations]
     return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))

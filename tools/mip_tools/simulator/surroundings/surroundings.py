@@ -14,7 +14,7 @@ from ...geometry.earth import SECOND, Matrix, Vector, turned, turned_back
 from ..motion.state import Motion, State
 from . import wmm
 from .noise import Noise, Values
-from .satellites import DAY, Dop, Seen, dop, seen, without
+from .satellites import DAY, Dop, Seen, dop, in_view, renumbered
 
 T = TypeVar("T")
 
@@ -129,7 +129,7 @@ class Surroundings:
         }
         self._outputs: dict[tuple[int, str, str], Output] = {}
         self._state: State | None = None
-        self._known: dict[str, Any] = {}
+        self._cache: dict[str, Any] = {}
         self._turn: Matrix | None = None
         first = motion.at(0.0)
         #: Reference point of the relative position.
@@ -165,8 +165,8 @@ class Surroundings:
         self.time = nanoseconds / SECOND
         self.gps = self.start + nanoseconds
         self._state = None
-        if self._known:
-            self._known = {}
+        if self._cache:
+            self._cache = {}
 
     @property
     def state(self) -> State:
@@ -178,9 +178,9 @@ class Surroundings:
 
     def once(self, name: str, make: Callable[[], T]) -> T:
         """Computes a result at most once per point in time."""
-        item: T | None = self._known.get(name)
+        item: T | None = self._cache.get(name)
         if item is None:
-            item = self._known[name] = make()
+            item = self._cache[name] = make()
         return item
 
     def restart(self) -> None:
@@ -264,7 +264,7 @@ class Surroundings:
         self._turn = (a, b, c, d, e, f, g, h, i)
         if self._turn == _IDENTITY:
             self._turn = None
-        self._known = {}
+        self._cache = {}
 
     def vehicle(self, v: Vector) -> Vector:
         """Rotates a vector from the sensor frame to the vehicle frame."""
@@ -398,12 +398,12 @@ class Surroundings:
     def magnetic_field(self) -> Vector:
         """The magnetic field along north, east and down."""
         s = self.state
-        return wmm.field(self.gps, s.latitude, s.longitude, s.height)
+        return wmm.magnetic_field(self.gps, s.latitude, s.longitude, s.height)
 
     @property
     def modelled_field(self) -> Vector:
         """The magnetic field at the position for which the device computes it."""
-        return wmm.field(self.gps, *self.modelled)
+        return wmm.magnetic_field(self.gps, *self.modelled)
 
     @property
     def declination(self) -> float:
@@ -462,8 +462,8 @@ class Surroundings:
                 return ()
             a = self.antenna(receiver)
             moves = earth.from_ned(a.latitude, a.longitude, a.velocity)
-            satellites = seen(self.gps, a.latitude, a.longitude, a.height, moves, *self.receiver_clock(receiver))
-            return without(satellites, self.signals_off) if self.signals_off else satellites
+            satellites = in_view(self.gps, a.latitude, a.longitude, a.height, moves, *self.receiver_clock(receiver))
+            return renumbered(satellites, self.signals_off) if self.signals_off else satellites
 
         return self.once(f"satellites {receiver}", look)
 
@@ -477,4 +477,4 @@ class Surroundings:
         if hypot(n, e) < 0.02:
             m = self.dcm
             n, e = m[0], m[1]
-        return earth.heading(n, e)
+        return earth.heading_of(n, e)

@@ -7,7 +7,7 @@ from functools import cache, lru_cache
 from math import cos, degrees, hypot, radians, sin, sqrt
 from pathlib import Path
 
-from ...geometry.earth import SECOND, Vector, ecef, utc
+from ...geometry.earth import SECOND, Vector, ecef, gps_to_utc
 
 _RADIUS = 6371200.0
 _DEGREE = 12
@@ -79,12 +79,12 @@ def field_in_year(year: float, latitude: float, longitude: float, height: float)
 
 @lru_cache(256)
 def _cell(day: int, latitude: int, longitude: int, height: int) -> Vector:
-    date = utc(day * _DAY)
+    date = gps_to_utc(day * _DAY)
     year = date.year + (date.timetuple().tm_yday - 1) / 365.25
     return field_in_year(year, radians(latitude / 1000), radians(longitude / 1000), height * 100.0)
 
 
-def field(gps: int, latitude: float, longitude: float, height: float) -> Vector:
+def magnetic_field(gps: int, latitude: float, longitude: float, height: float) -> Vector:
     """Returns the field in gauss (north, east, down) at a time in nanoseconds since the GPS epoch.
 
     The inputs are rounded to a day, a thousandth of a degree, and 100 m: each step changes the field by less than 1 nT.

@@ -10,7 +10,15 @@ from math import atan2, hypot, pi, sin, sqrt
 from typing import Any, NamedTuple
 
 from ...geometry import earth
-from ...geometry.attitude import conjugate, euler, matrix, multiplied, quaternion, rotation, rotation_vector
+from ...geometry.attitude import (
+    attitude_matrix,
+    conjugate,
+    euler,
+    euler_rotation,
+    multiplied,
+    quaternion,
+    rotation_vector,
+)
 from ...geometry.earth import SECOND, WEEK, Matrix, Vector
 from ..filter.estimate import Filter, rotated
 from ..surroundings.surroundings import Output
@@ -124,14 +132,14 @@ def _rotation(w: World, out: Output) -> Vector:
 def _velocity(w: World, out: Output) -> Vector:
     t = _seconds(w, out)
     (n, e, d), (a, b, c) = w.state.velocity, out.velocity
-    change = earth.turned(matrix(out.attitude), (n - a, e - b, d - c - w.gravity * t))
+    change = earth.turned(attitude_matrix(out.attitude), (n - a, e - b, d - c - w.gravity * t))
     change = _sum(change, _scaled(w.accel_constant_left, t))
     noise = w.added_noise(ACCEL, out)
     return w.vehicle(change if noise is None else _sum(change, noise))
 
 
 def _matrix(w: World, out: Output) -> tuple[float, ...]:
-    m = matrix(multiplied(conjugate(out.attitude), w.state.quaternion))
+    m = attitude_matrix(multiplied(conjugate(out.attitude), w.state.quaternion))
     turn = w.sensor_to_vehicle
     columns = (turn[0], turn[3], turn[6], turn[1], turn[4], turn[7], turn[2], turn[5], turn[8])
     return earth.product(turn, earth.product(m, columns))
@@ -181,7 +189,7 @@ def _complementary(w: World) -> Matrix:
 
     def value() -> Matrix:
         wrong = w.complementary.errors
-        return rotation(*_sum(euler(w.dcm), wrong))[1] if any(wrong) else w.dcm
+        return euler_rotation(*_sum(euler(w.dcm), wrong))[1] if any(wrong) else w.dcm
 
     return w.once("complementary", value)
 
@@ -217,12 +225,12 @@ _TIME: dict[str, Function] = {
     "clock.pulse": lambda w, _: w.synchronized,
     "gps.leap_seconds": lambda w, _: earth.leap_seconds(w.gps),
     "clock.pulse_age": lambda w, _: 0 if w.synchronized else 255,
-    "utc.year": lambda w, _: earth.utc(w.gps).year,
-    "utc.month": lambda w, _: earth.utc(w.gps).month,
-    "utc.day": lambda w, _: earth.utc(w.gps).day,
-    "utc.hour": lambda w, _: earth.utc(w.gps).hour,
-    "utc.minute": lambda w, _: earth.utc(w.gps).minute,
-    "utc.second": lambda w, _: earth.utc(w.gps).second,
+    "utc.year": lambda w, _: earth.gps_to_utc(w.gps).year,
+    "utc.month": lambda w, _: earth.gps_to_utc(w.gps).month,
+    "utc.day": lambda w, _: earth.gps_to_utc(w.gps).day,
+    "utc.hour": lambda w, _: earth.gps_to_utc(w.gps).hour,
+    "utc.minute": lambda w, _: earth.gps_to_utc(w.gps).minute,
+    "utc.second": lambda w, _: earth.gps_to_utc(w.gps).second,
     "utc.millisecond": lambda w, _: w.gps % SECOND // 1_000_000,
     "reference.time": lambda w, _: w.now - w.booted,
     "reference.delta": lambda w, out: w.now - out.previous,

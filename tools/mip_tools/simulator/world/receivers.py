@@ -129,7 +129,7 @@ _EPHEMERIDES: dict[str, Function] = {
     "ephemeris.day_time": lambda w, e: _day(e)[1],
     "ephemeris.day": lambda w, e: _day(e)[0] % 256,
     "ephemeris.odd": lambda w, e: int(_day(e)[1] // 900) % 2,
-    "ephemeris.position": lambda w, e: satellites.place(e.satellite, e.time / SECOND),
+    "ephemeris.position": lambda w, e: satellites.position_at(e.satellite, e.time / SECOND),
     "ephemeris.velocity": lambda w, e: satellites.velocity(e.satellite, e.time / SECOND),
 }
 

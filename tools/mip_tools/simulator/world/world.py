@@ -7,7 +7,7 @@ from math import cos
 from typing import Any, NamedTuple
 
 from ...geometry import earth
-from ...geometry.attitude import Quaternion, euler, rotation
+from ...geometry.attitude import Quaternion, euler, euler_rotation
 from ...geometry.earth import Matrix, Vector, turned_back
 from ..filter.estimate import Complementary, Filter
 from ..motion.state import Motion
@@ -61,7 +61,7 @@ class World(Surroundings):
         if not any(wrong):
             return self.quaternion, self.dcm
         roll, pitch, yaw = euler(self.dcm)
-        return rotation(roll + wrong[0], pitch + wrong[1], yaw + wrong[2])
+        return euler_rotation(roll + wrong[0], pitch + wrong[1], yaw + wrong[2])
 
     @property
     def place(self) -> Place:

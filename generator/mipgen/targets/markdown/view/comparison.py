@@ -15,7 +15,7 @@ from typing import TypeVar
 from mipgen import model as m
 from mipgen.facts import describe
 
-from ..offsets import layout
+from ..offsets import parameter_offsets
 from ..places import Page, label
 from ..text import code, hexadecimal, inline, table
 from .devices import Section, base_rate, limit
@@ -80,7 +80,7 @@ class Comparison:
 
         def row(f: m.Field, number: int) -> list[str]:
             cells = [supported(d, support.get((d.id, f.name_in(number)))) for d in self.columns]
-            measured = [", ".join(map(inline, units(f)))] if role == m.DATA else []
+            measured = [", ".join(map(inline, unit_symbols(f)))] if role == m.DATA else []
             return [code(hexadecimal(f.descriptor)), self.page.link(f, inline(f.title)), *measured, *cells]
 
         headings = ["Descriptor", "Field", *(["Units"] if role == m.DATA else []), *map(self.page.link, self.columns)]
@@ -179,9 +179,9 @@ def missing(d: m.Device) -> str:
     return UNKNOWN if d.absent == "unknown" else NO
 
 
-def units(f: m.Field) -> list[str]:
+def unit_symbols(f: m.Field) -> list[str]:
     """Returns the symbols of the units of a field's values."""
-    symbols = (u.symbol for row in layout(f) if row.parameter for u in row.parameter.units)
+    symbols = (u.symbol for row in parameter_offsets(f) if row.parameter for u in row.parameter.units)
     return list(dict.fromkeys(symbols))
 
 

@@ -98,7 +98,7 @@ class Contents:
                 self.page.anchor(x) + inline(x.id),
                 inline(x.title),
                 inline(x.document),
-                self.page.markdown(describe.lengths(x, self.page.model)),
+                self.page.markdown(describe.length_facts(x, self.page.model)),
                 self._number(x, "errata", self.page.model.errata),
                 self._number(x, "examples", self.page.model.examples),
             ]

@@ -148,7 +148,7 @@ class Device(View[m.Device]):
         """The parameters with a different meaning on the device."""
         rows = []
         for v in self.of.variants:
-            difference = describe.difference(v.variant, v.parameter, v.field, self.model)
+            difference = describe.variant_text(v.variant, v.parameter, v.field, self.model)
             rows.append([self.page.link(v.field), code(v.parameter.name), self.page.markdown(difference)])
         return table(rows, ["Field", "Parameter", "On this device"])
 

@@ -9,11 +9,11 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.facts import describe, descriptors
-from mipgen.facts.misprints import differences
+from mipgen.facts.misprints import misprint_text
 from mipgen.lower import codec, extent
 
 from ..places import Page
-from ..text import code, decimal, hexadecimal, inline, plain, spaced, table
+from ..text import code, decimal, escaped_line, hexadecimal, inline, spaced, table
 from .base import View
 
 #: The names of parameters, and the numbers of elements, that lead to a value.
@@ -84,7 +84,7 @@ class Example(View[m.Example]):
     def misprints(self) -> str:
         """The differences between the bytes in the manual and the correct ones, and the errata about them."""
         errata = self.page.links(self.page.index.errata_of_example(self.of))
-        misprints = "; ".join(plain(difference) for difference in differences(self.of))
+        misprints = "; ".join(escaped_line(difference) for difference in misprint_text(self.of))
         return misprints and f"{misprints}. See {errata}."
 
 
@@ -166,7 +166,7 @@ def _parameter(p: m.Parameter, value: Any, scope: Scope, data: bytes, place: Pla
             rest = data[i * item.struct.max_size :]
             yield from _record(scope.inside(p, item.struct, values), rest, (*place, i))
     elif item.several:
-        size = extent.element(p)
+        size = extent.item_size(p)
         for i, elements in enumerate(value):
             yield Piece(data[i * size : (i + 1) * size], (*place, i), _numbers(p, elements, scope))
     elif p.union:
@@ -198,7 +198,7 @@ def _hexadecimal(p: m.Parameter, value: int, scope: Scope) -> str:
     """Writes a number in hexadecimal, with the set or the field that it identifies."""
     model = scope.page.model
     number = descriptors.set_of(p, scope.values, model) or scope.fields_of
-    meant = descriptors.meant(p, value, number, model)
+    meant = descriptors.named_by_value(p, value, number, model)
     shown = code(descriptors.hexadecimal(p, value))
     return f"{shown} {scope.page.link(meant, inline(meant.title))}" if meant else shown
 

@@ -295,7 +295,7 @@ class Migration(View[guides.Migration]):
 
     def _reading(self, v: m.DeviceVariant | None, other: m.DeviceVariant) -> str:
         """States the meaning of a parameter on a device: the usual one unless the device differs."""
-        model, describing = self.model, describe.difference if v else describe.usual
+        model, describing = self.model, describe.variant_text if v else describe.usual_text
         v = v or other
         return self.page.markdown(describing(v.variant, v.parameter, v.field, model))
 

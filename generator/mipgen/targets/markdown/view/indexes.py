@@ -8,7 +8,7 @@ from functools import partial
 
 from mipgen import model as m
 
-from ..offsets import layout
+from ..offsets import parameter_offsets
 from ..places import Page, label
 from ..snippets import LANGUAGES, Language
 from ..text import code, hexadecimal, inline, table
@@ -30,7 +30,7 @@ class IndexPage:
         return f"docs/indexes/{self.name}.md"
 
 
-def descriptors(page: Page) -> Iterator[Section]:
+def descriptor_table(page: Page) -> Iterator[Section]:
     """Lists every descriptor of every set in order, including those without a layout."""
     headings = ["Descriptor", "Short", "Field", "Name", "Role"]
     yield Section("Every command set", table([_described(page, page.model.protocol.acknowledge, 0)], headings))
@@ -63,7 +63,7 @@ def _spelled(set_: int, descriptor: int) -> list[str]:
 # --------------------------------------------------------------------------- by letters
 
 
-def names(page: Page) -> list[Section]:
+def by_title(page: Page) -> list[Section]:
     """Lists every field by its title."""
     rows = [
         (f.title, [page.link(f), code(f.full_name), f.role])
@@ -103,7 +103,7 @@ def lettered(rows: Iterable[tuple[str, Sequence[str]]], headings: Sequence[str])
 # --------------------------------------------------------------------------- by unit
 
 
-def units(page: Page) -> list[Section]:
+def unit_table(page: Page) -> list[Section]:
     """Lists, for each unit, the parameters that use it, also on single devices."""
     by_unit: dict[str, list[list[str]]] = {u.key: [] for u in page.model.protocol.units}
     for f in (page.model.protocol.acknowledge, *page.model.fields):
@@ -122,7 +122,7 @@ def units(page: Page) -> list[Section]:
 
 def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
     """Yields the keys of the units in a field, each with a link to a parameter that uses it."""
-    for row in layout(f):
+    for row in parameter_offsets(f):
         if row.parameter is None:
             continue
         link = f"[{code(row.name)}]({page.url(f).partition('#')[0]}#{parameter_anchor(f, row)})"
@@ -134,7 +134,7 @@ def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
 # --------------------------------------------------------------------------- by symbol
 
 
-def symbols(language: Language, page: Page) -> list[Section]:
+def by_symbol(language: Language, page: Page) -> list[Section]:
     """Lists the symbols of a binding for each field and type, in one table for each set."""
     headings = ["Symbol", "Field or type", "Functions and constants"]
     rows: dict[str, list[list[str]]] = {}
@@ -151,13 +151,13 @@ def symbols(language: Language, page: Page) -> list[Section]:
 INDEXES = (
     IndexPage(
         "descriptors", "By descriptor", "Index by descriptor",
-        "Every descriptor of every set in order: commands, responses and data fields.", descriptors,
+        "Every descriptor of every set in order: commands, responses and data fields.", descriptor_table,
     ),
-    IndexPage("names", "By name", "Index by name", "Every command, response and data field by its title.", names),
+    IndexPage("names", "By name", "Index by name", "Every command, response and data field by its title.", by_title),
     IndexPage("types", "By type", "Index by type", "Every type, and the fields and types that use it.", type_users),
     IndexPage(
         "units", "By unit", "Index by unit",
-        "For each [unit](../units.md), the parameters that use it, at least on some devices.", units,
+        "For each [unit](../units.md), the parameters that use it, at least on some devices.", unit_table,
     ),
     IndexPage(
         "vendor", "By the vendor's names", "Index by the vendor's names",
@@ -165,7 +165,7 @@ INDEXES = (
     ),
     *(
         IndexPage(
-            x.name, f"Symbols in {x.title}", f"Index of symbols in {x.title}", f"The {x.listed}.", partial(symbols, x)
+            x.name, f"Symbols in {x.title}", f"Index of symbols in {x.title}", f"The {x.listed}.", partial(by_symbol, x)
         )
         for x in LANGUAGES
     ),

@@ -11,7 +11,7 @@ from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.facts.describe import Fact, Ref
 
-from ..offsets import Row, layout
+from ..offsets import Row, parameter_offsets
 from ..places import Page, place
 from ..text import code, hexadecimal, inline, table
 from .base import View
@@ -97,7 +97,7 @@ class Parameters(View[m.Record]):
     @cached_property
     def rows(self) -> list[_Row]:
         rows = []
-        for row in layout(self.of):
+        for row in parameter_offsets(self.of):
             facts = [describe.case(*row.case, row.record)] if row.case else []
             facts += describe.parameter(row.parameter, row.record, self.model) if row.parameter else []
             anchor = parameter_anchor(self.of, row) if isinstance(self.of, m.Field) and row.parameter else ""
@@ -181,7 +181,7 @@ def values_of(page: Page, records: Sequence[m.Record]) -> list[Values]:
     """Returns the values and bits that the parameters of records may have, one entry for each type."""
     users: dict[tuple[str, str], tuple[m.Enum | m.Bitfield, str, dict[str, None]]] = {}
     for record in records:
-        for row in layout(record):
+        for row in parameter_offsets(record):
             p = row.parameter
             for t in [p.element, *(v.type for v in p.readings)] if p and not p.selector else []:
                 if isinstance(t, (m.Enum, m.Bitfield)):

@@ -45,7 +45,7 @@ class Set(View[m.Set]):
         rows = [
             [
                 *entry(page, f, f.functions),
-                size(f),
+                length_text(f),
                 *([page.links(self.model.devices_of(f, number=s.number))] if supported else []),
                 first_sentence(page, f),
             ]
@@ -81,7 +81,7 @@ def first_sentence(page: Page, f: m.Field) -> str:
     return page.prose(re.split(r"(?<=\w\w[.!?]) (?=[A-Z`])", " ".join(f.description.split()))[0])
 
 
-def size(f: m.Field) -> str:
+def length_text(f: m.Field) -> str:
     """Writes the length of a field, from the shortest form to the longest."""
     shortest = [totals(c.required, Extent(1 if c.function else 0))[0].fixed for c in f.calls]
     low = min(shortest) if f.role == m.COMMAND else f.min_size

@@ -97,7 +97,7 @@ class Crate:
             constants = {e: f"{name}_{i}" for i, e in enumerate(d.evidence, 1)}
             codes = {v.value: f"AckCode::{names.constant(v.name)}" for v in self.model.protocol.ack_code.values}
             fields = [
-                (member, [(s, names.constants(s.functions), constants[s.evidence]) for s in supports])
+                (member, [(s, names.selector_macros(s.functions), constants[s.evidence]) for s in supports])
                 for member, supports in (("fields", d.supports), ("refuses", d.refuses))
             ]
             yield Device(
@@ -150,7 +150,7 @@ class Family:
 
     @property
     def numbers(self) -> str:
-        return docs.numbers(self.of)
+        return docs.set_numbers(self.of)
 
     @property
     def doc(self) -> list[Block]:

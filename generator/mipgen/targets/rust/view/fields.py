@@ -80,7 +80,7 @@ class Field(Record):
 
     @property
     def values(self) -> Tree:
-        return tree(self.of.parameters)
+        return parameter_tree(self.of.parameters)
 
     # ------------------------------------------------------------------ commands
 
@@ -104,13 +104,13 @@ class Field(Record):
         answered = [x for x in f.functions if x.responds and f.responses]
         for answer, functions in (("()", [x for x in f.functions if x not in answered]), (response, answered)):
             if functions:
-                yield f"for {names.constants(functions)} -> {answer}"
+                yield f"for {names.selector_macros(functions)} -> {answer}"
         for reply in self.crate.model.replies(f):
             types = " | ".join(names.type_name(layout.name) for layout in reply.layouts)
-            within = f" for {names.constants(reply.functions)}" if reply.functions else ""
+            within = f" for {names.selector_macros(reply.functions)}" if reply.functions else ""
             yield f"responds {types}{within}{', if ' if reply.when else ''}{self._conditions(reply.when)}"
         if silent := [x for x in f.functions if not x.reply]:
-            yield f"silent for {names.constants(silent)}"
+            yield f"silent for {names.selector_macros(silent)}"
         if f.silent_when:
             yield f"silent if {self._conditions(f.silent_when)}"
         if f.timeout:
@@ -132,10 +132,10 @@ def _value(condition: m.Condition, x: Member) -> str:
     return f"Some({value})" if x.may_be_absent else value
 
 
-def tree(parameters: Iterable[m.Parameter]) -> Tree:
+def parameter_tree(parameters: Iterable[m.Parameter]) -> Tree:
     """Returns the parameters that are members of types, with those of structures, and the alternatives of unions."""
     inside = ((p, p.item.struct.parameters if p.item.struct else p.alternatives) for p in parameters if not p.derived)
-    return [(p, tree(parts)) for p, parts in inside]
+    return [(p, parameter_tree(parts)) for p, parts in inside]
 
 
 def set_numbers(sets: Sequence[int], separator: str) -> str:

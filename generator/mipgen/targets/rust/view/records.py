@@ -54,7 +54,7 @@ class Member:
         """Its default value, as an expression."""
         if self.may_be_absent:
             return "None"
-        return reserved(self.parameter) if self.parameter.reserved else default(self.parameter)
+        return sent_value(self.parameter) if self.parameter.reserved else default_value(self.parameter)
 
     @property
     def serde(self) -> list[str]:
@@ -115,7 +115,7 @@ class Union:
         case = next((c for c in self.of.cases if c.tag.value == 0), None)
         if case is None:
             return f"{self.name}::Other({self.tag_type}(0))"
-        value = f"({default(case.parameter)})" if case.parameter else ""
+        value = f"({default_value(case.parameter)})" if case.parameter else ""
         return f"{self.name}::{names.variant(case.tag.name)}{value}"
 
 
@@ -240,7 +240,7 @@ class Record:
 
     def _group(self, group: m.Group) -> tuple[str, list[str]]:
         required = group.parameters[0].required_for
-        when = f"for {names.constants(required)}" if required else "optional"
+        when = f"for {names.selector_macros(required)}" if required else "optional"
         if len(group.parameters) == 1:
             return f"{step(group.parameters[0])} {when}", []
         members = ", ".join(x.name for x in self.members if x.parameter in group.parameters)
@@ -281,7 +281,7 @@ class Record:
             elif p in way.values:
                 values.append((x.name, f"{names.member(way.unions[p.name].name)}.tag()"))
             elif p in way.required:
-                values.append((x.name, reserved(p)))
+                values.append((x.name, sent_value(p)))
             elif not way.function:
                 values.append((x.name, "None"))
         name, call_type = "new", ""
@@ -377,12 +377,12 @@ def step(p: m.Parameter) -> str:
     return f"{name} by {names.member(p.counter)}" if p.counter else f"{name} selects" if p.selector else name
 
 
-def default(p: m.Parameter) -> str:
+def default_value(p: m.Parameter) -> str:
     """Writes the default of a parameter's type."""
     return f"[{DEFAULT}; {p.count}]" if is_long(p) else DEFAULT
 
 
-def reserved(p: m.Parameter) -> str:
+def sent_value(p: m.Parameter) -> str:
     """Writes the value that is sent for a reserved parameter."""
     return f"[{p.reserved}; {p.length}]" if isinstance(p.length, int) else str(p.reserved)
 
