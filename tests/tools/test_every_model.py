@@ -15,7 +15,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 from io import StringIO
+from itertools import pairwise
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import mip_tools
@@ -23,6 +25,8 @@ import numpy as np
 import pytest
 from mip_protocol import Parser, base, mip_3dm, types
 from mip_tools.simulator import VirtualDevice
+from mip_tools.simulator.endpoints.endpoint import tcp_at
+from mip_tools.simulator.endpoints.serve import Server
 from mip_tools.simulator.streams import formats
 from mipgen import model as m
 from mipgen.lower import codec, validity
@@ -62,6 +66,10 @@ class Sent:
     def stamps(self) -> list[validity.Timestamp]:
         return [t for t in STAMPS if self.fields.get(t.field.descriptor) is t.field]
 
+    @property
+    def data(self) -> list[m.Field]:
+        return [f for f in self.fields.values() if not f.everywhere and not any(t.field is f for t in STAMPS)]
+
     def clock(self, sync: bool) -> str | None:
         """The clock of its times: with a date, else the first that has none; None if it has no times."""
         if sync and any(t.clocks[0].epoch for t in self.stamps):
@@ -71,13 +79,17 @@ class Sent:
         return min(found, key=order.index, default=None)
 
 
+def known(name: str) -> m.Device:
+    return next(d for d in SPEC.devices if d.id == name)
+
+
 def plan(name: str, device: VirtualDevice) -> list[Sent]:
     """The timestamps of each set, and its first field, with and without flags, at 10 Hz or as close as possible."""
-    known = next(d for d in SPEC.devices if d.id == name)
-    rates = {rate.set.number: rate.hertz for rate in known.base_rates}
+    profile = known(name)
+    rates = {rate.set.number: rate.hertz for rate in profile.base_rates}
     plans = []
-    for number in sorted({s.set for s in known.supports if 0x80 <= s.set < 0xFF}):
-        able = [s.field for s in known.supports if s.set in (number, 0xFF)]
+    for number in sorted({s.set for s in profile.supports if 0x80 <= s.set < 0xFF}):
+        able = [s.field for s in profile.supports if s.set in (number, 0xFF)]
         able = [f for f in able if f.role == m.DATA and number in f.sets]
         stamps = [t.field for t in STAMPS]
         with_flags = [f for f in able if f not in stamps and any(readings(f, p) for p in f.parameters)]
@@ -143,6 +155,49 @@ def test_every_model_is_read_as_specified(name: str, sync: bool, tmp_path: Path)
     check_csv(mip("export", path, "--format", "csv", "-o", "-"), clocks)
     check_csv(mip("stream", "-", "--format", "csv", data=path.read_bytes()), clocks)
     check_doctor(path, plans, sync)
+
+
+@pytest.mark.parametrize("name, sync", MODELS)
+def test_every_model_streams_at_a_port(name: str, sync: bool, tmp_path: Path) -> None:
+    """Fields that are started at a port have the model's rates and clocks, and the rows that a log of them has."""
+    places: list[str] = []
+    data: list[bytes] = []
+    device = VirtualDevice(name, sync=sync, trace=lambda _, packet: data.append(packet))
+    plans = plan(name, device)
+    device.arrange()
+    rates = {f"{NAMES[s.number]}.{f.name}": s.rate for s in plans for f in s.data}
+    words = [*map("{0[0]}@{0[1]}".format, rates.items()), *["--time", "utc"] * sync]
+    if not any("base_rate" in s.field.name for s in known(name).supports):  # its fields cannot be started
+        words = list(rates)
+    with Server(device, [tcp_at("0")], 20.0, ready=places.append) as server:
+        thread = Thread(target=server.run)
+        thread.start()
+        try:
+            form = "--format", "jsonl", "--by", "packet", "--invalid", "mask"
+            code, out, error = mip("stream", places[0], *words, *form, "--packets", 60)
+        finally:
+            server.stop()
+            thread.join()
+    assert code == 0, error
+    (tmp_path / "log.bin").write_bytes(b"".join(data))
+    logged = rows_of(mip("export", tmp_path / "log.bin", *rates, *form, "-o", "-")[1])
+    rows = rows_of(out)
+    assert len(rows) > 30 and all(row in logged for row in rows)
+    for sent in plans:
+        clock, prefix = sent.clock(sync), f"{NAMES[sent.number]}."
+        own = [row for row in rows if len(plans) == 1 or any(key.startswith(prefix) for key in row)]
+        times = [row.get("time" if clock == "gps" else "time_device") for row in own]
+        assert own and all((x is not None) == (clock is not None) for x in times), sent
+        if clock == "gps":
+            times = [(datetime.fromisoformat(x[:26]) - BEGIN) / timedelta(seconds=1) for x in times]
+        steps = [b - a for a, b in pairwise(times) if clock]
+        assert steps == pytest.approx([1 / sent.rate] * len(steps), abs=1e-5), sent
+
+
+def rows_of(text: str) -> list[dict[str, Any]]:
+    """Lines of a stream or a log, without what only a stream has."""
+    lines = map(json.loads, text.splitlines())
+    return [{key: x for key, x in line.items() if key not in ("time_host", "time_own")} for line in lines]
 
 
 @heavy("mcap, rosbags")
