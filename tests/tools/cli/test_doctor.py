@@ -18,6 +18,7 @@ from threading import Thread
 from typing import Any
 
 import numpy as np
+import mip_tools
 import pytest
 from mip_protocol import PacketBuilder, Parser, base, mip_3dm, shared, types
 from mip_tools.columns import read_log
@@ -168,6 +169,8 @@ def test_a_planted_cause_is_named_and_nothing_else(name: str, monkeypatch: pytes
     found = examined(make())
     assert [(e.cause, e.sets & {0x80} if e.cause == "changed format" else e.sets) for e in found.events] == causes
     assert [f.cause for f in findings.in_stream(found)] == list(dict.fromkeys(cause for cause, _ in causes))
+    with mip_tools.read_log(make()) as log:
+        assert found.rates == {(x.set, x.descriptor): x.rate for x in log.types() if x.rate}
     monkeypatch.setattr(stream, "PART", 7000)
     parts = examined(make())
     assert (

@@ -12,9 +12,11 @@ import numpy as np
 from ..binding import CLOCKS, SECOND
 from ..columns import Log, timeline, times
 from ..columns.distinct import distinct
+from ..columns.intervals import Intervals
 from ..columns.scan import Array
 from ..columns.stamps import NONE
 from ..logs import inputs, recognize
+from ..logs.report import Kind
 from ..text.clocks import dated
 from ..text.decoding import name_of
 from .events import Event, merged_events
@@ -59,6 +61,7 @@ class _Set:
     end: int | None = None  # of its last packet
     base: str = ""  # the clock by which its rhythm is followed
     last: dict[str, int] = field(default_factory=dict)  # clock -> time of its last packet
+    intervals: Intervals = field(default_factory=Intervals)
 
 
 class _Noted(NamedTuple):
@@ -82,6 +85,8 @@ class Examination:
         self._flags = Flags(log.device)
         self._values = Values()
         self._sets: dict[int, _Set] = {}
+        self._in_order = line.clocks(line.sets).in_order
+        self._kinds: dict[Key, Kind] = {}
         self._rhythms: dict[Key, Rhythm] = {}
         self._origins: dict[str, tuple[int, int]] = {}  # clock -> the offset of its first time, and this time
         self._latest: dict[str, tuple[int, int]] = {}  # clock -> the offset of its last time, and this time
@@ -106,6 +111,7 @@ class Examination:
         for number in part.sets:
             self._rhythm(part, number, self._clocks(part, number))
             self._spans(part, number)
+            self._intervals(part, number)
         for number, packets in part.sets.items():
             self._sets[number].count += len(packets)
             self._sets[number].end = int(part.end[packets[-1]])
@@ -124,7 +130,11 @@ class Examination:
         result = self.result
         result.events = merged_events([*self._events, *self._values.events()])
         result.untimed = [n for n, state in self._sets.items() if not state.base and not result.times[n].stamped]
-        result.rates = {k: SECOND / r.usual for k, r in self._rhythms.items() if r.usual}
+        rates = {
+            key: self._sets[key[0]].intervals.rate_of(kind.packets, kind.last - kind.first + 1)
+            for key, kind in self._kinds.items()
+        }
+        result.rates = {key: rate for key, rate in rates.items() if rate}
         result.sentences = self._skipped.sentences
         result.unnamed = self._flags.unnamed
         result.warned = list(self._flags.warned(result.names))
@@ -228,6 +238,20 @@ class Examination:
             spans[-1] = spans[-1][0], int(time[ends[0] - 1])
         for begin, end in zip(begins[: MOST - len(spans)], ends[1:]):
             spans.append((int(time[begin]), int(time[end - 1])))
+
+    def _intervals(self, part: Part, number: int) -> None:
+        """Adds what the rates of the fields of a set follow from, as in `mip info`."""
+        state, valid = self._sets[number], self.result.times[number].valid
+        clock = next((clock for clock in self._in_order if valid.get(clock)), "")
+        if clock:
+            packets, time = part.valid(number, clock)
+            state.intervals.add_all(time, part.at[packets])
+        for key in [key for key in part.packets if key[0] == number]:
+            packets = np.unique(part.packets[key])
+            kind = self._kinds.setdefault(key, Kind(""))
+            first, last = (state.count + part.before(number, int(packets[i])) for i in (0, -1))
+            kind.packets += len(packets)
+            kind.first, kind.last = first if kind.first < 0 else kind.first, last
 
     # ------------------------------------------------------------------ rhythms
 

@@ -1,4 +1,4 @@
-"""The latest values of all fields that have arrived."""
+"""The latest values of all fields that have arrived, with their rates by the time of the device."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
+from ..binding import CLOCKS, SECOND, moments
 from ..devices.known import KnownDevice
 from ..logs import inputs
 from ..logs.scan import Piece
@@ -23,20 +24,19 @@ STALE = 3.0
 
 
 class _Latest:
-    """The last field of a kind, and the arrival times of the last ones."""
+    """The last field of a kind, and the times of the last ones: of their arrival, and by a clock in their packets."""
 
     __slots__ = ("field", "times")
 
     def __init__(self, field: DecodedField) -> None:
         self.field = field
-        self.times: deque[float] = deque(maxlen=200)
+        self.times: deque[tuple[float, str, float]] = deque(maxlen=200)
 
     def rate(self, now: float) -> float | None:
         """Returns the rate in Hz over the last seconds."""
-        recent = [t for t in self.times if now - t < STALE]
-        if len(recent) < 2:
-            return None
-        return (len(recent) - 1) / max(recent[-1] - recent[0], 1e-9)
+        recent = [(clock, time) for arrival, clock, time in self.times if now - arrival < STALE]
+        times = [time for clock, time in recent if clock == recent[-1][0]]
+        return (len(times) - 1) / (times[-1] - times[0]) if times and times[-1] > times[0] else None
 
 
 class Shown(NamedTuple):
@@ -76,12 +76,14 @@ class Latest:
             return
         self.packets += 1
         self.device.learn(piece.packet)
+        found = {clock: time for clock, time in moments(piece.packet, self.device.id).items() if time is not None}
+        clock = next((clock for clock in reversed(CLOCKS) if clock in found), "")
         for raw in raw_fields(piece.packet):
             if self._selection.has(raw.set, raw.descriptor):
                 field = decoded_field(raw)
                 latest = self._latest.setdefault((raw.set, name_of(field)), _Latest(field))
                 latest.field = field
-                latest.times.append(now)
+                latest.times.append((now, clock, found[clock] / SECOND if clock else now))
 
     @property
     def summary(self) -> str:
@@ -96,7 +98,7 @@ class Latest:
             values = [show.inside(field, self.device.id)]
             if field.value is not None:
                 values = list(show.leaves(field.value, self.device.id, references(field.value, number)))
-            yield Shown(number, name, latest.rate(now), now - latest.times[-1], values)
+            yield Shown(number, name, latest.rate(now), now - latest.times[-1][0], values)
 
     def lines(self) -> list[str]:
         """Formats all values as lines."""
