@@ -303,6 +303,9 @@ def test_another_model(at: At, tmp_path: Path) -> None:
     code, _, error = mip("config", "push", "PORT", path)
     assert code == 1 and "has the settings of a 3dm-gq7, but PORT is a 3dm-cv7-gnss-ins" in error
     assert not any(c.endswith(" write") for c in at.commands)
+    code, out, error = mip("config", "push", "PORT", path, "--device", "3dm-gq7")  # the user knows better
+    assert (code, out.partition(";")[0]) == (0, "PORT: 1 setting changed, 0 as before, 0 refused")
+    assert error == "mip config: device 3DM-GQ7-GNSS/INS (named), although it is a 3DM-CV7-GNSS/INS at the port\n"
 
 
 # --------------------------------------------------------------------------- streams

@@ -456,6 +456,9 @@ def test_command_line(place: str, tmp_path: Path) -> None:
     code, out, error = mip("profile", place, "--spec", tmp_path, extras=False)
     assert (code, out) == (1, "")
     assert error == f"mip profile: {path} exists; to read it, pyyaml is missing; pip install pyyaml\n"
+    code, out, error = mip("profile", place, "--spec", tmp_path, "--dry-run", "--device", "3dm-gx5-45")
+    assert code == 0 and out.startswith("extend: 3dm-gx5-45\n")
+    assert "device 3DM-GX5-45 (named), although it is a 3DM-GQ7-GNSS/INS at the port\n" in error
 
 
 def test_what_cannot_be(place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -16,7 +16,7 @@ from ..configuration.settings import UNKNOWN, Place
 from ..configuration.talk import Pushed, Talk, differs
 from ..errors import Failure, Misuse
 from ..files import outputs, signals
-from ..options import add_baud, line_of
+from ..options import add_baud, add_device, line_of
 from ..ports import connection
 from ..ports.listing import REFUSED
 from ..text.numbers import count_text
@@ -47,6 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("action", choices=list(_NEEDED), metavar="ACTION", help=", ".join(_NEEDED))
     add("names", nargs="+", metavar="PORT|FILE", help="a port such as /dev/ttyACM0, COM3, HOST:PORT; a settings file")
     add("-o", dest="output", metavar="FILE", default="-", help="pull: write to this file (default: standard output)")
+    add_device(parser)
     add_baud(parser)
 
 
@@ -185,7 +186,7 @@ def _talk(port: str, options: argparse.Namespace) -> Iterator[Talk]:
         connection.opened(line_of(options, port)) as link,
         Talk.idle(link, port, _complain),
     ):
-        yield Talk(link, port, _complain)
+        yield Talk(link, port, _complain, options.device)
 
 
 def _complain(text: str) -> None:

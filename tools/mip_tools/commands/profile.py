@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ..errors import Failure
 from ..files import outputs, signals
-from ..options import add_baud, line_of
+from ..options import add_baud, add_device, line_of
 from ..ports import connection, device_file
 from ..ports.listing import ask
 
@@ -33,6 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("port", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
     add("--spec", type=Path, default=Path(), metavar="FOLDER", help="a specification or an overlay (default: .)")
     add("--dry-run", "--stdout", action="store_true", dest="dry_run", help="print the file, write nothing")
+    add_device(parser)
     add_baud(parser)
 
 
@@ -42,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
         raise Failure(f"{folder} is not a folder; create it, or name another one with --spec")
     with signals.handled(signals.interrupt), connection.opened(line_of(options, options.port)) as link:
         listing = ask(link, options.port, _complain)
-    facts = device_file.Facts(device_file.model(listing), listing, date.today().isoformat())
+    facts = device_file.Facts(device_file.named(listing, options.device, _complain), listing, date.today().isoformat())
     path = folder / "devices" / f"{facts.model.id}.yaml"
     contradictions = facts.contradictions()
     if path.exists():

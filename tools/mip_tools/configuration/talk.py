@@ -44,11 +44,13 @@ Settings = dict[Place, Any]
 class Talk:
     """Reads and writes the settings of a device."""
 
-    def __init__(self, link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> None:
-        """Identifies the device. Raises Failure."""
+    def __init__(
+        self, link: DeviceAtPort, port: str, complain: Callable[[str], None], device: str | None = None
+    ) -> None:
+        """Identifies the device, unless the user named it. Raises Failure."""
         self.link, self.port, self.complain = link, port, complain
         self.listing = listing.read_identity(link, port, complain)
-        self.model = device_file.model(self.listing)
+        self.model = device_file.named(self.listing, device, complain)
         self.profile: Device = listed_profile(self.model.profile, self.listing.title, self.listing.descriptors)
 
     # ----------------------------------------------------------------- reading

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ..binding import DEVICES, SETS, Device, identify, model_number, types
+from ..devices.known import KnownDevice
 from ..errors import Failure
 from ..text.yaml_text import YamlFile, child, flow_list, node_value, parsed_yaml, quoted, scalar_text
 from .listing import ListedPort, Listing
@@ -42,6 +43,16 @@ def model(listing: Listing) -> Model:
     if same is not None:  # another device has the name
         title = f"{title} ({number})"
     return Model(re.sub("[^a-z0-9]+", "-", title.lower()).strip("-") or "device", title, number, None)
+
+
+def named(listing: Listing, device: str | None, complain: Callable[[str], None]) -> Model:
+    """Returns the model that the user named, else the one that the device replies; reports if they differ."""
+    found = model(listing)
+    if device is None:
+        return found
+    for text in KnownDevice(device, found.profile.id if found.profile else None).lines():
+        complain(text)
+    return Model(device, DEVICES[device].title, found.number, DEVICES[device])
 
 
 def _by_name(name: str) -> Device | None:
