@@ -46,6 +46,8 @@ def findings(path: Path) -> Iterator[str]:
         summary = re.split(r"(?<=\w\w[.!?]) (?=[A-Z`])", text)[0]
         if key == "description" and QUESTION.match(text):
             yield f"{path}:{line}: “{summary}” is a question; name the thing, or begin with a verb"
+        if key == "description" and " " in text and not re.match(r"[A-Z`\d].*[.:]$", text):
+            yield f"{path}:{line}: “{text[:80]}”: begin with a capital letter, and end with a full stop"
         if key == "description" and FIELDS & beside and ";" in summary:
             yield f"{path}:{line}: “{summary}”: divide it into sentences; the first one is a summary"
         if key == "description" and "command" in beside and not re.match(r"[A-Z][a-z]+s\b", text):

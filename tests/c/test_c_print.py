@@ -8,7 +8,7 @@ import struct
 import subprocess
 from collections.abc import Iterator
 from decimal import Decimal
-from functools import cache
+from functools import cache, reduce
 from pathlib import Path
 from typing import Any
 
@@ -83,9 +83,13 @@ def real(bits: str) -> str:
     return f"{mantissa}e{int(exponent)}"
 
 
-def flags(t: m.Bitfield, value: int, size: int) -> str:
-    parts = []
-    for b in t.bits:
+def in_state(t: m.Bitfield, values: dict[str, Any]) -> list[m.Bits]:
+    return [b for b in t.bits if b.when is None or values[b.when.parameter] in b.when.numbers]
+
+
+def flags(t: m.Bitfield, value: int, size: int, values: dict[str, Any]) -> str:
+    parts, bits = [], in_state(t, values)
+    for b in bits:
         number = (value & b.mask) >> b.first
         if b.enum is not None:
             parts.append(f"{b.name}: {named(b.enum, number)}")
@@ -93,8 +97,9 @@ def flags(t: m.Bitfield, value: int, size: int) -> str:
             parts.append(f"{b.name}: {number}")
         elif number:
             parts.append(b.name)
-    if value & ~t.known_mask:
-        parts.append(f"0x{value & ~t.known_mask:0{2 * size}X}")
+    unknown = reduce(lambda left, b: left & ~b.mask, bits, value)
+    if unknown:
+        parts.append(f"0x{unknown:0{2 * size}X}")
     return f"0x{value:0{2 * size}X}" + (" = " if parts else "") + " | ".join(parts)
 
 
@@ -110,12 +115,12 @@ def quoted(text: str) -> str:
     return f'"{out}"'
 
 
-def scalar(value: Any, s: m.Scalar, t: m.Type | m.Scalar | None) -> str:
+def scalar(value: Any, s: m.Scalar, t: m.Type | m.Scalar | None, values: dict[str, Any]) -> str:
     if s.kind == "float":
         return real(value)
     if isinstance(t, (m.Enum, m.Bitfield)):
         unsigned = value % (1 << 8 * s.size)
-        return named(t, unsigned) if isinstance(t, m.Enum) else flags(t, unsigned, s.size)
+        return named(t, unsigned) if isinstance(t, m.Enum) else flags(t, unsigned, s.size, values)
     if s.kind == "bool":
         return ("true" if value else "false") + (f" ({value})" if value > 1 else "")
     return quoted(chr(value)) if s.kind == "char" else str(value)
@@ -128,14 +133,14 @@ def meaning(p: m.Parameter, values: dict[str, Any], device: str) -> Any:
     return p.element
 
 
-def item(p: m.Parameter, value: Any, t: Any) -> str:
+def item(p: m.Parameter, value: Any, t: Any, values: dict[str, Any]) -> str:
     if p.kind == "text":
         return quoted(value)
     if p.kind == "bits" or (p.kind == "array" and isinstance(t, m.Bitfield) and t.scalar is None):
-        return flags(t, int.from_bytes(bytes(value), "little"), t.size)
+        return flags(t, int.from_bytes(bytes(value), "little"), t.size, values)
     if p.kind == "array":
-        return "[" + ", ".join(item(p.item, v, t) for v in value) + "]"
-    return scalar(value, p.scalar, t)
+        return "[" + ", ".join(item(p.item, v, t, values) for v in value) + "]"
+    return scalar(value, p.scalar, t, values)
 
 
 def lines(p: m.Parameter, values: dict[str, Any], device: str) -> Iterator[str]:
@@ -158,7 +163,9 @@ def lines(p: m.Parameter, values: dict[str, Any], device: str) -> Iterator[str]:
                 yield from (f"  {line}" for line in lines(q, one, device))
     else:
         unit = ", ".join(p.units)
-        yield f"{p.name}: {item(p, value, meaning(p, values, device))}" + (f" {unit}" if unit not in ("", "1") else "")
+        yield f"{p.name}: {item(p, value, meaning(p, values, device), values)}" + (
+            f" {unit}" if unit not in ("", "1") else ""
+        )
 
 
 def hexadecimal(data: bytes) -> str:
@@ -315,7 +322,7 @@ def test_every_name(spec: str) -> None:
             if p.name not in values or p.length is not None:
                 continue
             for key, t in [("-", p.element), *((v.key, v.type) for v in p.readings if v.by_device)]:
-                for number, names in named_values(t):
+                for number, names in named_values(t, values):
                     packet = with_value(of, f, values, p, number)
                     if packet is not None:
                         requests.append(("field", key, ENOUGH, packet))
@@ -325,12 +332,12 @@ def test_every_name(spec: str) -> None:
         assert all(name in text for name in names), (names, text)
 
 
-def named_values(t: Any) -> Iterator[tuple[Any, list[str]]]:
+def named_values(t: Any, values: dict[str, Any]) -> Iterator[tuple[Any, list[str]]]:
     if isinstance(t, m.Enum):
         yield from ((v.value, [f" {v.name} ({v.value})"]) for v in t.values)
     elif isinstance(t, m.Bitfield):
         ones = (1 << 8 * t.size) - 1
-        yield (ones if t.scalar else [255] * t.size), [f" {b.name}" for b in t.bits]
+        yield (ones if t.scalar else [255] * t.size), [f" {b.name}" for b in in_state(t, values)]
 
 
 def with_value(of: m.Model, f: m.Field, values: dict[str, Any], p: m.Parameter, value: Any) -> bytes | None:

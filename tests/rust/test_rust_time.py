@@ -28,14 +28,23 @@ from timed_packets import SECOND, cases_of_devices, leap_seconds, packet, random
 HERE = Path(__file__).parent
 PACKAGES: dict[str, Any] = {"real": real, "invented": mip}
 EPOCH = datetime(1970, 1, 1)
+#: In place of validity: nothing, or the names of the bits of a status in its state.
 NONE = "pub fn valid(_: &str, _: Option<&mip_protocol::devices::Profile>, _: &[u8]) -> Vec<String> { vec![] }\n"
+NAMES = """use mip_protocol::{devices::Profile, filter_data::Status, Field};
+pub fn valid(_: &str, _: Option<&Profile>, data: &[u8]) -> Vec<String> {
+    let status = Status::decode(data).unwrap();
+    let state = status.filter_state_as_gx5_filter_state();
+    status.status_flags_as_gx5_status_flags().iter_names_in(state).map(|(name, _)| name.into()).collect()
+}
+"""
 
 
 @cache
-def program(spec: str, families: tuple[str, ...] = (), source: str = NONE) -> Path:
+def program(spec: str, families: tuple[str, ...] = (), source: str = "") -> Path:
     """A program that needs no sets for times, and two for the names of rejected fields."""
     name = f"times{'_and_validity' * bool(families)}"
     families = families or ("filter_data", "sensor") * (spec == "real")
+    source = source or (NAMES if spec == "real" else NONE)
     features = ", ".join(f'"{f}"' for f in ("std", "devices", "registry", *families))
     files = {"times.rs": (HERE / "times.rs").read_bytes(), "valid.rs": source.encode()}
     binary = f'[[bin]]\nname = "{name}"\npath = "times.rs"\n'
@@ -103,6 +112,13 @@ def test_times_of_a_log() -> None:
 def test_gps_time_to_utc_across_every_leap_second() -> None:
     leaps = leap_seconds()
     assert answers(program("real"), (f"utc gps {time}" for time, _ in leaps)) == [str(utc) for _, utc in leaps]
+
+
+def test_bits_are_named_by_the_state() -> None:
+    """Bit 12 is about the bias of the magnetometer only while the solution is valid."""
+    wanted = {1: "init_no_attitude", 2: "run_matrix_singularity run_mag_bias_est_high_warning", 0: ""}
+    lines = [f"valid - status {state:04x}00011008" for state in wanted]
+    assert answers(program("real"), lines) == list(wanted.values())
 
 
 # --------------------------------------------------------------------------- rejected fields

@@ -15,6 +15,8 @@ pub struct Bits {
     pub first: u16,
     /// The highest bit; for a flag, the same bit.
     pub last: u16,
+    /// The values of another member of the structure while which it means something; empty: all.
+    pub states: &'static [u64],
 }
 
 /// The storage of a bitfield.
@@ -304,6 +306,7 @@ pub trait BitSet: Copy {
 pub struct IterNames<B> {
     left: B,
     bits: core::slice::Iter<'static, Bits>,
+    state: Option<u64>,
 }
 
 /// An iterator over the set bits of a bitfield; from `iter`.
@@ -314,14 +317,14 @@ pub struct Iter<B> {
 }
 
 impl<B> IterNames<B> {
-    pub(crate) fn new(left: B, bits: &'static [Bits]) -> Self {
-        Self { left, bits: bits.iter() }
+    pub(crate) fn new(left: B, bits: &'static [Bits], state: Option<u64>) -> Self {
+        Self { left, bits: bits.iter(), state }
     }
 }
 
 impl<B> Iter<B> {
     pub(crate) fn new(left: B, bits: &'static [Bits]) -> Self {
-        Self { names: IterNames::new(left, bits), ended: false }
+        Self { names: IterNames::new(left, bits, None), ended: false }
     }
 }
 
@@ -329,8 +332,11 @@ impl<B: BitSet> Iterator for IterNames<B> {
     type Item = (&'static str, B);
 
     fn next(&mut self) -> Option<Self::Item> {
-        let left = self.left;
-        let found = self.bits.find(|bits| !left.part(bits.first, bits.last).none())?;
+        let (left, state) = (self.left, self.state);
+        let found = self.bits.find(|bits| {
+            let here = bits.states.is_empty() || state.map_or(true, |s| bits.states.contains(&s));
+            here && !left.part(bits.first, bits.last).none()
+        })?;
         let part = left.part(found.first, found.last);
         self.left = left.without(part);
         Some((found.name, part))
@@ -371,7 +377,7 @@ pub(crate) fn text<S: Storage + Hexadecimal>(
     f: &mut fmt::Formatter<'_>,
 ) -> fmt::Result {
     let (mut left, mut separator) = (storage, "");
-    for Bits { name, first, last } in bits {
+    for Bits { name, first, last, .. } in bits {
         let number = storage.get(*first, *last);
         if number == 0 || left.get(*first, *last) != number {
             continue;

@@ -17,8 +17,8 @@ from pathlib import Path
 from threading import Thread
 from typing import Any
 
-import numpy as np
 import mip_tools
+import numpy as np
 import pytest
 from mip_protocol import PacketBuilder, Parser, base, mip_3dm, shared, types
 from mip_tools.columns import read_log

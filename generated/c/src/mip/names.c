@@ -29,7 +29,7 @@ static const char name_gx5_built_in_test[] = "gx5_built_in_test";
 static const char labels_gx5_built_in_test[] =
     "watchdog_reset\0imu_comm_fault\0mag_fault\0pressure_sensor_fault\0solution_fault";
 static const struct mip_named_bits bits_gx5_built_in_test[] = {
-    {0, 1, NULL}, {8, 1, NULL}, {9, 1, NULL}, {10, 1, NULL}, {24, 1, NULL},
+    {0, 1, 0, NULL}, {8, 1, 0, NULL}, {9, 1, 0, NULL}, {10, 1, 0, NULL}, {24, 1, 0, NULL},
 };
 const struct mip_names mip_names_gx5_built_in_test = {
     name_gx5_built_in_test, labels_gx5_built_in_test, NULL, bits_gx5_built_in_test, 5, 4};
@@ -40,8 +40,9 @@ static const char labels_cv7_built_in_test[] =
     "fault\0gyro_fault\0mag_fault\0pressure_sensor_fault\0calibration_error\0general_imu_"
     "fault\0filter_solution_fault\0general_filter_fault";
 static const struct mip_named_bits bits_cv7_built_in_test[] = {
-    {0, 1, NULL},  {1, 1, NULL},  {2, 1, NULL},  {3, 1, NULL},  {12, 1, NULL}, {13, 1, NULL},
-    {14, 1, NULL}, {15, 1, NULL}, {18, 1, NULL}, {19, 1, NULL}, {22, 1, NULL}, {23, 1, NULL},
+    {0, 1, 0, NULL},  {1, 1, 0, NULL},  {2, 1, 0, NULL},  {3, 1, 0, NULL},
+    {12, 1, 0, NULL}, {13, 1, 0, NULL}, {14, 1, 0, NULL}, {15, 1, 0, NULL},
+    {18, 1, 0, NULL}, {19, 1, 0, NULL}, {22, 1, 0, NULL}, {23, 1, 0, NULL},
 };
 const struct mip_names mip_names_cv7_built_in_test = {
     name_cv7_built_in_test, labels_cv7_built_in_test, NULL, bits_cv7_built_in_test, 12, 4};
@@ -60,13 +61,15 @@ static const char labels_cv7_continuous_built_in_test[] =
     "overrun\0filter_timing_underrun\0receiver_1_fault\0receiver_1_no_solution\0receiver_2_"
     "fault\0receiver_2_no_solution";
 static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
-    {0, 1, NULL},  {1, 1, NULL},  {4, 1, NULL},   {5, 1, NULL},   {6, 1, NULL},   {16, 1, NULL},
-    {17, 1, NULL}, {18, 1, NULL}, {19, 1, NULL},  {20, 4, NULL},  {20, 1, NULL},  {21, 1, NULL},
-    {22, 1, NULL}, {23, 1, NULL}, {24, 4, NULL},  {24, 1, NULL},  {25, 1, NULL},  {26, 1, NULL},
-    {33, 1, NULL}, {34, 1, NULL}, {36, 1, NULL},  {37, 1, NULL},  {38, 1, NULL},  {40, 1, NULL},
-    {41, 1, NULL}, {42, 1, NULL}, {44, 1, NULL},  {45, 1, NULL},  {46, 1, NULL},  {48, 1, NULL},
-    {49, 1, NULL}, {50, 1, NULL}, {52, 1, NULL},  {53, 1, NULL},  {54, 1, NULL},  {56, 1, NULL},
-    {66, 1, NULL}, {67, 1, NULL}, {105, 1, NULL}, {108, 1, NULL}, {110, 1, NULL}, {113, 1, NULL},
+    {0, 1, 0, NULL},   {1, 1, 0, NULL},   {4, 1, 0, NULL},  {5, 1, 0, NULL},   {6, 1, 0, NULL},
+    {16, 1, 0, NULL},  {17, 1, 0, NULL},  {18, 1, 0, NULL}, {19, 1, 0, NULL},  {20, 4, 0, NULL},
+    {20, 1, 0, NULL},  {21, 1, 0, NULL},  {22, 1, 0, NULL}, {23, 1, 0, NULL},  {24, 4, 0, NULL},
+    {24, 1, 0, NULL},  {25, 1, 0, NULL},  {26, 1, 0, NULL}, {33, 1, 0, NULL},  {34, 1, 0, NULL},
+    {36, 1, 0, NULL},  {37, 1, 0, NULL},  {38, 1, 0, NULL}, {40, 1, 0, NULL},  {41, 1, 0, NULL},
+    {42, 1, 0, NULL},  {44, 1, 0, NULL},  {45, 1, 0, NULL}, {46, 1, 0, NULL},  {48, 1, 0, NULL},
+    {49, 1, 0, NULL},  {50, 1, 0, NULL},  {52, 1, 0, NULL}, {53, 1, 0, NULL},  {54, 1, 0, NULL},
+    {56, 1, 0, NULL},  {66, 1, 0, NULL},  {67, 1, 0, NULL}, {105, 1, 0, NULL}, {108, 1, 0, NULL},
+    {110, 1, 0, NULL}, {113, 1, 0, NULL},
 };
 const struct mip_names mip_names_cv7_continuous_built_in_test = {
     name_cv7_continuous_built_in_test,
@@ -88,12 +91,13 @@ static const char labels_cv7_inertial_bit[] =
     "self_test_fail\0factory_bits_invalid\0filter_fault\0filter_timing_overrun\0filter_timing_"
     "underrun";
 static const struct mip_named_bits bits_cv7_inertial_bit[] = {
-    {0, 1, NULL},  {1, 1, NULL},  {4, 1, NULL},  {5, 1, NULL},  {6, 1, NULL},  {16, 1, NULL},
-    {17, 1, NULL}, {18, 1, NULL}, {19, 1, NULL}, {20, 1, NULL}, {21, 1, NULL}, {22, 1, NULL},
-    {23, 1, NULL}, {32, 1, NULL}, {33, 1, NULL}, {34, 1, NULL}, {36, 1, NULL}, {37, 1, NULL},
-    {38, 1, NULL}, {40, 1, NULL}, {41, 1, NULL}, {42, 1, NULL}, {44, 1, NULL}, {45, 1, NULL},
-    {46, 1, NULL}, {48, 1, NULL}, {49, 1, NULL}, {50, 1, NULL}, {52, 1, NULL}, {53, 1, NULL},
-    {54, 1, NULL}, {56, 1, NULL}, {64, 1, NULL}, {66, 1, NULL}, {67, 1, NULL},
+    {0, 1, 0, NULL},  {1, 1, 0, NULL},  {4, 1, 0, NULL},  {5, 1, 0, NULL},  {6, 1, 0, NULL},
+    {16, 1, 0, NULL}, {17, 1, 0, NULL}, {18, 1, 0, NULL}, {19, 1, 0, NULL}, {20, 1, 0, NULL},
+    {21, 1, 0, NULL}, {22, 1, 0, NULL}, {23, 1, 0, NULL}, {32, 1, 0, NULL}, {33, 1, 0, NULL},
+    {34, 1, 0, NULL}, {36, 1, 0, NULL}, {37, 1, 0, NULL}, {38, 1, 0, NULL}, {40, 1, 0, NULL},
+    {41, 1, 0, NULL}, {42, 1, 0, NULL}, {44, 1, 0, NULL}, {45, 1, 0, NULL}, {46, 1, 0, NULL},
+    {48, 1, 0, NULL}, {49, 1, 0, NULL}, {50, 1, 0, NULL}, {52, 1, 0, NULL}, {53, 1, 0, NULL},
+    {54, 1, 0, NULL}, {56, 1, 0, NULL}, {64, 1, 0, NULL}, {66, 1, 0, NULL}, {67, 1, 0, NULL},
 };
 const struct mip_names mip_names_cv7_inertial_bit = {
     name_cv7_inertial_bit, labels_cv7_inertial_bit, NULL, bits_cv7_inertial_bit, 35, 16};
@@ -113,14 +117,16 @@ static const char labels_gq7_continuous_built_in_test[] =
     "fault\0antenna_2_shorted\0antenna_2_open\0receiver_2_solution_fault\0rtcm_comm_fault\0rtk_"
     "dongle_fault";
 static const struct mip_named_bits bits_gq7_continuous_built_in_test[] = {
-    {0, 1, NULL},   {1, 1, NULL},   {4, 1, NULL},   {5, 1, NULL},   {6, 1, NULL},   {16, 4, NULL},
-    {20, 4, NULL},  {24, 4, NULL},  {32, 1, NULL},  {33, 1, NULL},  {34, 1, NULL},  {36, 1, NULL},
-    {37, 1, NULL},  {38, 1, NULL},  {40, 1, NULL},  {41, 1, NULL},  {42, 1, NULL},  {44, 1, NULL},
-    {45, 1, NULL},  {46, 1, NULL},  {48, 1, NULL},  {49, 1, NULL},  {50, 1, NULL},  {52, 1, NULL},
-    {53, 1, NULL},  {54, 1, NULL},  {64, 1, NULL},  {65, 1, NULL},  {66, 1, NULL},  {67, 1, NULL},
-    {68, 4, NULL},  {96, 1, NULL},  {97, 1, NULL},  {98, 3, NULL},  {101, 1, NULL}, {102, 1, NULL},
-    {104, 1, NULL}, {105, 1, NULL}, {106, 1, NULL}, {107, 1, NULL}, {108, 1, NULL}, {109, 1, NULL},
-    {110, 1, NULL}, {111, 1, NULL}, {112, 1, NULL}, {113, 1, NULL}, {114, 1, NULL}, {115, 1, NULL},
+    {0, 1, 0, NULL},   {1, 1, 0, NULL},   {4, 1, 0, NULL},   {5, 1, 0, NULL},   {6, 1, 0, NULL},
+    {16, 4, 0, NULL},  {20, 4, 0, NULL},  {24, 4, 0, NULL},  {32, 1, 0, NULL},  {33, 1, 0, NULL},
+    {34, 1, 0, NULL},  {36, 1, 0, NULL},  {37, 1, 0, NULL},  {38, 1, 0, NULL},  {40, 1, 0, NULL},
+    {41, 1, 0, NULL},  {42, 1, 0, NULL},  {44, 1, 0, NULL},  {45, 1, 0, NULL},  {46, 1, 0, NULL},
+    {48, 1, 0, NULL},  {49, 1, 0, NULL},  {50, 1, 0, NULL},  {52, 1, 0, NULL},  {53, 1, 0, NULL},
+    {54, 1, 0, NULL},  {64, 1, 0, NULL},  {65, 1, 0, NULL},  {66, 1, 0, NULL},  {67, 1, 0, NULL},
+    {68, 4, 0, NULL},  {96, 1, 0, NULL},  {97, 1, 0, NULL},  {98, 3, 0, NULL},  {101, 1, 0, NULL},
+    {102, 1, 0, NULL}, {104, 1, 0, NULL}, {105, 1, 0, NULL}, {106, 1, 0, NULL}, {107, 1, 0, NULL},
+    {108, 1, 0, NULL}, {109, 1, 0, NULL}, {110, 1, 0, NULL}, {111, 1, 0, NULL}, {112, 1, 0, NULL},
+    {113, 1, 0, NULL}, {114, 1, 0, NULL}, {115, 1, 0, NULL},
 };
 const struct mip_names mip_names_gq7_continuous_built_in_test = {
     name_gq7_continuous_built_in_test,
@@ -160,9 +166,9 @@ const char *mip_event_trigger_mode_name(uint8_t value) {
 static const char name_event_trigger_status[] = "event_trigger_status";
 static const char labels_event_trigger_status[] = "active\0enabled\0test";
 static const struct mip_named_bits bits_event_trigger_status[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_event_trigger_status = {
     name_event_trigger_status, labels_event_trigger_status, NULL, bits_event_trigger_status, 3, 1};
@@ -327,9 +333,9 @@ const char *mip_gpio_uart_behavior_name(uint8_t value) {
 static const char name_gpio_pin_mode[] = "gpio_pin_mode";
 static const char labels_gpio_pin_mode[] = "open_drain\0pulldown\0pullup";
 static const struct mip_named_bits bits_gpio_pin_mode[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_gpio_pin_mode = {
     name_gpio_pin_mode, labels_gpio_pin_mode, NULL, bits_gpio_pin_mode, 3, 1};
@@ -367,8 +373,9 @@ static const char labels_rtk_status_flags[] =
     "timeout\0server_timeout\0corrections_timeout\0device_out_of_range\0corrections_"
     "unavailable\0version";
 static const struct mip_named_bits bits_rtk_status_flags[] = {
-    {0, 4, NULL},  {4, 4, NULL},  {8, 8, NULL},  {16, 4, NULL}, {20, 4, NULL}, {24, 1, NULL},
-    {25, 1, NULL}, {26, 1, NULL}, {27, 1, NULL}, {28, 1, NULL}, {30, 2, NULL},
+    {0, 4, 0, NULL},  {4, 4, 0, NULL},  {8, 8, 0, NULL},  {16, 4, 0, NULL},
+    {20, 4, 0, NULL}, {24, 1, 0, NULL}, {25, 1, 0, NULL}, {26, 1, 0, NULL},
+    {27, 1, 0, NULL}, {28, 1, 0, NULL}, {30, 2, 0, NULL},
 };
 const struct mip_names mip_names_rtk_status_flags = {
     name_rtk_status_flags, labels_rtk_status_flags, NULL, bits_rtk_status_flags, 11, 4};
@@ -378,8 +385,8 @@ static const char labels_rtk_status_flags_legacy[] =
     "controller_state\0platform_state\0controller_status_code\0platform_status_code\0reset_"
     "code\0signal_quality\0rssi\0rsrp\0rsrq\0sinr";
 static const struct mip_named_bits bits_rtk_status_flags_legacy[] = {
-    {0, 3, NULL},  {3, 5, NULL},  {8, 3, NULL},  {11, 3, NULL}, {14, 2, NULL},
-    {16, 4, NULL}, {20, 6, NULL}, {26, 2, NULL}, {28, 2, NULL}, {30, 2, NULL},
+    {0, 3, 0, NULL},  {3, 5, 0, NULL},  {8, 3, 0, NULL},  {11, 3, 0, NULL}, {14, 2, 0, NULL},
+    {16, 4, 0, NULL}, {20, 6, 0, NULL}, {26, 2, 0, NULL}, {28, 2, 0, NULL}, {30, 2, 0, NULL},
 };
 const struct mip_names mip_names_rtk_status_flags_legacy = {name_rtk_status_flags_legacy,
                                                             labels_rtk_status_flags_legacy,
@@ -403,7 +410,7 @@ static const char name_sensor_gps_timestamp_flags[] = "sensor_gps_timestamp_flag
 static const char labels_sensor_gps_timestamp_flags[] =
     "pps_valid\0time_refresh\0time_initialized\0tow_valid\0week_number_valid";
 static const struct mip_named_bits bits_sensor_gps_timestamp_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {4, 1, 0, NULL},
 };
 const struct mip_names mip_names_sensor_gps_timestamp_flags = {name_sensor_gps_timestamp_flags,
                                                                labels_sensor_gps_timestamp_flags,
@@ -416,9 +423,9 @@ static const char name_gx5_sensor_gps_timestamp_flags[] = "gx5_sensor_gps_timest
 static const char labels_gx5_sensor_gps_timestamp_flags[] =
     "pps_valid\0time_refresh\0time_initialized";
 static const struct mip_named_bits bits_gx5_sensor_gps_timestamp_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_gx5_sensor_gps_timestamp_flags = {
     name_gx5_sensor_gps_timestamp_flags,
@@ -467,7 +474,7 @@ const char *mip_3dm_constellation_id_name(uint8_t value) {
 static const char name_3dm_constellation_options[] = "3dm.constellation_options";
 static const char labels_3dm_constellation_options[] = "l1saif";
 static const struct mip_named_bits bits_3dm_constellation_options[] = {
-    {0, 1, NULL},
+    {0, 1, 0, NULL},
 };
 const struct mip_names mip_names_3dm_constellation_options = {name_3dm_constellation_options,
                                                               labels_3dm_constellation_options,
@@ -479,9 +486,9 @@ const struct mip_names mip_names_3dm_constellation_options = {name_3dm_constella
 static const char name_3dm_sbas_options[] = "3dm.sbas_options";
 static const char labels_3dm_sbas_options[] = "enable_ranging\0enable_corrections\0apply_integrity";
 static const struct mip_named_bits bits_3dm_sbas_options[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_3dm_sbas_options = {
     name_3dm_sbas_options, labels_3dm_sbas_options, NULL, bits_3dm_sbas_options, 3, 2};
@@ -542,8 +549,8 @@ static const char labels_3dm_data_conditioning_flags[] =
     "correction\0disable_mag\0mag_low_power\0disable_north_compensation\0disable_up_"
     "compensation\0quaternion_calculation";
 static const struct mip_named_bits bits_3dm_data_conditioning_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {4, 1, NULL},  {5, 1, NULL},  {6, 1, NULL},
-    {8, 1, NULL}, {9, 1, NULL}, {10, 1, NULL}, {11, 1, NULL}, {12, 1, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {4, 1, 0, NULL},  {5, 1, 0, NULL},  {6, 1, 0, NULL},
+    {8, 1, 0, NULL}, {9, 1, 0, NULL}, {10, 1, 0, NULL}, {11, 1, 0, NULL}, {12, 1, 0, NULL},
 };
 const struct mip_names mip_names_3dm_data_conditioning_flags = {name_3dm_data_conditioning_flags,
                                                                 labels_3dm_data_conditioning_flags,
@@ -685,8 +692,8 @@ static const char labels_filter_estimated_states[] =
     "gyro_bias\0accel_bias\0gyro_scale_factor\0accel_scale_factor\0antenna_offset\0auto_hard_"
     "iron\0auto_soft_iron";
 static const struct mip_named_bits bits_filter_estimated_states[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {6, 1, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL},
+    {4, 1, 0, NULL}, {5, 1, 0, NULL}, {6, 1, 0, NULL},
 };
 const struct mip_names mip_names_filter_estimated_states = {name_filter_estimated_states,
                                                             labels_filter_estimated_states,
@@ -737,9 +744,9 @@ const char *mip_filter_heading_update_source_name(uint8_t value) {
 static const char name_filter_tare_axes[] = "filter.tare_axes";
 static const char labels_filter_tare_axes[] = "roll\0pitch\0yaw";
 static const struct mip_named_bits bits_filter_tare_axes[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_filter_tare_axes = {
     name_filter_tare_axes, labels_filter_tare_axes, NULL, bits_filter_tare_axes, 3, 1};
@@ -747,8 +754,8 @@ const struct mip_names mip_names_filter_tare_axes = {
 static const char name_filter_measurement_flags[] = "filter.measurement_flags";
 static const char labels_filter_measurement_flags[] = "accel\0mag";
 static const struct mip_named_bits bits_filter_measurement_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
 };
 const struct mip_names mip_names_filter_measurement_flags = {name_filter_measurement_flags,
                                                              labels_filter_measurement_flags,
@@ -886,10 +893,10 @@ const char *mip_filter_initial_condition_source_name(uint8_t value) {
 static const char name_filter_heading_alignment[] = "filter.heading_alignment";
 static const char labels_filter_heading_alignment[] = "dual_antenna\0kinematic\0mag\0external";
 static const struct mip_named_bits bits_filter_heading_alignment[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {3, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
+    {3, 1, 0, NULL},
 };
 const struct mip_names mip_names_filter_heading_alignment = {name_filter_heading_alignment,
                                                              labels_filter_heading_alignment,
@@ -954,9 +961,9 @@ const char *mip_filter_reference_point_name(uint8_t value) {
 static const char name_gnss_gps_signals[] = "gnss.gps_signals";
 static const char labels_gnss_gps_signals[] = "l1ca\0l2c\0l5";
 static const struct mip_named_bits bits_gnss_gps_signals[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_gps_signals = {
     name_gnss_gps_signals, labels_gnss_gps_signals, NULL, bits_gnss_gps_signals, 3, 1};
@@ -964,8 +971,8 @@ const struct mip_names mip_names_gnss_gps_signals = {
 static const char name_gnss_glonass_signals[] = "gnss.glonass_signals";
 static const char labels_gnss_glonass_signals[] = "l1of\0l2of";
 static const struct mip_named_bits bits_gnss_glonass_signals[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_glonass_signals = {
     name_gnss_glonass_signals, labels_gnss_glonass_signals, NULL, bits_gnss_glonass_signals, 2, 1};
@@ -973,9 +980,9 @@ const struct mip_names mip_names_gnss_glonass_signals = {
 static const char name_gnss_galileo_signals[] = "gnss.galileo_signals";
 static const char labels_gnss_galileo_signals[] = "e1\0e5b\0e5a";
 static const struct mip_named_bits bits_gnss_galileo_signals[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_galileo_signals = {
     name_gnss_galileo_signals, labels_gnss_galileo_signals, NULL, bits_gnss_galileo_signals, 3, 1};
@@ -983,9 +990,9 @@ const struct mip_names mip_names_gnss_galileo_signals = {
 static const char name_gnss_beidou_signals[] = "gnss.beidou_signals";
 static const char labels_gnss_beidou_signals[] = "b1\0b2\0b2a";
 static const struct mip_named_bits bits_gnss_beidou_signals[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_beidou_signals = {
     name_gnss_beidou_signals, labels_gnss_beidou_signals, NULL, bits_gnss_beidou_signals, 3, 1};
@@ -1055,8 +1062,8 @@ const char *mip_rtk_connected_device_name(uint8_t value) {
 static const char name_rtk_service_flags[] = "rtk.service_flags";
 static const char labels_rtk_service_flags[] = "throttle\0corrections_unavailable";
 static const struct mip_named_bits bits_rtk_service_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
 };
 const struct mip_names mip_names_rtk_service_flags = {
     name_rtk_service_flags, labels_rtk_service_flags, NULL, bits_rtk_service_flags, 2, 1};
@@ -1109,9 +1116,9 @@ const char *mip_aiding_timebase_name(uint8_t value) {
 static const char name_aiding_axis_flags[] = "aiding.axis_flags";
 static const char labels_aiding_axis_flags[] = "x\0y\0z";
 static const struct mip_named_bits bits_aiding_axis_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_aiding_axis_flags = {
     name_aiding_axis_flags, labels_aiding_axis_flags, NULL, bits_aiding_axis_flags, 3, 2};
@@ -1119,9 +1126,9 @@ const struct mip_names mip_names_aiding_axis_flags = {
 static const char name_aiding_llh_axis_flags[] = "aiding.llh_axis_flags";
 static const char labels_aiding_llh_axis_flags[] = "latitude\0longitude\0height";
 static const struct mip_named_bits bits_aiding_llh_axis_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_aiding_llh_axis_flags = {name_aiding_llh_axis_flags,
                                                           labels_aiding_llh_axis_flags,
@@ -1133,7 +1140,7 @@ const struct mip_names mip_names_aiding_llh_axis_flags = {name_aiding_llh_axis_f
 static const char name_system_comm_protocols[] = "system.comm_protocols";
 static const char labels_system_comm_protocols[] = "mip\0nmea\0rtcm\0spartn\0sbf";
 static const struct mip_named_bits bits_system_comm_protocols[] = {
-    {0, 1, NULL}, {8, 1, NULL}, {9, 1, NULL}, {24, 1, NULL}, {29, 1, NULL},
+    {0, 1, 0, NULL}, {8, 1, 0, NULL}, {9, 1, 0, NULL}, {24, 1, 0, NULL}, {29, 1, 0, NULL},
 };
 const struct mip_names mip_names_system_comm_protocols = {name_system_comm_protocols,
                                                           labels_system_comm_protocols,
@@ -1159,8 +1166,8 @@ static const char name_sensor_overrange_flags[] = "sensor.overrange_flags";
 static const char labels_sensor_overrange_flags[] =
     "accel_x\0accel_y\0accel_z\0gyro_x\0gyro_y\0gyro_z\0mag_x\0mag_y\0mag_z\0pressure";
 static const struct mip_named_bits bits_sensor_overrange_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {4, 1, NULL},  {5, 1, NULL},
-    {6, 1, NULL}, {8, 1, NULL}, {9, 1, NULL}, {10, 1, NULL}, {12, 1, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {4, 1, 0, NULL},  {5, 1, 0, NULL},
+    {6, 1, 0, NULL}, {8, 1, 0, NULL}, {9, 1, 0, NULL}, {10, 1, 0, NULL}, {12, 1, 0, NULL},
 };
 const struct mip_names mip_names_sensor_overrange_flags = {name_sensor_overrange_flags,
                                                            labels_sensor_overrange_flags,
@@ -1172,7 +1179,7 @@ const struct mip_names mip_names_sensor_overrange_flags = {name_sensor_overrange
 static const char name_sensor_odometer_flags[] = "sensor.odometer_flags";
 static const char labels_sensor_odometer_flags[] = "odometer";
 static const struct mip_named_bits bits_sensor_odometer_flags[] = {
-    {0, 1, NULL},
+    {0, 1, 0, NULL},
 };
 const struct mip_names mip_names_sensor_odometer_flags = {name_sensor_odometer_flags,
                                                           labels_sensor_odometer_flags,
@@ -1185,7 +1192,8 @@ static const char name_gnss_data_llh_position_flags[] = "gnss_data.llh_position_
 static const char labels_gnss_data_llh_position_flags[] =
     "lat_lon\0ellipsoid_height\0msl_height\0horizontal_accuracy\0vertical_accuracy\0flags";
 static const struct mip_named_bits bits_gnss_data_llh_position_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL}, {0, 5, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL},
+    {3, 1, 0, NULL}, {4, 1, 0, NULL}, {0, 5, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_llh_position_flags = {
     name_gnss_data_llh_position_flags,
@@ -1198,9 +1206,9 @@ const struct mip_names mip_names_gnss_data_llh_position_flags = {
 static const char name_gnss_data_ecef_position_flags[] = "gnss_data.ecef_position_flags";
 static const char labels_gnss_data_ecef_position_flags[] = "position\0position_accuracy\0flags";
 static const struct mip_named_bits bits_gnss_data_ecef_position_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {0, 2, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {0, 2, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_ecef_position_flags = {
     name_gnss_data_ecef_position_flags,
@@ -1214,8 +1222,8 @@ static const char name_gnss_data_ned_velocity_flags[] = "gnss_data.ned_velocity_
 static const char labels_gnss_data_ned_velocity_flags[] =
     "velocity\0speed_3d\0ground_speed\0heading\0speed_accuracy\0heading_accuracy\0flags";
 static const struct mip_named_bits bits_gnss_data_ned_velocity_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL},
+    {4, 1, 0, NULL}, {5, 1, 0, NULL}, {0, 6, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_ned_velocity_flags = {
     name_gnss_data_ned_velocity_flags,
@@ -1228,9 +1236,9 @@ const struct mip_names mip_names_gnss_data_ned_velocity_flags = {
 static const char name_gnss_data_ecef_velocity_flags[] = "gnss_data.ecef_velocity_flags";
 static const char labels_gnss_data_ecef_velocity_flags[] = "velocity\0velocity_accuracy\0flags";
 static const struct mip_named_bits bits_gnss_data_ecef_velocity_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {0, 2, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {0, 2, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_ecef_velocity_flags = {
     name_gnss_data_ecef_velocity_flags,
@@ -1243,8 +1251,8 @@ const struct mip_names mip_names_gnss_data_ecef_velocity_flags = {
 static const char name_gnss_data_dop_flags[] = "gnss_data.dop_flags";
 static const char labels_gnss_data_dop_flags[] = "gdop\0pdop\0hdop\0vdop\0tdop\0ndop\0edop\0flags";
 static const struct mip_named_bits bits_gnss_data_dop_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {6, 1, NULL}, {0, 7, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL},
+    {4, 1, 0, NULL}, {5, 1, 0, NULL}, {6, 1, 0, NULL}, {0, 7, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_dop_flags = {
     name_gnss_data_dop_flags, labels_gnss_data_dop_flags, NULL, bits_gnss_data_dop_flags, 8, 2};
@@ -1252,9 +1260,9 @@ const struct mip_names mip_names_gnss_data_dop_flags = {
 static const char name_gnss_data_utc_time_flags[] = "gnss_data.utc_time_flags";
 static const char labels_gnss_data_utc_time_flags[] = "gnss_date_time\0leap_seconds_known\0flags";
 static const struct mip_named_bits bits_gnss_data_utc_time_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {0, 2, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {0, 2, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_utc_time_flags = {name_gnss_data_utc_time_flags,
                                                              labels_gnss_data_utc_time_flags,
@@ -1266,9 +1274,9 @@ const struct mip_names mip_names_gnss_data_utc_time_flags = {name_gnss_data_utc_
 static const char name_gnss_data_gps_time_flags[] = "gnss_data.gps_time_flags";
 static const char labels_gnss_data_gps_time_flags[] = "tow\0week_number\0flags";
 static const struct mip_named_bits bits_gnss_data_gps_time_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {0, 2, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {0, 2, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_gps_time_flags = {name_gnss_data_gps_time_flags,
                                                              labels_gnss_data_gps_time_flags,
@@ -1280,10 +1288,10 @@ const struct mip_names mip_names_gnss_data_gps_time_flags = {name_gnss_data_gps_
 static const char name_gnss_data_clock_info_flags[] = "gnss_data.clock_info_flags";
 static const char labels_gnss_data_clock_info_flags[] = "bias\0drift\0accuracy_estimate\0flags";
 static const struct mip_named_bits bits_gnss_data_clock_info_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
+    {0, 3, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_clock_info_flags = {name_gnss_data_clock_info_flags,
                                                                labels_gnss_data_clock_info_flags,
@@ -1295,8 +1303,8 @@ const struct mip_names mip_names_gnss_data_clock_info_flags = {name_gnss_data_cl
 static const char name_gnss_data_fix_flags[] = "gnss_data.fix_flags";
 static const char labels_gnss_data_fix_flags[] = "sbas_used\0dgnss_used";
 static const struct mip_named_bits bits_gnss_data_fix_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_fix_flags = {
     name_gnss_data_fix_flags, labels_gnss_data_fix_flags, NULL, bits_gnss_data_fix_flags, 2, 2};
@@ -1304,10 +1312,10 @@ const struct mip_names mip_names_gnss_data_fix_flags = {
 static const char name_gnss_data_fix_info_flags[] = "gnss_data.fix_info_flags";
 static const char labels_gnss_data_fix_info_flags[] = "fix_type\0num_sv\0fix_flags\0flags";
 static const struct mip_named_bits bits_gnss_data_fix_info_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
+    {0, 3, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_fix_info_flags = {name_gnss_data_fix_info_flags,
                                                              labels_gnss_data_fix_info_flags,
@@ -1319,8 +1327,8 @@ const struct mip_names mip_names_gnss_data_fix_info_flags = {name_gnss_data_fix_
 static const char name_gnss_data_sv_flags[] = "gnss_data.sv_flags";
 static const char labels_gnss_data_sv_flags[] = "used_for_navigation\0healthy";
 static const struct mip_named_bits bits_gnss_data_sv_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_sv_flags = {
     name_gnss_data_sv_flags, labels_gnss_data_sv_flags, NULL, bits_gnss_data_sv_flags, 2, 2};
@@ -1329,8 +1337,8 @@ static const char name_gnss_data_sv_info_flags[] = "gnss_data.sv_info_flags";
 static const char labels_gnss_data_sv_info_flags[] =
     "channel\0satellite_id\0carrier_noise_ratio\0azimuth\0elevation\0sv_flags\0flags";
 static const struct mip_named_bits bits_gnss_data_sv_info_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL},
+    {4, 1, 0, NULL}, {5, 1, 0, NULL}, {0, 6, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_sv_info_flags = {name_gnss_data_sv_info_flags,
                                                             labels_gnss_data_sv_info_flags,
@@ -1382,10 +1390,10 @@ static const char name_gnss_data_hardware_status_flags[] = "gnss_data.hardware_s
 static const char labels_gnss_data_hardware_status_flags[] =
     "sensor_state\0antenna_state\0antenna_power\0flags";
 static const struct mip_named_bits bits_gnss_data_hardware_status_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
+    {0, 3, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_hardware_status_flags = {
     name_gnss_data_hardware_status_flags,
@@ -1399,7 +1407,7 @@ static const char name_gnss_data_dgps_info_flags[] = "gnss_data.dgps_info_flags"
 static const char labels_gnss_data_dgps_info_flags[] =
     "age\0base_station_id\0base_station_status\0num_channels\0flags";
 static const struct mip_named_bits bits_gnss_data_dgps_info_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {0, 4, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_dgps_info_flags = {name_gnss_data_dgps_info_flags,
                                                               labels_gnss_data_dgps_info_flags,
@@ -1412,7 +1420,7 @@ static const char name_gnss_data_dgps_channel_flags[] = "gnss_data.dgps_channel_
 static const char labels_gnss_data_dgps_channel_flags[] =
     "satellite_id\0age\0range_correction\0range_rate_correction\0flags";
 static const struct mip_named_bits bits_gnss_data_dgps_channel_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {0, 4, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_dgps_channel_flags = {
     name_gnss_data_dgps_channel_flags,
@@ -1426,7 +1434,7 @@ static const char name_gnss_data_clock_info_2_flags[] = "gnss_data.clock_info_2_
 static const char labels_gnss_data_clock_info_2_flags[] =
     "bias\0drift\0bias_accuracy\0drift_accuracy\0flags";
 static const struct mip_named_bits bits_gnss_data_clock_info_2_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {0, 4, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_clock_info_2_flags = {
     name_gnss_data_clock_info_2_flags,
@@ -1439,7 +1447,7 @@ const struct mip_names mip_names_gnss_data_clock_info_2_flags = {
 static const char name_gnss_data_gps_leap_seconds_flags[] = "gnss_data.gps_leap_seconds_flags";
 static const char labels_gnss_data_gps_leap_seconds_flags[] = "leap_seconds";
 static const struct mip_named_bits bits_gnss_data_gps_leap_seconds_flags[] = {
-    {1, 1, NULL},
+    {1, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_gps_leap_seconds_flags = {
     name_gnss_data_gps_leap_seconds_flags,
@@ -1466,10 +1474,10 @@ static const char name_gnss_data_sbas_status[] = "gnss_data.sbas_status";
 static const char labels_gnss_data_sbas_status[] =
     "range_available\0corrections_available\0integrity_available\0test_mode";
 static const struct mip_named_bits bits_gnss_data_sbas_status[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {3, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
+    {3, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_sbas_status = {name_gnss_data_sbas_status,
                                                           labels_gnss_data_sbas_status,
@@ -1482,8 +1490,8 @@ static const char name_gnss_data_sbas_info_flags[] = "gnss_data.sbas_info_flags"
 static const char labels_gnss_data_sbas_info_flags[] =
     "tow\0week_number\0sbas_system\0sbas_id\0count\0sbas_status\0flags";
 static const struct mip_named_bits bits_gnss_data_sbas_info_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL},
+    {4, 1, 0, NULL}, {5, 1, 0, NULL}, {0, 6, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_sbas_info_flags = {name_gnss_data_sbas_info_flags,
                                                               labels_gnss_data_sbas_info_flags,
@@ -1496,10 +1504,10 @@ static const char name_gnss_data_sbas_correction_flags[] = "gnss_data.sbas_corre
 static const char labels_gnss_data_sbas_correction_flags[] =
     "udrei\0pseudorange_correction\0iono_correction\0flags";
 static const struct mip_named_bits bits_gnss_data_sbas_correction_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
+    {0, 3, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_sbas_correction_flags = {
     name_gnss_data_sbas_correction_flags,
@@ -1548,7 +1556,7 @@ static const char name_gnss_data_rf_error_detection_flags[] = "gnss_data.rf_erro
 static const char labels_gnss_data_rf_error_detection_flags[] =
     "rf_band\0jamming_state\0spoofing_state\0frequency\0flags";
 static const struct mip_named_bits bits_gnss_data_rf_error_detection_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {0, 4, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_rf_error_detection_flags = {
     name_gnss_data_rf_error_detection_flags,
@@ -1574,10 +1582,10 @@ const char *mip_gnss_data_heading_fix_type_name(uint8_t value) {
 static const char name_gnss_data_heading_flags[] = "gnss_data.heading_flags";
 static const char labels_gnss_data_heading_flags[] = "heading\0uncertainty\0fix_type\0flags";
 static const struct mip_named_bits bits_gnss_data_heading_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
+    {0, 3, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_heading_flags = {name_gnss_data_heading_flags,
                                                             labels_gnss_data_heading_flags,
@@ -1590,8 +1598,8 @@ static const char name_gnss_data_satellite_status_flags[] = "gnss_data.satellite
 static const char labels_gnss_data_satellite_status_flags[] =
     "tow\0week_number\0gnss_id\0satellite_id\0elevation\0azimuth\0health\0flags";
 static const struct mip_named_bits bits_gnss_data_satellite_status_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {6, 1, NULL}, {0, 7, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL},
+    {4, 1, 0, NULL}, {5, 1, 0, NULL}, {6, 1, 0, NULL}, {0, 7, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_satellite_status_flags = {
     name_gnss_data_satellite_status_flags,
@@ -1621,9 +1629,10 @@ static const char labels_gnss_data_raw_flags[] =
     "strength\0quality\0pseudorange\0carrier_phase\0doppler\0range_uncertainty\0carrier_phase_"
     "uncertainty\0doppler_uncertainty\0lock_time\0flags";
 static const struct mip_named_bits bits_gnss_data_raw_flags[] = {
-    {0, 1, NULL},  {1, 1, NULL},  {2, 1, NULL},  {3, 1, NULL},  {4, 1, NULL},  {5, 1, NULL},
-    {6, 1, NULL},  {7, 1, NULL},  {8, 1, NULL},  {9, 1, NULL},  {10, 1, NULL}, {11, 1, NULL},
-    {12, 1, NULL}, {13, 1, NULL}, {14, 1, NULL}, {15, 1, NULL}, {0, 16, NULL},
+    {0, 1, 0, NULL},  {1, 1, 0, NULL},  {2, 1, 0, NULL},  {3, 1, 0, NULL},  {4, 1, 0, NULL},
+    {5, 1, 0, NULL},  {6, 1, 0, NULL},  {7, 1, 0, NULL},  {8, 1, 0, NULL},  {9, 1, 0, NULL},
+    {10, 1, 0, NULL}, {11, 1, 0, NULL}, {12, 1, 0, NULL}, {13, 1, 0, NULL}, {14, 1, 0, NULL},
+    {15, 1, 0, NULL}, {0, 16, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_raw_flags = {
     name_gnss_data_raw_flags, labels_gnss_data_raw_flags, NULL, bits_gnss_data_raw_flags, 17, 2};
@@ -1633,8 +1642,8 @@ static const char labels_gnss_data_base_station_indicators[] =
     "gps\0glonass\0galileo\0beidou\0reference_station\0single_receiver\0quarter_cycle_"
     "bit1\0quarter_cycle_bit2\0quarter_cycle_bits";
 static const struct mip_named_bits bits_gnss_data_base_station_indicators[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
-    {5, 1, NULL}, {6, 1, NULL}, {7, 1, NULL}, {6, 2, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {4, 1, 0, NULL},
+    {5, 1, 0, NULL}, {6, 1, 0, NULL}, {7, 1, 0, NULL}, {6, 2, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_base_station_indicators = {
     name_gnss_data_base_station_indicators,
@@ -1648,8 +1657,8 @@ static const char name_gnss_data_base_station_info_flags[] = "gnss_data.base_sta
 static const char labels_gnss_data_base_station_info_flags[] =
     "tow\0week_number\0ecef_position\0height\0station_id\0indicators\0flags";
 static const struct mip_named_bits bits_gnss_data_base_station_info_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL},
+    {4, 1, 0, NULL}, {5, 1, 0, NULL}, {0, 6, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_base_station_info_flags = {
     name_gnss_data_base_station_info_flags,
@@ -1665,8 +1674,8 @@ static const char labels_gnss_data_rtk_epoch_status[] =
     "received\0galileo_received\0beidou_received\0using_gps_msm_messages\0using_glonass_msm_"
     "messages\0dongle_status_read_failed";
 static const struct mip_named_bits bits_gnss_data_rtk_epoch_status[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
-    {5, 1, NULL}, {6, 1, NULL}, {7, 1, NULL}, {8, 1, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {4, 1, 0, NULL},
+    {5, 1, 0, NULL}, {6, 1, 0, NULL}, {7, 1, 0, NULL}, {8, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_rtk_epoch_status = {name_gnss_data_rtk_epoch_status,
                                                                labels_gnss_data_rtk_epoch_status,
@@ -1681,8 +1690,8 @@ static const char labels_gnss_data_rtk_corrections_status_flags[] =
     "tow\0week_number\0epoch_status\0dongle_status\0gps_latency\0glonass_latency\0galileo_"
     "latency\0beidou_latency\0flags";
 static const struct mip_named_bits bits_gnss_data_rtk_corrections_status_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
-    {5, 1, NULL}, {6, 1, NULL}, {7, 1, NULL}, {0, 8, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {4, 1, 0, NULL},
+    {5, 1, 0, NULL}, {6, 1, 0, NULL}, {7, 1, 0, NULL}, {0, 8, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_rtk_corrections_status_flags = {
     name_gnss_data_rtk_corrections_status_flags,
@@ -1695,10 +1704,10 @@ const struct mip_names mip_names_gnss_data_rtk_corrections_status_flags = {
 static const char name_gnss_data_ephemeris_flags[] = "gnss_data.ephemeris_flags";
 static const char labels_gnss_data_ephemeris_flags[] = "ephemeris\0modern_data\0isc_l5\0flags";
 static const struct mip_named_bits bits_gnss_data_ephemeris_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
+    {0, 3, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_ephemeris_flags = {name_gnss_data_ephemeris_flags,
                                                               labels_gnss_data_ephemeris_flags,
@@ -1724,8 +1733,8 @@ const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value) {
 static const char name_gnss_data_glonass_ephemeris_flags[] = "gnss_data.glonass_ephemeris_flags";
 static const char labels_gnss_data_glonass_ephemeris_flags[] = "ephemeris\0flags";
 static const struct mip_named_bits bits_gnss_data_glonass_ephemeris_flags[] = {
-    {0, 1, NULL},
-    {0, 1, NULL},
+    {0, 1, 0, NULL},
+    {0, 1, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_glonass_ephemeris_flags = {
     name_gnss_data_glonass_ephemeris_flags,
@@ -1740,7 +1749,7 @@ static const char name_gnss_data_gps_iono_correction_flags[] =
 static const char labels_gnss_data_gps_iono_correction_flags[] =
     "tow\0week_number\0alpha\0beta\0flags";
 static const struct mip_named_bits bits_gnss_data_gps_iono_correction_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {0, 4, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_gps_iono_correction_flags = {
     name_gnss_data_gps_iono_correction_flags,
@@ -1755,7 +1764,7 @@ static const char name_gnss_data_galileo_iono_correction_flags[] =
 static const char labels_gnss_data_galileo_iono_correction_flags[] =
     "tow\0week_number\0alpha\0disturbance_flags\0flags";
 static const struct mip_named_bits bits_gnss_data_galileo_iono_correction_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL}, {3, 1, 0, NULL}, {0, 4, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_galileo_iono_correction_flags = {
     name_gnss_data_galileo_iono_correction_flags,
@@ -1770,7 +1779,8 @@ static const char name_gnss_data_beidou_iono_correction_flags[] =
 static const char labels_gnss_data_beidou_iono_correction_flags[] =
     "tow\0week_number\0alpha\0beta\0alpha_correction\0flags";
 static const struct mip_named_bits bits_gnss_data_beidou_iono_correction_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL}, {0, 5, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL},
+    {3, 1, 0, NULL}, {4, 1, 0, NULL}, {0, 5, 0, NULL},
 };
 const struct mip_names mip_names_gnss_data_beidou_iono_correction_flags = {
     name_gnss_data_beidou_iono_correction_flags,
@@ -1783,7 +1793,7 @@ const struct mip_names mip_names_gnss_data_beidou_iono_correction_flags = {
 static const char name_filter_data_valid_flags[] = "filter_data.valid_flags";
 static const char labels_filter_data_valid_flags[] = "valid";
 static const struct mip_named_bits bits_filter_data_valid_flags[] = {
-    {0, 1, NULL},
+    {0, 1, 0, NULL},
 };
 const struct mip_names mip_names_filter_data_valid_flags = {name_filter_data_valid_flags,
                                                             labels_filter_data_valid_flags,
@@ -1795,9 +1805,9 @@ const struct mip_names mip_names_filter_data_valid_flags = {name_filter_data_val
 static const char name_filter_data_heading_source_flags[] = "filter_data.heading_source_flags";
 static const char labels_filter_data_heading_source_flags[] = "mag\0gnss_velocity\0external";
 static const struct mip_named_bits bits_filter_data_heading_source_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_filter_data_heading_source_flags = {
     name_filter_data_heading_source_flags,
@@ -1812,9 +1822,10 @@ static const char labels_filter_data_gnss_aiding_status[] =
     "tight_coupling\0differential\0integer_fix\0gps_l1\0gps_l2\0gps_l5\0glonass_l1\0glonass_"
     "l2\0galileo_e1\0galileo_e5\0galileo_e6\0beidou_b1\0beidou_b2\0beidou_b3\0no_fix\0config_error";
 static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
-    {0, 1, NULL},  {1, 1, NULL},  {2, 1, NULL},  {3, 1, NULL},  {4, 1, NULL},  {5, 1, NULL},
-    {6, 1, NULL},  {7, 1, NULL},  {8, 1, NULL},  {9, 1, NULL},  {10, 1, NULL}, {11, 1, NULL},
-    {12, 1, NULL}, {13, 1, NULL}, {14, 1, NULL}, {15, 1, NULL},
+    {0, 1, 0, NULL},  {1, 1, 0, NULL},  {2, 1, 0, NULL},  {3, 1, 0, NULL},
+    {4, 1, 0, NULL},  {5, 1, 0, NULL},  {6, 1, 0, NULL},  {7, 1, 0, NULL},
+    {8, 1, 0, NULL},  {9, 1, 0, NULL},  {10, 1, 0, NULL}, {11, 1, 0, NULL},
+    {12, 1, 0, NULL}, {13, 1, 0, NULL}, {14, 1, 0, NULL}, {15, 1, 0, NULL},
 };
 const struct mip_names mip_names_filter_data_gnss_aiding_status = {
     name_filter_data_gnss_aiding_status,
@@ -1863,7 +1874,8 @@ static const char labels_filter_data_aiding_measurement_indicator[] =
     "enabled\0used\0residual_high_warning\0sample_time_warning\0config_error\0max_measurements_"
     "exceeded";
 static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL}, {5, 1, NULL},
+    {0, 1, 0, NULL}, {1, 1, 0, NULL}, {2, 1, 0, NULL},
+    {3, 1, 0, NULL}, {4, 1, 0, NULL}, {5, 1, 0, NULL},
 };
 const struct mip_names mip_names_filter_data_aiding_measurement_indicator = {
     name_filter_data_aiding_measurement_indicator,
@@ -1893,9 +1905,9 @@ static const char name_filter_data_dual_antenna_status_flags[] =
 static const char labels_filter_data_dual_antenna_status_flags[] =
     "receiver_1_data_valid\0receiver_2_data_valid\0antenna_offsets_valid";
 static const struct mip_named_bits bits_filter_data_dual_antenna_status_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
 };
 const struct mip_names mip_names_filter_data_dual_antenna_status_flags = {
     name_filter_data_dual_antenna_status_flags,
@@ -1972,9 +1984,10 @@ static const char labels_filter_data_gx5_status_flags[] =
     "warning\0run_antenna_offset_correction_est_high_warning\0run_mag_hard_iron_est_high_"
     "warning\0run_mag_soft_iron_est_high_warning\0init_no_attitude\0init_no_position_velocity";
 static const struct mip_named_bits bits_filter_data_gx5_status_flags[] = {
-    {0, 1, NULL},  {1, 1, NULL},  {3, 1, NULL},  {4, 1, NULL},  {5, 1, NULL},  {6, 1, NULL},
-    {7, 1, NULL},  {8, 1, NULL},  {9, 1, NULL},  {10, 1, NULL}, {11, 1, NULL}, {12, 1, NULL},
-    {13, 1, NULL}, {14, 1, NULL}, {15, 1, NULL}, {12, 1, NULL}, {13, 1, NULL},
+    {0, 1, 12, NULL},  {1, 1, 12, NULL},  {3, 1, 12, NULL},  {4, 1, 12, NULL},  {5, 1, 12, NULL},
+    {6, 1, 12, NULL},  {7, 1, 12, NULL},  {8, 1, 12, NULL},  {9, 1, 12, NULL},  {10, 1, 12, NULL},
+    {11, 1, 12, NULL}, {12, 1, 12, NULL}, {13, 1, 12, NULL}, {14, 1, 12, NULL}, {15, 1, 12, NULL},
+    {12, 1, 2, NULL},  {13, 1, 2, NULL},
 };
 const struct mip_names mip_names_filter_data_gx5_status_flags = {
     name_filter_data_gx5_status_flags,
@@ -2004,17 +2017,17 @@ static const char labels_filter_data_cv7_status_flags[] =
     "warning\0imu_bias_warning\0gnss_clock_warning\0antenna_lever_arm_warning\0mounting_transform_"
     "warning\0time_sync_warning\0solution_error";
 static const struct mip_named_bits bits_filter_data_cv7_status_flags[] = {
-    {0, 2, &mip_names_filter_data_filter_condition},
-    {2, 1, NULL},
-    {3, 1, NULL},
-    {4, 1, NULL},
-    {5, 1, NULL},
-    {6, 1, NULL},
-    {7, 1, NULL},
-    {8, 1, NULL},
-    {9, 1, NULL},
-    {10, 1, NULL},
-    {12, 4, NULL},
+    {0, 2, 0, &mip_names_filter_data_filter_condition},
+    {2, 1, 0, NULL},
+    {3, 1, 0, NULL},
+    {4, 1, 0, NULL},
+    {5, 1, 0, NULL},
+    {6, 1, 0, NULL},
+    {7, 1, 0, NULL},
+    {8, 1, 0, NULL},
+    {9, 1, 0, NULL},
+    {10, 1, 0, NULL},
+    {12, 4, 0, NULL},
 };
 const struct mip_names mip_names_filter_data_cv7_status_flags = {
     name_filter_data_cv7_status_flags,
@@ -2027,7 +2040,7 @@ const struct mip_names mip_names_filter_data_cv7_status_flags = {
 static const char name_displacement_data_timestamp_flags[] = "displacement_data.timestamp_flags";
 static const char labels_displacement_data_timestamp_flags[] = "time";
 static const struct mip_named_bits bits_displacement_data_timestamp_flags[] = {
-    {0, 1, NULL},
+    {0, 1, 0, NULL},
 };
 const struct mip_names mip_names_displacement_data_timestamp_flags = {
     name_displacement_data_timestamp_flags,
@@ -2040,10 +2053,10 @@ const struct mip_names mip_names_displacement_data_timestamp_flags = {
 static const char name_system_data_gpio_pin_states[] = "system_data.gpio_pin_states";
 static const char labels_system_data_gpio_pin_states[] = "pin_1\0pin_2\0pin_3\0pin_4";
 static const struct mip_named_bits bits_system_data_gpio_pin_states[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {3, 1, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {2, 1, 0, NULL},
+    {3, 1, 0, NULL},
 };
 const struct mip_names mip_names_system_data_gpio_pin_states = {name_system_data_gpio_pin_states,
                                                                 labels_system_data_gpio_pin_states,
@@ -2055,9 +2068,9 @@ const struct mip_names mip_names_system_data_gpio_pin_states = {name_system_data
 static const char name_shared_gps_timestamp_flags[] = "shared.gps_timestamp_flags";
 static const char labels_shared_gps_timestamp_flags[] = "tow\0week_number\0time_valid";
 static const struct mip_named_bits bits_shared_gps_timestamp_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {0, 2, NULL},
+    {0, 1, 0, NULL},
+    {1, 1, 0, NULL},
+    {0, 2, 0, NULL},
 };
 const struct mip_names mip_names_shared_gps_timestamp_flags = {name_shared_gps_timestamp_flags,
                                                                labels_shared_gps_timestamp_flags,
@@ -2069,7 +2082,7 @@ const struct mip_names mip_names_shared_gps_timestamp_flags = {name_shared_gps_t
 static const char name_shared_external_timestamp_flags[] = "shared.external_timestamp_flags";
 static const char labels_shared_external_timestamp_flags[] = "nanoseconds";
 static const struct mip_named_bits bits_shared_external_timestamp_flags[] = {
-    {0, 1, NULL},
+    {0, 1, 0, NULL},
 };
 const struct mip_names mip_names_shared_external_timestamp_flags = {
     name_shared_external_timestamp_flags,
@@ -2082,7 +2095,7 @@ const struct mip_names mip_names_shared_external_timestamp_flags = {
 static const char name_shared_external_time_delta_flags[] = "shared.external_time_delta_flags";
 static const char labels_shared_external_time_delta_flags[] = "dt_nanos";
 static const struct mip_named_bits bits_shared_external_time_delta_flags[] = {
-    {0, 1, NULL},
+    {0, 1, 0, NULL},
 };
 const struct mip_names mip_names_shared_external_time_delta_flags = {
     name_shared_external_time_delta_flags,

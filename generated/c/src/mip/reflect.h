@@ -75,6 +75,9 @@ struct mip_named_bits {
     uint8_t first;
     /** The number of bits; 1 for a flag. */
     uint8_t width;
+    /** The values of the parameter `by`, below 16, while which it means something, as bits: 1 <<
+     * value. 0 if it always does. */
+    uint16_t states;
     /** The enumeration of the number, or NULL. */
     const struct mip_names *names;
 };
@@ -126,8 +129,8 @@ struct mip_parameter {
     uint8_t capacity;
     /** Numbers in one item: 3 for a vector with x, y and z; 1 if the item is not a vector. */
     uint8_t elements;
-    /** Index of the parameter that counts or selects; for a counter, of the array that it counts.
-     */
+    /** Index of the parameter that counts or selects, or is the state on which the meaning of bits
+     * depends; for a counter, of the array that it counts. */
     uint8_t by;
     /** The number of parameters that are present if this one is, without the function selector; 0
      * if it is always present. */

@@ -254,92 +254,92 @@ bitfield! {
     /// filter.
     ///
     /// Source: 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10); 3dm-cv7-gnss-ins: Status (0x82,0x10).
-    Gx5StatusFlags: u16 {
+    Gx5StatusFlags: u16 while Gx5FilterState {
         /// No inertial data. Bit 0. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`sensor::ScaledAccel`](crate::sensor::ScaledAccel) and
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
-        RUN_IMU_UNAVAILABLE: bool = 0,
+        RUN_IMU_UNAVAILABLE: bool = 0 while [2, 3],
             run_imu_unavailable, set_run_imu_unavailable, with_run_imu_unavailable;
         /// No GNSS data; only on models with GNSS. Bit 1. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`LlhPosition`] and [`NedVelocity`].
-        RUN_GPS_UNAVAILABLE: bool = 1,
+        RUN_GPS_UNAVAILABLE: bool = 1 while [2, 3],
             run_gps_unavailable, set_run_gps_unavailable, with_run_gps_unavailable;
         /// A matrix in the computation is singular. Bit 3. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`filter::Reset`](crate::filter::Reset).
-        RUN_MATRIX_SINGULARITY: bool = 3,
+        RUN_MATRIX_SINGULARITY: bool = 3 while [2, 3],
             run_matrix_singularity, set_run_matrix_singularity, with_run_matrix_singularity;
         /// A position covariance is above its normal limit. Bit 4. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`LlhPosition`] and [`LlhPositionUncertainty`].
-        RUN_POSITION_COVARIANCE_WARNING: bool = 4,
+        RUN_POSITION_COVARIANCE_WARNING: bool = 4 while [2, 3],
             run_position_covariance_warning, set_run_position_covariance_warning, with_run_position_covariance_warning;
         /// A velocity covariance is above its normal limit. Bit 5. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`NedVelocity`] and [`NedVelocityUncertainty`].
-        RUN_VELOCITY_COVARIANCE_WARNING: bool = 5,
+        RUN_VELOCITY_COVARIANCE_WARNING: bool = 5 while [2, 3],
             run_velocity_covariance_warning, set_run_velocity_covariance_warning, with_run_velocity_covariance_warning;
         /// An attitude covariance is above its normal limit. Bit 6. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`EulerAngles`] and [`EulerAnglesUncertainty`].
-        RUN_ATTITUDE_COVARIANCE_WARNING: bool = 6,
+        RUN_ATTITUDE_COVARIANCE_WARNING: bool = 6 while [2, 3],
             run_attitude_covariance_warning, set_run_attitude_covariance_warning, with_run_attitude_covariance_warning;
         /// The solution contains NaN values. Bit 7. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`filter::Reset`](crate::filter::Reset).
-        RUN_NAN_IN_SOLUTION_WARNING: bool = 7,
+        RUN_NAN_IN_SOLUTION_WARNING: bool = 7 while [2, 3],
             run_nan_in_solution_warning, set_run_nan_in_solution_warning, with_run_nan_in_solution_warning;
         /// The estimated gyroscope bias is high. Bit 8. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`GyroBias`].
-        RUN_GYRO_BIAS_EST_HIGH_WARNING: bool = 8,
+        RUN_GYRO_BIAS_EST_HIGH_WARNING: bool = 8 while [2, 3],
             run_gyro_bias_est_high_warning, set_run_gyro_bias_est_high_warning, with_run_gyro_bias_est_high_warning;
         /// The estimated accelerometer bias is high. Bit 9. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`AccelBias`].
-        RUN_ACCEL_BIAS_EST_HIGH_WARNING: bool = 9,
+        RUN_ACCEL_BIAS_EST_HIGH_WARNING: bool = 9 while [2, 3],
             run_accel_bias_est_high_warning, set_run_accel_bias_est_high_warning, with_run_accel_bias_est_high_warning;
         /// The estimated gyroscope scale factor is high. Bit 10. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`GyroScaleFactor`].
-        RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING: bool = 10,
+        RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING: bool = 10 while [2, 3],
             run_gyro_scale_factor_est_high_warning, set_run_gyro_scale_factor_est_high_warning, with_run_gyro_scale_factor_est_high_warning;
         /// The estimated accelerometer scale factor is high. Bit 11. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`AccelScaleFactor`].
-        RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING: bool = 11,
+        RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING: bool = 11 while [2, 3],
             run_accel_scale_factor_est_high_warning, set_run_accel_scale_factor_est_high_warning, with_run_accel_scale_factor_est_high_warning;
         /// The estimated magnetometer bias is high. Bit 12. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`MagBias`].
-        RUN_MAG_BIAS_EST_HIGH_WARNING: bool = 12,
+        RUN_MAG_BIAS_EST_HIGH_WARNING: bool = 12 while [2, 3],
             run_mag_bias_est_high_warning, set_run_mag_bias_est_high_warning, with_run_mag_bias_est_high_warning;
         /// The estimated correction of the antenna offset is high; on models with GNSS. Bit 13.
         /// Only while `filter_state` is [`Gx5FilterState::RUN_SOLUTION_VALID`] or
         /// [`Gx5FilterState::RUN_SOLUTION_ERROR`]. Affects [`AntennaOffsetCorrection`] and
         /// [`filter::AntennaOffset`](crate::filter::AntennaOffset).
-        RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13,
+        RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13 while [2, 3],
             run_antenna_offset_correction_est_high_warning, set_run_antenna_offset_correction_est_high_warning, with_run_antenna_offset_correction_est_high_warning;
         /// The estimated hard-iron offset is high. Bit 14. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`MagOffset`].
-        RUN_MAG_HARD_IRON_EST_HIGH_WARNING: bool = 14,
+        RUN_MAG_HARD_IRON_EST_HIGH_WARNING: bool = 14 while [2, 3],
             run_mag_hard_iron_est_high_warning, set_run_mag_hard_iron_est_high_warning, with_run_mag_hard_iron_est_high_warning;
         /// The estimated soft-iron correction is high. Bit 15. Only while `filter_state` is
         /// [`Gx5FilterState::RUN_SOLUTION_VALID`] or [`Gx5FilterState::RUN_SOLUTION_ERROR`].
         /// Affects [`MagMatrix`].
-        RUN_MAG_SOFT_IRON_EST_HIGH_WARNING: bool = 15,
+        RUN_MAG_SOFT_IRON_EST_HIGH_WARNING: bool = 15 while [2, 3],
             run_mag_soft_iron_est_high_warning, set_run_mag_soft_iron_est_high_warning, with_run_mag_soft_iron_est_high_warning;
         /// The attitude is not initialized. Bit 12. Overlaps other bits. Only while `filter_state`
         /// is [`Gx5FilterState::INIT`]. Affects [`AttitudeQuaternion`], [`AttitudeDcm`] and
         /// [`EulerAngles`].
-        INIT_NO_ATTITUDE: bool = 12,
+        INIT_NO_ATTITUDE: bool = 12 while [1],
             init_no_attitude, set_init_no_attitude, with_init_no_attitude;
         /// Position and velocity are not initialized. Bit 13. Overlaps other bits. Only while
         /// `filter_state` is [`Gx5FilterState::INIT`]. Affects [`LlhPosition`] and [`NedVelocity`].
-        INIT_NO_POSITION_VELOCITY: bool = 13,
+        INIT_NO_POSITION_VELOCITY: bool = 13 while [1],
             init_no_position_velocity, set_init_no_position_velocity, with_init_no_position_velocity;
     }
 }

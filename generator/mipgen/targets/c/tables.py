@@ -133,7 +133,7 @@ def _parameter(p: m.Parameter, record: m.Record, model: m.Model, union: m.Parame
     scalar = upper(item.scalar.name) if item.kind in ("scalar", "constant", "counter") else "U8"
     kind = f"MIP_KIND_{_KINDS.get(item.kind, upper(item.kind))}", f"MIP_SCALAR_{scalar}", *_length(p)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
-    by = p.tag or p.counts or p.counter
+    by = p.tag or p.counts or p.counter or _state(p)
     readings = () if union else p.readings
     types = (
         f"&{names_table(item.named)}" if item.named else "NULL",
@@ -153,6 +153,13 @@ def _parameter(p: m.Parameter, record: m.Record, model: m.Model, union: m.Parame
         *_place(p, record, model, union),
         *(types if item.named or readings or item.struct or p.cases else ["NONE"]),
     ]
+
+
+def _state(p: m.Parameter) -> str | None:
+    """Returns the parameter on which the meaning of bits depends."""
+    types = [p.leaf.named, *(v.type for v in p.readings)]
+    bits = (b for t in types if isinstance(t, m.Bitfield) for b in t.bits)
+    return next((b.when.parameter for b in bits if b.when), None)
 
 
 #: The length of a parameter that is no array: how it is stated, the capacity, and the number of elements of a union.

@@ -64,7 +64,11 @@ class Named:
         """The rows of struct mip_named_bits."""
         assert isinstance(self.of, m.Bitfield)
         enums = [(b, f"&{names.names_table(b.enum)}" if b.enum else "NULL") for b in self.of.bits]
-        return [f"{{{b.first}, {b.width}, {enum}}}" for b, enum in enums]
+        return [f"{{{b.first}, {b.width}, {_states(b)}, {enum}}}" for b, enum in enums]
+
+
+def _states(b: m.Bits) -> int:
+    return sum(1 << number for number in b.when.numbers) if b.when else 0
 
 
 def named_type(t: m.Enum | m.Bitfield, model: m.Model) -> Named:

@@ -164,13 +164,19 @@ static void put_value(const struct mip_print *print, const struct mip_names *nam
     put(print, name != NULL ? ")" : "");
 }
 
-/** Returns the bits of a byte that have no name. */
-static unsigned nameless(const struct mip_names *names, uint8_t byte, size_t index) {
+/** Do these bits mean something in a state, given as a bit? */
+static bool in_state(const struct mip_named_bits *bits, unsigned state) {
+    return bits->states == 0 || (bits->states & state) != 0;
+}
+
+/** Returns the bits of a byte that have no name in a state. */
+static unsigned nameless(const struct mip_names *names, uint8_t byte, size_t index,
+                         unsigned state) {
     unsigned left = byte;
     for (size_t i = 0; i < names->count; i++) {
         const struct mip_named_bits *b = &names->bits[i];
         for (size_t bit = 8 * index; bit < 8 * index + 8; bit++) {
-            if (bit >= b->first && bit < (size_t)b->first + b->width) {
+            if (in_state(b, state) && bit >= b->first && bit < (size_t)b->first + b->width) {
                 left &= ~(1U << bit % 8);
             }
         }
@@ -181,20 +187,20 @@ static unsigned nameless(const struct mip_names *names, uint8_t byte, size_t ind
 /** Prints the bits of a bitfield, least significant byte first: "0x8305 = ready | mode: fast (3) |
  * 0x8000". */
 static void put_flags(const struct mip_print *print, const struct mip_names *names,
-                      const uint8_t *bytes, size_t size) {
+                      const uint8_t *bytes, size_t size, unsigned state) {
     const char *between = " = ";
     unsigned more = 0;
     put(print, "0x");
     for (size_t i = size; i-- > 0;) {
         put_digits(print, bytes[i], 2);
-        more |= nameless(names, bytes[i], i);
+        more |= nameless(names, bytes[i], i, state);
     }
     for (size_t i = 0; i < names->count; i++) {
         const struct mip_named_bits *b = &names->bits[i];
         const bool number = b->width > 1 || b->names != NULL;
         const bool inside = (size_t)b->first + b->width <= 8 * size;
         const uint64_t value = inside ? mip_get_bits(bytes, MIP_BITS(b->first, b->width)) : 0;
-        if (!inside || (!number && value == 0)) {
+        if (!inside || !in_state(b, state) || (!number && value == 0)) {
             continue;
         }
         put(print, between);
@@ -213,7 +219,7 @@ static void put_flags(const struct mip_print *print, const struct mip_names *nam
         put(print, between);
         put(print, "0x");
         for (size_t i = size; i-- > 0;) {
-            put_digits(print, nameless(names, bytes[i], i), 2);
+            put_digits(print, nameless(names, bytes[i], i, state), 2);
         }
     }
 }
@@ -237,7 +243,7 @@ static const struct mip_names *names_of(const struct mip_print *print,
 /* -------------------------------------------------------------------------------------- values */
 
 static void put_one(const struct mip_print *print, const struct mip_parameter *p,
-                    const struct mip_names *names, const uint8_t *at) {
+                    const struct mip_names *names, const uint8_t *at, unsigned state) {
     const size_t size = size_of(p->scalar);
     const uint64_t bits = names != NULL ? load(at, size) : 0;
     if (names == NULL) {
@@ -249,20 +255,20 @@ static void put_one(const struct mip_print *print, const struct mip_parameter *p
         for (size_t i = 0; i < sizeof(bytes); i++) {
             bytes[i] = (uint8_t)(bits >> 8 * i);
         }
-        put_flags(print, names, bytes, size);
+        put_flags(print, names, bytes, size, state);
     }
 }
 
 /** Prints one item: a number, or a vector. */
 static void put_item(const struct mip_print *print, const struct mip_parameter *p,
-                     const struct mip_names *names, const uint8_t *at) {
+                     const struct mip_names *names, const uint8_t *at, unsigned state) {
     if (p->elements == 1) {
-        put_one(print, p, names, at);
+        put_one(print, p, names, at, state);
         return;
     }
     for (size_t i = 0; i < p->elements; i++) {
         put(print, i == 0 ? "[" : ", ");
-        put_one(print, p, names, at + i * size_of(p->scalar));
+        put_one(print, p, names, at + i * size_of(p->scalar), state);
     }
     put(print, "]");
 }
@@ -287,19 +293,22 @@ static void put_items(const struct mip_print *print, const struct mip_parameter 
     const struct mip_names *names = names_of(print, p, all, record);
     const uint8_t *at = record + p->offset;
     const size_t count = items_of(p, all, record);
+    const bool has_bits = names != NULL && names->bits != NULL;
+    const uint64_t number = has_bits ? number_of(&all[p->by], record) : 0;
+    const unsigned state = number < 16 ? 1U << number : 0;
     if (p->kind == MIP_KIND_CONSTANT) {
         mip_print_unsigned(print, p->value);
     } else if (p->kind == MIP_KIND_TEXT) {
         put_text(print, at, count);
     } else if (p->kind == MIP_KIND_BITS || is_bitfield(p, names)) {
-        put_flags(print, names, at, count * p->item_size);
+        put_flags(print, names, at, count * p->item_size, state);
     } else if (p->length == MIP_LENGTH_ONE) {
-        put_item(print, p, names, at);
+        put_item(print, p, names, at, state);
     } else {
         put(print, "[");
         for (size_t i = 0; i < count; i++) {
             put(print, i == 0 ? "" : ", ");
-            put_item(print, p, names, at + i * p->item_size);
+            put_item(print, p, names, at + i * p->item_size, state);
         }
         put(print, "]");
     }

@@ -4,10 +4,11 @@
 macro_rules! bitfield {
     (
         $(#[$meta:meta])*
-        $name:ident: $storage:tt {
+        $name:ident: $storage:tt $(while $state:ty)? {
             $(
                 $(#[$bits_meta:meta])*
-                $mask:ident: $value:ty = $first:literal $(..= $last:literal)?,
+                $mask:ident: $value:ty = $first:literal $(..= $last:literal)?
+                    $(while [$($number:literal),*])?,
                 $get:ident $($text:literal)?, $set:ident, $with:ident;
             )*
         }
@@ -27,8 +28,19 @@ macro_rules! bitfield {
                     name: spec_name!($get $($text)?),
                     first: $first,
                     last: $crate::bits::last!($first $(, $last)?),
+                    states: &[$($($number),*)?],
                 }),*
             ];
+
+            $(
+                /// Iterates over the bits that are set, with their names, without those that mean
+                /// nothing in this state.
+                #[inline]
+                #[must_use]
+                pub fn iter_names_in(&self, state: $state) -> $crate::bits::IterNames<Self> {
+                    $crate::bits::IterNames::new(*self, Self::BITS, Some(state.0.into()))
+                }
+            )?
 
             const NO_BITS: Self = Self($crate::bits::none!($storage));
             const ALL_BITS: Self = Self::NO_BITS$(.union(Self::$mask))*;
@@ -258,7 +270,7 @@ macro_rules! bit_sets {
             #[inline]
             #[must_use]
             pub fn iter_names(&self) -> $crate::bits::IterNames<Self> {
-                $crate::bits::IterNames::new(*self, Self::BITS)
+                $crate::bits::IterNames::new(*self, Self::BITS, None)
             }
         }
 

@@ -44,7 +44,12 @@ class Crate:
         if isinstance(t, m.Struct):
             return self.record(t)
         macro = "open_enum" if isinstance(t, m.Enum) else t.kind
-        return Type(self.docs.type(t), macro, names.type_name(t.name), names.inner(t), list(parts(t, self.docs)))
+        inner = names.inner(t)
+        for named in {b.when.type for b in (t.bits if isinstance(t, m.Bitfield) else ()) if b.when}:
+            state = self.model.type(named)
+            assert state is not None
+            inner += f" while {names.path(state, names.home(t))}"
+        return Type(self.docs.type(t), macro, names.type_name(t.name), inner, list(parts(t, self.docs)))
 
     @property
     def types(self) -> list[Type | Record]:
@@ -202,7 +207,8 @@ def parts(t: m.Enum | m.Bitfield | m.Vector, about: docs.Docs) -> Iterator[tuple
         case m.Bitfield():
             for b in t.bits:
                 last = f"..={b.last}" if b.width > 1 else ""
-                place = f"{names.constant(b.name)}: {names.bits_type(b, names.home(t))} = {b.first}{last},"
+                state = f" while [{', '.join(map(str, b.when.numbers))}]" if b.when else ""
+                place = f"{names.constant(b.name)}: {names.bits_type(b, names.home(t))} = {b.first}{last}{state},"
                 methods = f"    {names.with_words(names.method, b.name)}, set_{b.name}, with_{b.name};"
                 yield about.part(b, t), [place, methods]
         case m.Vector():
