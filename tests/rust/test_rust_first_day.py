@@ -190,3 +190,29 @@ async fn main() {
 @heavy(EXAMPLES)
 def test_a_lost_port_of_tokio_accepts_nothing() -> None:
     subprocess.run([built("lost", LOST)], check=True, timeout=PATIENCE)
+
+
+#: Loses its port, which can be opened at the second attempt only.
+RETRIED = """
+use mip_protocol::device::{Line, Port};
+use std::{fs::rename, time::Duration};
+fn main() {
+    let path = std::env::args().nth(1).unwrap();
+    let away = format!("{path}.away");
+    let mut line = Line::open(&format!("serial:{path}")).unwrap();
+    assert!(line.set_baud(230_400).unwrap());
+    rename(&path, &away).unwrap();
+    line.reopen(Duration::ZERO).unwrap_err();
+    rename(&away, &path).unwrap();
+    line.reopen(Duration::ZERO).unwrap();
+    assert_eq!(line.baud(), Some(230_400));
+}
+"""
+
+
+@heavy(EXAMPLES)
+def test_a_second_attempt_has_the_same_baud_rate(tmp_path: Path) -> None:
+    _, terminal = os.openpty()
+    port = tmp_path / "port"
+    port.symlink_to(os.ttyname(terminal))
+    subprocess.run([built("retried", RETRIED), port], check=True, timeout=PATIENCE)

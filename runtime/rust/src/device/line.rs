@@ -42,8 +42,8 @@ enum Way {
     Serial(Box<dyn SerialPort>),
     Tcp(TcpStream),
     Log(File),
-    /// It could not be opened again.
-    Lost,
+    /// It could not be opened again; the baud rate that it had.
+    Lost(Option<u32>),
 }
 
 impl<const N: usize, const Q: usize> Device<Line, N, Q> {
@@ -96,7 +96,7 @@ impl Line {
     /// Returns the error of the last attempt.
     pub fn reopen(&mut self, within: Duration) -> io::Result<()> {
         let (began, rate) = (Instant::now(), self.baud());
-        self.way = Way::Lost; // it is closed first
+        self.way = Way::Lost(rate); // it is closed first
         loop {
             let opened = Self::way(&self.place).and_then(|(way, _)| {
                 self.way = way;
@@ -106,7 +106,7 @@ impl Line {
                 }
             });
             let Err(error) = opened else { return Ok(()) };
-            self.way = Way::Lost;
+            self.way = Way::Lost(rate);
             if began.elapsed() >= within {
                 return Err(error);
             }
@@ -133,7 +133,7 @@ impl core::fmt::Debug for Line {
             Way::Serial(port) => write!(f, "Line(serial {:?})", port.name()),
             Way::Tcp(stream) => write!(f, "Line({stream:?})"),
             Way::Log(file) => write!(f, "Line({file:?})"),
-            Way::Lost => f.write_str("Line(lost)"),
+            Way::Lost(_) => f.write_str("Line(lost)"),
         }
     }
 }
@@ -211,7 +211,7 @@ impl Port for Line {
                 }
                 Ok(count)
             }
-            Way::Lost => Err(closed()),
+            Way::Lost(_) => Err(closed()),
         }
     }
 
@@ -222,7 +222,7 @@ impl Port for Line {
             Way::Serial(port) => port.write_all(bytes),
             Way::Tcp(stream) => stream.write_all(bytes),
             Way::Log(_) => Err(io::Error::new(ErrorKind::Unsupported, "a log accepts no commands")),
-            Way::Lost => Err(closed()),
+            Way::Lost(_) => Err(closed()),
         }
     }
 
@@ -247,7 +247,8 @@ impl Port for Line {
     fn baud(&self) -> Option<u32> {
         match &self.way {
             Way::Serial(port) => port.baud_rate().ok(),
-            _ => None,
+            Way::Lost(rate) => *rate,
+            Way::Tcp(_) | Way::Log(_) => None,
         }
     }
 }
