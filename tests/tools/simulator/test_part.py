@@ -25,8 +25,8 @@ from mip_tools.simulator import VirtualDevice
 
 device = VirtualDevice(sys.argv[1])
 link = device.connect()
-data = [set for set, _ in sorted(device.known) if 0x80 <= set < 0xFF]
-for number, descriptor in sorted(x for x in device.known if x[0] < 0x80 and x[1] < 0x80):
+data = [set for set, _ in sorted(device.profile.fields) if 0x80 <= set < 0xFF]
+for number, descriptor in sorted(x for x in device.profile.fields if x[0] < 0x80 and x[1] < 0x80):
     for function in (1, 2, 5, 2):
         for rest in (bytes(20), bytes((1, 4, 0, 10)), bytes((data[0], 1, 4, 0, 10))):
             builder = PacketBuilder(number)
@@ -68,7 +68,7 @@ from mip_tools.devices.facts import VALUES
 for name in devices.DEVICES:
     device = VirtualDevice(name)
     link = device.connect()
-    for set, descriptor in sorted(x for x in device.known if 0x80 <= x[0] < 0xFF):
+    for set, descriptor in sorted(x for x in device.profile.fields if 0x80 <= x[0] < 0xFF):
         kind = registry.types(set, descriptor)[0]
         if kind.NAME not in VALUES:
             device.send_data(set, [descriptor])
@@ -93,7 +93,7 @@ from mip_tools.simulator import VirtualDevice
 for name in devices.DEVICES:
     device = VirtualDevice(name)
     link = device.connect()
-    for number, descriptor in sorted(x for x in device.known if x[0] < 0x80 and x[1] < 0x80):
+    for number, descriptor in sorted(x for x in device.profile.fields if x[0] < 0x80 and x[1] < 0x80):
         for data in [bytes((function,)) + rest for function in range(7) for rest in (b"", bytes(30), b"\\\\1" * 30)]:
             builder = PacketBuilder(number)
             builder.add(descriptor, data)

@@ -247,7 +247,7 @@ class Examination:
             packets, time = part.valid(number, clock)
             state.intervals.add_all(time, part.at[packets])
         for key in [key for key in part.packets if key[0] == number]:
-            packets = np.unique(part.packets[key])
+            packets = distinct(part.packets[key])
             kind = self._kinds.setdefault(key, Kind(""))
             first, last = (state.count + part.before(number, int(packets[i])) for i in (0, -1))
             kind.packets += len(packets)

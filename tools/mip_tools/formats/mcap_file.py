@@ -115,6 +115,8 @@ class _File:
             return
         import numpy as np
 
+        from ..columns.distinct import distinct
+
         channels, sequences, times, data = zip(*self._waiting)
         heads = np.zeros(len(data), _HEAD)
         heads["opcode"], heads["channel"], heads["sequence"] = 5, channels, sequences
@@ -139,7 +141,7 @@ class _File:
         start = self._size
         self._write(chunk)
         offsets: dict[int, int] = {}
-        for number in np.unique(heads["channel"]).tolist():
+        for number in distinct(heads["channel"]).tolist():
             entries = index[heads["channel"] == number].tobytes()
             offsets[number] = self._size
             self._write(struct.pack("<BQHI", 7, 6 + len(entries), number, len(entries)), entries)
