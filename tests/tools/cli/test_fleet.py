@@ -157,7 +157,7 @@ PROGRAM = """
 import sys
 from mip_tools import fleet
 if __name__ == "__main__":
-    fleet.build(*sys.argv[1:3], workers=2, group=10000)
+    fleet.build_dataset(*sys.argv[1:3], workers=2, group=10000)
 """
 
 
