@@ -45,10 +45,13 @@ def test_what_breaks_is_named(interface: ModuleType, tmp_path: Path, capsys: pyt
     for part in ("c/src", "c/ports", "javascript", "json", "python/mip_protocol", "rust/src"):
         shutil.copytree(ROOT / "generated" / part, out / part)
     assert interface.check(out, kept, "0.1.0") == 0, "nothing is released"
-    kept.mkdir()
-    for name, lines in interface.interfaces(out).items():
-        assert len(lines) > 1000
-        (kept / f"{name}.txt").write_text("\n".join(["# 0.1.0", *lines]), "utf-8")
+    interface.write(out, kept / "0.0.9")
+    interface.write(out, kept / "0.1.0")
+    for path in kept.glob("0.0.9/*"):
+        path.write_text("of an earlier release\n", "utf-8")
+    assert interface.check(out, kept, "0.1.0") == 0
+    assert not capsys.readouterr().out
+    interface.model.cache_clear()
     for file, old, new, _ in BREAKS:
         text = (out / file).read_text("utf-8")
         assert old in text, (file, old)
@@ -59,6 +62,14 @@ def test_what_breaks_is_named(interface: ModuleType, tmp_path: Path, capsys: pyt
         assert line in said.out
     assert "version 0.1.1 is too low for that, raise it in spec/protocol.yaml" in said.err
     assert "cpp" not in said.err, "an addition is minor, which is the last number before 1.0.0"
+
+
+def test_each_binding_has_each_sample(interface: ModuleType) -> None:
+    """The rest of what is generated follows from these and the wire; not every binding has profiles of devices."""
+    for name, lines in interface.interfaces(ROOT / "generated").items():
+        text = "\n".join(lines).lower().replace("_", "")
+        missing = [sample for sample in interface.SAMPLES if sample.replace("_", "") not in text]
+        assert not set(missing) - {"gx5_15"}, (name, missing)
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,10 @@
 """The interface of a release as text, for each binding and the wire: a line for each symbol, member and value.
 
-    make interface      writes interface/ when a version is released
+    make interface      writes interface/VERSION/ when a version is released
     make check          lists what has changed in the sources since, and checks that the version reflects it
+
+What a binding has for a field follows from the field and the target. So the wire is complete, and so is what every
+program has in common; of the rest, there is what becomes of a few fields and types that have every form (`SAMPLES`).
 
 The lines are read from the output, whose form the formatters decide, so that finished source and the output of
 templates are treated alike. Comments, bodies of functions and private names are not part of the interface.
@@ -17,6 +20,7 @@ import json
 import re
 import sys
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -33,33 +37,64 @@ def main() -> int:
     version = json.loads((options.out / "json/mip.json").read_text("utf-8"))["version"]
     if options.check:
         return check(options.out, options.kept, version)
-    options.kept.mkdir(parents=True, exist_ok=True)
-    for name, lines in interfaces(options.out).items():
-        (options.kept / f"{name}.txt").write_text("\n".join([f"# {version}", *lines, ""]), "utf-8")
+    write(options.out, options.kept / version)
     return 0
 
 
+#: Of the generated part of each binding: fields with numbers, counted lists, unions and bits, a device, an enumeration.
+SAMPLES = (
+    "scaled_accel", "message_format", "event_action", "comm_speed", "gps_timestamp", "gx5_15", "filter_state",
+)  # fmt: skip
+
+
+def write(out: Path, folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, lines in interfaces(out).items():
+        (folder / f"{name}.txt").write_text("\n".join([*lines, ""]), "utf-8")
+
+
 def interfaces(out: Path) -> dict[str, list[str]]:
-    return {name: sorted(set(of(out))) for name, of in BINDINGS.items()}
+    return {"wire": sorted(set(wire(out)))} | {
+        name: sorted({line for file, line in of(out) if is_common(out, file) or is_sample(line)})
+        for name, of in BINDINGS.items()
+    }
+
+
+def is_common(out: Path, file: str) -> bool:
+    """Is it no file whose contents repeat for each field, type or device?"""
+    sets = {s["name"] for s in model(out)["sets"]}
+    parts = {re.sub(r"^mip_|(_commands|_inline|_valid)?(\..*)?$", "", part) for part in file.split("/")}
+    return not parts & (sets | {"types", "devices", "profiles"})
+
+
+def is_sample(line: str) -> bool:
+    """Does it name a sample, in the case of any language?"""
+    return any(name.replace("_", "") in line.replace("_", "").lower() for name in SAMPLES)
+
+
+@cache
+def model(out: Path) -> Any:
+    return json.loads((out / "json/mip.json").read_text("utf-8"))
 
 
 def check(out: Path, kept: Path, version: str) -> int:
     """Prints what was added and removed; 1 if the version is too low for that."""
-    if not kept.is_dir():
+    releases = sorted(kept.glob("*/"), key=lambda folder: [int(x) for x in folder.name.split(".")])
+    if not releases:
         return 0  # nothing is released
-    status, now = 0, interfaces(out)
-    for path in sorted(kept.glob("*.txt")):
-        released, *before = path.read_text("utf-8").splitlines()
+    status, now, released = 0, interfaces(out), releases[-1].name
+    for path in sorted(releases[-1].glob("*.txt")):
+        before = path.read_text("utf-8").splitlines()
         gone, new = (
             [x for x in a if x not in b] for a, b in ((before, set(now[path.stem])), (now[path.stem], set(before)))
         )
         for sign, lines in (("-", gone), ("+", new)):
             for line in lines:
                 print(f"{path.stem}: {sign} {line}")
-        if raised(released.removeprefix("# "), version) < (2 if gone else 1 if new else 0):
+        if raised(released, version) < (2 if gone else 1 if new else 0):
             status = 1
             print(
-                f"make: {path.stem}: since {released[2:]}, lines of the interface gone: {len(gone)}, new: {len(new)}; "
+                f"make: {path.stem}: since {released}, lines of the interface gone: {len(gone)}, new: {len(new)}; "
                 f"version {version} is too low for that, raise it in spec/protocol.yaml (docs/versions.md)",
                 file=sys.stderr,
             )
@@ -77,17 +112,16 @@ def raised(old: str, new: str) -> int:
 
 
 def wire(out: Path) -> Iterator[str]:
-    model = json.loads((out / "json/mip.json").read_text("utf-8"))
-    for s in model["sets"]:
+    for s in model(out)["sets"]:
         yield f"set {s['name']} 0x{s['number']:02X}"
-    for t in model["types"]:
+    for t in model(out)["types"]:
         yield f"{t['kind']} {t['name']} {t.get('scalar', '')}".rstrip()
         for value in t.get("values", []):
             yield f"{t['name']}.{value['name']} = {value['value']}"
         for bits in t.get("bits", []):
             yield f"{t['name']}.{bits['name']} = {bits['first']}..{bits['last']}"
         yield from parameters(t)
-    for f in model["fields"]:
+    for f in model(out)["fields"]:
         sets = " ".join(f"0x{o['set']:02X}" for o in f.get("occurrences", [{"set": f["set"]}]))
         yield f"{f['role']} {f['name']} ({sets}, 0x{f['descriptor']:02X})"
         for response in f.get("responses", []):
@@ -186,7 +220,7 @@ def files(folder: Path, pattern: str) -> Iterator[tuple[str, str]]:
 MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+(?:\([^)]*\))?)((?:\\\n|[^\n])*)", re.M)
 
 
-def c(out: Path) -> Iterator[str]:
+def c(out: Path) -> Iterator[tuple[str, str]]:
     for folder in (out / "c/src", out / "c/ports"):
         for name, text in files(folder, "*.h"):
             if name == "open.h":
@@ -194,22 +228,22 @@ def c(out: Path) -> Iterator[str]:
             text = re.sub(r"/\*.*?\*/", " ", text, flags=re.S)
             for macro, value in MACRO.findall(text):
                 if not macro.endswith("_H"):
-                    yield " ".join(f"#define {macro} {value}".replace("\\\n", " ").split())
+                    yield name, " ".join(f"#define {macro} {value}".replace("\\\n", " ").split())
             text = re.sub(r"^[ \t]*#(?:\\\n|[^\n])*", "", text, flags=re.M)
             for scopes in declarations(text):
-                yield re.sub(r"\b(MIP_API|MIP_CHECKED|MIP_ENUM_\d+|static|inline) ?", "", joined(scopes)).removeprefix(
-                    'extern "C": '
-                )
+                line = re.sub(r"\b(MIP_API|MIP_CHECKED|MIP_ENUM_\d+|static|inline) ?", "", joined(scopes))
+                yield name, line.removeprefix('extern "C": ')
 
 
-def cpp(out: Path) -> Iterator[str]:
-    for _, text in files(out / "c/src", "*.hpp"):
+def cpp(out: Path) -> Iterator[tuple[str, str]]:
+    for name, text in files(out / "c/src", "*.hpp"):
         text = re.sub(r"^[ \t]*#(?:\\\n|[^\n])*", "", text, flags=re.M)
         text = re.sub(r"^(MIP_[A-Z_]+\([^()]*\))$", r"\1;", text, flags=re.M)
-        yield from (joined(x) for x in declarations(text) if not {"namespace detail", "namespace internal"} & set(x))
+        hidden = {"namespace detail", "namespace internal"}
+        yield from ((name, joined(x)) for x in declarations(text) if not hidden & set(x))
 
 
-def rust(out: Path) -> Iterator[str]:
+def rust(out: Path) -> Iterator[tuple[str, str]]:
     for name, text in files(out / "rust/src", "*.rs"):
         if name.startswith("macros/"):
             continue
@@ -217,7 +251,7 @@ def rust(out: Path) -> Iterator[str]:
         text = text.replace("#[macro_export]\nmacro_rules!", "pub macro_rules!")
         text = re.sub(r"#!?\[(?:[^\[\]]|\[[^\]]*\])*\]", "", text)
         text = text.partition("\n#[cfg(test)]")[0]
-        yield from (f"{name.removesuffix('.rs')} {joined(x)}" for x in declarations(text) if seen(*x))
+        yield from ((name, f"{name.removesuffix('.rs')} {joined(x)}") for x in declarations(text) if seen(*x))
 
 
 def seen(*scopes: str) -> bool:
@@ -233,22 +267,24 @@ def seen(*scopes: str) -> bool:
     return bool(re.match(r"pub |impl\b|(?!macro_rules)\w+!", last))
 
 
-def javascript(out: Path) -> Iterator[str]:
+def javascript(out: Path) -> Iterator[tuple[str, str]]:
     for name, text in files(out / "javascript", "*.d.mts"):
         yield from (
-            f"{name.removesuffix('.d.mts')} {joined(x)}" for x in declarations(text) if not x[0].startswith("import ")
+            (name, f"{name.removesuffix('.d.mts')} {joined(x)}")
+            for x in declarations(text)
+            if not x[0].startswith("import ")
         )
 
 
 # ------------------------------------------------------------------- Python
 
 
-def python(out: Path) -> Iterator[str]:
+def python(out: Path) -> Iterator[tuple[str, str]]:
     package = out / "python"
     for name, text in files(package, "*.py"):
         module = name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
         if (not re.search(r"(^|\.)_", module) and "." in module) or "/__init__" in name:
-            yield from members(module, ast.parse(text).body)
+            yield from ((name, line) for line in members(module, ast.parse(text).body))
 
 
 def members(owner: str, body: list[ast.stmt]) -> Iterator[str]:
@@ -275,8 +311,9 @@ def public(name: str) -> bool:
     )
 
 
-BINDINGS: dict[str, Callable[[Path], Iterator[str]]] = {
-    "wire": wire, "c": c, "cpp": cpp, "javascript": javascript, "python": python, "rust": rust,
+#: Of each binding, the file and the text of each line.
+BINDINGS: dict[str, Callable[[Path], Iterator[tuple[str, str]]]] = {
+    "c": c, "cpp": cpp, "javascript": javascript, "python": python, "rust": rust,
 }  # fmt: skip
 
 
