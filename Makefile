@@ -90,6 +90,10 @@ golden: $(VENV)/generator.stamp ## write the snapshot of the invented specificat
 first-page: generate ## write the field that README.md shows, as it is generated
 	@$(RUN) tests/first_page.py
 
+.PHONY: status
+status: generate ## write docs/status.md and the figures of README.md, from committed results
+	@$(RUN) tests/status.py
+
 .PHONY: keys
 keys: $(VENV)/generator.stamp ## write spec/keys.md, the index of the keys of a specification
 	@$(RUN) tests/keys.py
@@ -159,8 +163,8 @@ mutate: $(VENV)/development.stamp ## change the project at random and report wha
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
 
 .PHONY: fuzz
-fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break a language or tell two apart, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser fields-random" SEED=2
-	@$(RUN) tests/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(addprefix --seed ,$(SEED)) $(if $(TARGETS),--targets $(TARGETS))
+fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break a language or tell two apart, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser fields-random" SEED=2; RECORD=1 notes the counts in docs/proofs.md
+	@$(RUN) tests/fuzz/fuzz.py $(if $(RECORD),--record) $(addprefix --time ,$(TIME)) $(addprefix --seed ,$(SEED)) $(if $(TARGETS),--targets $(TARGETS))
 
 .PHONY: prove
 prove: tools-prove $(VENV)/development.stamp ## prove properties of C for all inputs: make prove PROOF=walk SECONDS=300, make prove PLANT=1
@@ -177,6 +181,7 @@ check: $(if $(NPM),$(BUILD)/npm/stamp) tools-check $(VENV)/development.stamp ## 
 	@PYTHONPATH=generator $(RUN) tests/golden.py --check
 	@$(RUN) tests/keys.py --check
 	@$(RUN) tests/first_page.py --check
+	@$(RUN) tests/status.py --check
 	@$(RUN) tests/wording.py $(SPEC)
 	@$(MIPGEN) diff --release --spec $(SPEC)
 	@$(RUN) tools/release/interface.py --check --out $(OUT)

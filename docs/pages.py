@@ -49,6 +49,7 @@ SECTIONS = {
         "generated/json/README.md": "JSON model",
         "docs/vendor.md": "Vendor a library",
         "docs/versions.md": "Versions and compatibility",
+        "docs/status.md": "Status: what is measured and tested",
     },
     "Specification": {
         "spec/README.md": "The specification language",

@@ -227,14 +227,27 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=time.time_ns(), help="of what is drawn at random")
     every = [*TARGETS, *OTHERS]
     parser.add_argument("--targets", nargs="*", default=every, choices=every)
+    parser.add_argument("--record", action="store_true", help="note the counts in docs/proofs.md")
     given = parser.parse_args()
     if problem := generate_invented():  # as before all tests
         sys.exit(problem)
     print(f"seed {given.seed}")
     chance = random.Random(given.seed)
+    totals = {}
     for name in given.targets:
-        total = sum(run_target(name, given.time, chance))
-        print(f"{name}: {total:,} executions", flush=True)
+        totals[name] = sum(run_target(name, given.time, chance))
+        print(f"{name}: {totals[name]:,} executions", flush=True)
+    if given.record:
+        record(totals, given.time, given.seed)
+
+
+def record(totals: dict[str, int], seconds: int, seed: int) -> None:
+    table = TESTS.parent / "docs/proofs.md"
+    begin, end = "<!-- written by make fuzz RECORD=1 -->", "<!-- end of fuzzing -->"
+    rows = [f"| `{name}` | {total:,} |" for name, total in totals.items()]
+    lines = [begin, "", f"{seconds} seconds each, seed {seed}.", "", "| Program | Executions |", "|---|---:|", *rows]
+    before, _, rest = table.read_text("utf-8").partition(begin)
+    table.write_text("\n".join([before + lines[0], *lines[1:], "", end]) + rest.partition(end)[2], "utf-8")
 
 
 if __name__ == "__main__":
