@@ -1,8 +1,10 @@
-"""Finds NMEA sentences in the bytes between packets."""
+"""NMEA sentences: finds them in the bytes between packets, and composes them."""
 
 from __future__ import annotations
 
 import re
+from datetime import datetime
+from math import degrees
 
 #: A sentence has at most 82 characters; some devices send longer proprietary ones.
 LONGEST = 1024
@@ -70,3 +72,29 @@ def nmea_checksum(text: str) -> str:
     for byte in text.encode("ascii"):
         value ^= byte
     return f"{value:02X}"
+
+
+def nmea_sentence(text: str) -> str:
+    """Adds `$`, the checksum and the line end."""
+    return f"${text}*{nmea_checksum(text)}\r\n"
+
+
+def nmea_clock(time: datetime) -> str:
+    return f"{time:%H%M%S}.{time.microsecond // 10_000:02d}"
+
+
+def nmea_place(latitude: float, longitude: float) -> str:
+    """Formats a place, in radians, as degrees and minutes with five decimals, and hemispheres."""
+    return f"{_angle(latitude, 2, 'NS')},{_angle(longitude, 3, 'EW')}"
+
+
+def _angle(radians: float, width: int, signs: str) -> str:
+    minutes = round(abs(degrees(radians)) * 60 * 100_000)
+    whole, rest = divmod(minutes, 60 * 100_000)
+    return f"{whole:0{width}d}{rest // 100_000:02d}.{rest % 100_000:05d},{signs[radians < 0]}"
+
+
+def gga(time: datetime, place: str, used: int, hdop: float, height: float, geoid: float) -> str:
+    """Composes the text of a GGA sentence, without the talker: `height` is above mean sea level, `geoid` that of the
+    sea level above the ellipsoid, in metres."""
+    return f"GGA,{nmea_clock(time)},{place},1,{used:02d},{hdop:.2f},{height:.2f},M,{geoid:.2f},M,,"

@@ -244,6 +244,16 @@ class Device(AtPort):
         """
         self._send(commands, None, wait=False)
 
+    def write(self, data: bytes) -> None:
+        """Writes bytes that are not commands, such as RTCM corrections, never into a command.
+
+        Raises PortClosed.
+        """
+        with self._writing:
+            with self._lock:
+                self._must_be_open()
+            self._put(data)
+
     def _exchange(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
         self._ask_for_settings(commands)
         tickets = self._send(commands, timeout)
@@ -274,17 +284,20 @@ class Device(AtPort):
                 self._must_be_open()
                 packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
             try:
-                self._reader.write(packet)
-            except Exception as error:
-                with self._lock:
-                    self._talk.forget(tickets)
-                    self._must_be_open()
-                raise PortClosed(f"the port cannot write: {error}") from error
+                self._put(packet)
             except BaseException:
                 with self._lock:
                     self._talk.forget(tickets)
                 raise
         return tickets
+
+    def _put(self, data: bytes) -> None:
+        try:
+            self._reader.write(data)
+        except Exception as error:
+            with self._lock:
+                self._must_be_open()
+            raise PortClosed(f"the port cannot write: {error}") from error
 
     def _wait(self, tickets: list[Ticket]) -> None:
         while not all(ticket.done for ticket in tickets):

@@ -257,6 +257,13 @@ class Device(AtPort):
         """
         await self._send(commands, None, wait=False)
 
+    async def write(self, data: bytes) -> None:
+        """Like `device.Device.write`."""
+        async with self._writing:
+            await self._wait_for_write()
+            self._must_be_open()
+            await self._put(data)
+
     async def _exchange(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
         for command in commands:
             question = self._talk.question(command)
@@ -274,23 +281,29 @@ class Device(AtPort):
         self, commands: Sequence[Command], timeout: float | None, wait: bool = True
     ) -> list[Ticket]:
         async with self._writing:  # replies must arrive in the order of the commands
-            if self._written is not None and not self._written.done():
-                await asyncio.wait((self._written,))  # the task that was writing it was cancelled
+            await self._wait_for_write()
             for _ in range(TURNS):  # a late reply must not be matched to this command
                 await asyncio.sleep(0)
             self._must_be_open()
             packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
             try:
-                self._written = self._link.write(packet)
-                await asyncio.shield(self._written)  # a partial packet would be noise
-            except Exception as error:
-                self._talk.forget(tickets)
-                self._must_be_open()
-                raise PortClosed(f"the port cannot write: {error}") from error
+                await self._put(packet)
             except BaseException:
                 self._talk.forget(tickets)
                 raise
         return tickets
+
+    async def _wait_for_write(self) -> None:
+        if self._written is not None and not self._written.done():
+            await asyncio.wait((self._written,))  # the task that was writing it was cancelled
+
+    async def _put(self, data: bytes) -> None:
+        try:
+            self._written = self._link.write(data)
+            await asyncio.shield(self._written)  # a partial packet would be noise
+        except Exception as error:
+            self._must_be_open()
+            raise PortClosed(f"the port cannot write: {error}") from error
 
     async def _wait(self, tickets: list[Ticket]) -> None:
         while not all(ticket.done for ticket in tickets):

@@ -332,6 +332,8 @@ def test_a_port_that_cannot_write(kind: Kind) -> None:
             device.request(PING)
         with pytest.raises(mip.PortClosed):
             device.send(PING)
+        with pytest.raises(mip.PortClosed):
+            device.write(b"x")
 
 
 def test_a_socket_beyond_the_thousandth_file() -> None:

@@ -234,6 +234,17 @@ def test_sending_without_waiting(kind: Kind, peer: Peer) -> None:
         assert [raw.data for raw in device.next(5).fields] == [b"\x01\0", b"\x02\0"]
 
 
+def test_bytes_that_are_no_commands(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        device.write(b"\xd3\0\0 no packet")
+        device.send(PING)
+        assert [raw.descriptor for raw in peer.command()] == [1]
+        assert peer.parser.skipped == 13
+        device.close()
+        with pytest.raises(mip.PortClosed, match="the device has been closed"):
+            device.write(b"")
+
+
 AIDING = aiding.Pressure(aiding.MeasurementTime(aiding.Timebase(1), 0), 1, 1.0, 1.0, 1)
 
 

@@ -23,6 +23,7 @@ COMMANDS = {
     "monitor": "show the latest values of a device, live",
     "stream": "write live data as JSON lines, CSV, MCAP, or to Foxglove",
     "send": "send a command and show the reply",
+    "corrections": "pass RTCM corrections from an NTRIP caster to a device",
     "config": "copy, compare and restore the settings of a device",
     "profile": "read what a device supports, for a specification",
     "fields": "look up fields: bytes, values, units, devices",

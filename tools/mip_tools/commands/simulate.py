@@ -143,8 +143,9 @@ def run(options: argparse.Namespace) -> int:
         if file is not None:  # several devices are numbered in the log
             numbers = ({"device": i} if wanted[1:] else {} for i in range(1, len(wanted) + 1))
             logs = [json_log(file, **number) for number in numbers]
+        devices = [_device(simulated, options, log) for simulated, log in zip(wanted, logs)]
         server = Server(
-            [_device(simulated, options, log) for simulated, log in zip(wanted, logs)],
+            devices,
             [replace(endpoint, device=i) for i, simulated in enumerate(wanted) for endpoint in simulated.endpoints],
             options.speed,
             duration=options.duration,
@@ -159,6 +160,9 @@ def run(options: argparse.Namespace) -> int:
         for profile in {simulated.profile.id: simulated.profile for simulated in wanted}.values():
             _introduce(profile, options.certain)
         server.run()
+    for served in devices:
+        if served.rtcm_frames:
+            _complain(f"{served.profile.title} has received {count_text(served.rtcm_frames, 'RTCM frame')}")
     return 0
 
 

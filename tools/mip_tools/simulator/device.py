@@ -243,10 +243,14 @@ class VirtualDevice(DeviceState):
         self.bytes_received += len(data)
         if self.faults is not None:
             data = self.faults.receive(self.now, data)
-        if self.now < self.ready_at or not link.takes & ports.MIP:
+        if self.now < self.ready_at:
             return
-        link.heard = self.now
-        self._taken(link, link.parser.feed(data))
+        if link.takes & ports.RTCM and (frames := link.rtcm.feed(data)):
+            self.rtcm_frames += len(frames)
+            self.world.corrected = self.now
+        if link.takes & ports.MIP:
+            link.heard = self.now
+            self._taken(link, link.parser.feed(data))
 
     def _taken(self, link: Link, packets: Iterable[Packet]) -> None:
         for packet in packets:

@@ -7,6 +7,7 @@ import heapq
 from collections.abc import Callable
 
 from ..binding import Parser
+from ..rtcm import Frames
 
 
 class Link:
@@ -22,6 +23,7 @@ class Link:
         self.closed = False
         self.dropped = 0  # packets for which there was no room
         self.parser = Parser()
+        self.rtcm = Frames()
         self.heard = 0  # when the host has last sent something
         self._late: list[tuple[int, int, bytes]] = []  # time, order, bytes on the way
         self._unsent: list[tuple[int, int, bytes]] = []  # the same, for bytes that the device has not sent yet

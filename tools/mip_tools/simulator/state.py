@@ -48,6 +48,7 @@ class DeviceState(ABC):
         self.ready_at = 0
         self.bytes_sent = 0
         self.bytes_received = 0
+        self.rtcm_frames = 0  # that ports with RTCM input have received
 
     @property
     def dropped(self) -> int:

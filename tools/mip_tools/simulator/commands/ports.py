@@ -13,7 +13,7 @@ from ..state import DeviceState
 
 #: Protocols, as bits of the protocols of a port.
 PROTOCOLS = {"MIP": 1, "NMEA": 1 << 8, "RTCM": 1 << 9, "SPARTN": 1 << 24}
-MIP, NMEA = PROTOCOLS["MIP"], PROTOCOLS["NMEA"]
+MIP, NMEA, RTCM = PROTOCOLS["MIP"], PROTOCOLS["NMEA"], PROTOCOLS["RTCM"]
 
 #: Protocol -> the maximum number of ports, besides the main one, that may receive it.
 PARSERS = {

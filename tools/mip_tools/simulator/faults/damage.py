@@ -5,7 +5,7 @@ from __future__ import annotations
 from random import Random
 
 from ...binding import MAX_PAYLOAD, MODULES, SYNC, PacketBuilder, Parser
-from ...sentences import nmea_checksum
+from ...sentences import nmea_sentence
 
 
 def damage_packet(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, str]:
@@ -70,7 +70,7 @@ def make_nmea(random: Random) -> bytes:
             f"GPGGA,{clock},{north:04}.0000,N,{east:05}.0000,E,1,08,1.0,100.0,M,0.0,M,,",
         )
     )
-    return f"${text}*{nmea_checksum(text)}\r\n".encode()
+    return nmea_sentence(text).encode()
 
 
 def unknown_packet(random: Random) -> bytes:

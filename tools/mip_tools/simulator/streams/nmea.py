@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, Protocol
 from ...binding import SETS
 from ...geometry.attitude import euler
 from ...geometry.earth import Vector, gps_to_utc
-from ...sentences import nmea_checksum
+from ...sentences import gga, nmea_clock, nmea_place, nmea_sentence
 from ..surroundings.satellites import only
 from ..world.quantities import quantity
 from ..world.world import World
@@ -61,19 +61,8 @@ def _fix(world: World, receiver: int | None) -> _Fix:
 # --------------------------------------------------------------------------- parts of sentences
 
 
-def _clock(time: datetime) -> str:
-    return f"{time:%H%M%S}.{time.microsecond // 10_000:02d}"
-
-
-def _angle(radians: float, width: int, signs: str) -> str:
-    """Formats an angle in degrees and minutes with five decimals, and the hemisphere."""
-    minutes = round(abs(degrees(radians)) * 60 * 100_000)
-    whole, rest = divmod(minutes, 60 * 100_000)
-    return f"{whole:0{width}d}{rest // 100_000:02d}.{rest % 100_000:05d},{signs[radians < 0]}"
-
-
 def _place(fix: _Fix) -> str:
-    return f"{_angle(fix.latitude, 2, 'NS')},{_angle(fix.longitude, 3, 'EW')}"
+    return nmea_place(fix.latitude, fix.longitude)
 
 
 def _course(angle: float) -> str:
@@ -89,12 +78,11 @@ def _declination(world: World) -> float:
 
 def _gga(world: World, fix: _Fix) -> Iterator[str]:
     used, hdop = len(world.satellites(fix.receiver)), world.dop.hdop
-    height = fix.height - world.geoid
-    yield f"GGA,{_clock(fix.time)},{_place(fix)},1,{used:02d},{hdop:.2f},{height:.2f},M,{world.geoid:.2f},M,,"
+    yield gga(fix.time, _place(fix), used, hdop, fix.height - world.geoid, world.geoid)
 
 
 def _gll(world: World, fix: _Fix) -> Iterator[str]:
-    yield f"GLL,{_place(fix)},{_clock(fix.time)},A,A"
+    yield f"GLL,{_place(fix)},{nmea_clock(fix.time)},A,A"
 
 
 def _gsv(world: World, fix: _Fix) -> Iterator[str]:
@@ -114,7 +102,7 @@ def _rmc(world: World, fix: _Fix) -> Iterator[str]:
     knots, course = hypot(north, east) / KNOT, degrees(world.course(fix.velocity))
     away = _declination(world)
     yield (
-        f"RMC,{_clock(fix.time)},A,{_place(fix)},{knots:.3f},{_course(course)},{fix.time:%d%m%y},"
+        f"RMC,{nmea_clock(fix.time)},A,{_place(fix)},{knots:.3f},{_course(course)},{fix.time:%d%m%y},"
         f"{abs(away):.1f},{'EW'[away < 0]},A"
     )
 
@@ -131,25 +119,25 @@ def _hdt(world: World, fix: _Fix) -> Iterator[str]:
 
 
 def _zda(world: World, fix: _Fix) -> Iterator[str]:
-    yield f"ZDA,{_clock(fix.time)},{fix.time:%d,%m,%Y},00,00"
+    yield f"ZDA,{nmea_clock(fix.time)},{fix.time:%d,%m,%Y},00,00"
 
 
 def _gst(world: World, fix: _Fix) -> Iterator[str]:
     n, e, d = fix.deviation
     major, minor, direction = max(n, e), min(n, e), 0.0 if n >= e else 90.0
     rms = hypot(n, e, d)
-    yield f"GST,{_clock(fix.time)},{rms:.2f},{major:.2f},{minor:.2f},{direction},{n:.2f},{e:.2f},{d:.2f}"
+    yield f"GST,{nmea_clock(fix.time)},{rms:.2f},{major:.2f},{minor:.2f},{direction},{n:.2f},{e:.2f},{d:.2f}"
 
 
 def _msra(world: World, fix: _Fix) -> Iterator[str]:
     roll, pitch, yaw = (degrees(angle) for angle in euler(world.attitude[1]))
-    yield f"PMSRA,{_clock(fix.time)},{roll:.3f},{pitch:.3f},{yaw:.3f}"
+    yield f"PMSRA,{nmea_clock(fix.time)},{roll:.3f},{pitch:.3f},{yaw:.3f}"
 
 
 def _msrr(world: World, fix: _Fix) -> Iterator[str]:
     force = [x / GRAVITY for x in quantity(world, "measured.specific_force")]
     rate = [degrees(x) for x in quantity(world, "measured.angular_rate")]
-    yield f"PMSRR,{_clock(fix.time)}," + ",".join(f"{x:.6f}" for x in (*force, *rate))
+    yield f"PMSRR,{nmea_clock(fix.time)}," + ",".join(f"{x:.6f}" for x in (*force, *rate))
 
 
 class _Sentence(NamedTuple):
@@ -198,5 +186,5 @@ def compose_sentences(entries: Iterable[Entry], world: World) -> bytes:
         if chosen is not None:
             sentence, source, talker = chosen
             fix = _fix(world, _SOURCES.get(source))
-            lines += [f"${text}*{nmea_checksum(text)}\r\n" for text in (talker + t for t in sentence.make(world, fix))]
+            lines += [nmea_sentence(talker + text) for text in sentence.make(world, fix)]
     return "".join(lines).encode("ascii")

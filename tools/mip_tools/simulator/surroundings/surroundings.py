@@ -153,6 +153,7 @@ class Surroundings:
         self.updates = 0  # how often a host has set the time
         self.signals_off: frozenset[str] = frozenset()  # constellations that are switched off
         self.augmented = True  # SBAS is used
+        self.corrected: int | None = None  # when RTCM corrections last arrived
 
     @property
     def origin(self) -> Vector:

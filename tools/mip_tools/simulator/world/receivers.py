@@ -13,6 +13,9 @@ from .world import World
 
 Function = Callable[[World, Any], Any]
 
+#: How long corrections are used.
+CORRECTED = 10 * SECOND
+
 
 def _length(v: Vector) -> float:
     return float(hypot(*v))
@@ -29,6 +32,10 @@ def _aiding(w: World) -> tuple[str, ...]:
         return ("no_fix",)
     used = {"gps": "gps_l1", "glonass": "glonass_l1", "galileo": "galileo_e1", "beidou": "beidou_b1"}
     return ("tight_coupling", *(name for constellation, name in used.items() if constellation not in w.signals_off))
+
+
+def _corrected(w: World) -> bool:
+    return w.corrected is not None and w.now - w.corrected < CORRECTED
 
 
 def _gnss(receiver: int) -> dict[str, Function]:
@@ -63,8 +70,10 @@ def _gnss(receiver: int) -> dict[str, Function]:
 
 _GNSS: dict[str, Function] = {
     "gnss.fix": lambda w, _: w.gnss,
-    "gnss.fix_type": lambda w, _: "fix_3d" if w.gnss else "fix_none",
-    "gnss.fix_flags": lambda w, _: ("sbas_used",) * (w.gnss and w.augmented),
+    "gnss.fix_type": lambda w, _: "fix_none" if not w.gnss else "fix_rtk_fixed" if _corrected(w) else "fix_3d",
+    "gnss.fix_flags": lambda w, _: (
+        ("sbas_used",) * (w.gnss and w.augmented) + ("dgnss_used",) * (w.gnss and _corrected(w))
+    ),
     "gnss.aiding": lambda w, _: _aiding(w),
     **_gnss(1),
     **_gnss(2),
