@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from audit import sdk, tables, witnesses
+from audit import rules, sdk, tables, witnesses
 from audit.__main__ import main
 from mipgen.base.errors import Failure
 from mipgen.read.problems import SpecError
@@ -553,3 +554,22 @@ def test_a_rule_of_a_frame(tmp_path: Path) -> None:
     (tmp_path / "rules.yaml").write_text("rules: [{names: [pl*], frame: [ned]}]\n", "utf-8")
     (found,) = witnesses.audit_all(load(SPEC), tmp_path).differences
     assert f"{found.at}: {found.text}" == "radio.move: place: frame sensor, a rule has ned"
+
+
+def test_ids_of_ports_and_leap_seconds() -> None:
+    """The id of a port is the value of the same name in the enumeration of ports."""
+    real = model("real")
+    own = next(d for d in real.devices if any(port.name == "UART 2" for port in d.ports))
+    ports = tuple(replace(port, id=0x13) if port.name == "UART 2" else port for port in own.ports)
+    seconds = (*real.protocol.leap_seconds[:-1], (real.protocol.leap_seconds[-1][0], 17))
+    wrong = replace(
+        real, devices=(replace(own, ports=ports),), protocol=replace(real.protocol, leap_seconds=seconds)
+    )  # fmt: skip
+    stated = {"units": {}}
+    kinds = ("ids of ports", "leap seconds")
+    found = [finding.text for kind, finding in rules.compare_constants(wrong, stated) if kind in kinds and finding]
+    assert found == [
+        "leap seconds: 17 on 2017-01-01 after 17; each adds one, in January or July",
+        "the id of port UART 2 is 19; the enumeration has 18",
+    ]
+    assert not [1 for kind, finding in rules.compare_constants(real, stated) if kind in kinds and finding]

@@ -57,6 +57,15 @@ def compare_constants(model: m.Model, stated: dict[str, Any]) -> Iterator[tuple[
         text = f"leap seconds: {seconds} on {day} after {before}; each adds one, in January or July"
         wrong = seconds != before + 1 or day[4:] not in ("-01-01", "-07-01")
         yield "leap seconds", Finding("protocol", text, None) if wrong else None
+    for device in model.devices if stated else ():
+        for port in device.ports:
+            if values := _values_named(model, port.name.lower().replace(" ", "_")) if port.id is not None else None:
+                text = f"the id of port {port.name} is {port.id}; the enumeration has {_all(map(str, values))}"
+                yield "ids of ports", Finding(device.id, text, None) if port.id not in values else None
+
+
+def _values_named(model: m.Model, name: str) -> list[int]:
+    return [value.value for t in model.types if t.kind == "enum" for value in t.values if value.name == name]
 
 
 def _formulas(field: m.Field) -> list[str]:
