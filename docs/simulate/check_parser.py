@@ -27,7 +27,7 @@ with open(sys.argv[2]) as log:
             sent[bytes.fromhex(entry["packet"])] += 1
         elif entry.get("damaged"):
             damaged[bytes.fromhex(entry["packet"])] += 1
-        elif entry["kind"] in ("double_packet", "unknown_set"):
+        elif entry["kind"] in ("double_packet", "repeat_packet", "unknown_set"):
             added[bytes.fromhex(entry["added"])] += 1
 
 lost = sent - damaged - found

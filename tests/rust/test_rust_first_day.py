@@ -15,6 +15,7 @@ from mipgen.targets.rust import session
 from support import PATIENCE, PYTHONPATH, heavy, model, simulated
 from test_rust import HERE
 from test_rust_examples import EXAMPLES, FEATURES, SETS, crate, programs, ran
+from virtual import test_datagrams as datagrams
 from virtual import test_reopen as reopen
 
 CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
@@ -167,6 +168,12 @@ def test_a_port_is_opened_again(tmp_path: Path) -> None:
         done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert done.returncode == 0, done.stderr
     reopen.checked(json.loads(done.stdout))
+
+
+@heavy(EXAMPLES)
+def test_replies_over_udp_stay_those_of_their_commands(tmp_path: Path) -> None:
+    program = built("pairs", (datagrams.HERE / "pairs.rs").read_text())
+    datagrams.check(tmp_path, {"rust": [str(program)]}, 500)
 
 
 #: Loses its port, which then cannot be opened.

@@ -92,6 +92,17 @@ pub trait Port {
     /// Returns the errors of the port.
     fn write(&mut self, bytes: &[u8]) -> Result<(), Self::Error>;
 
+    /// Returns whether bytes have arrived, so that `read` would not wait. A port where replies can
+    /// come twice or out of order, such as UDP, has to know: each command is then preceded by what
+    /// has arrived, as data. Serial ports and TCP keep the order.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of the port.
+    fn waits(&mut self) -> Result<bool, Self::Error> {
+        Ok(false)
+    }
+
     /// Returns a count of milliseconds that only increases, and may wrap around.
     fn now_ms(&mut self) -> u32;
 
@@ -121,6 +132,10 @@ impl<P: Port + ?Sized> Port for &mut P {
 
     fn write(&mut self, bytes: &[u8]) -> Result<(), P::Error> {
         (**self).write(bytes)
+    }
+
+    fn waits(&mut self) -> Result<bool, P::Error> {
+        (**self).waits()
     }
 
     fn now_ms(&mut self) -> u32 {
@@ -512,9 +527,11 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         self.core.client.known_event(ticket)
     }
 
-    /// Forgets the earlier commands, and sends a barrier if one was not answered.
+    /// Forgets the earlier commands, takes in what waits, and sends a barrier if a command was not
+    /// answered.
     fn begin(&mut self) -> Result<u32, DeviceError<P::Error>> {
         self.core.client.clear();
+        while self.port.waits().map_err(DeviceError::Port)? && self.read()? {}
         if let Some(barrier) = self.core.client.barrier() {
             self.port.write(barrier.bytes()).map_err(DeviceError::Port)?;
         }

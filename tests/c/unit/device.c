@@ -411,19 +411,15 @@ static void deferred(void) {
     CHECK(is(later[0].result, MIP_NOT_SENT, 0, MIP_OK) && device.client.waiting == NULL);
 }
 
-/* Replies that come twice: the port takes in what waits before it writes, so that it is data. */
-static bool write_after_reading(void *user, const uint8_t *bytes, size_t size) {
-    uint8_t waiting[MIP_MAX_PACKET];
-    size_t count = 0;
-    (void)line_read(user, waiting, sizeof(waiting), &count);
-    CHECK(mip_device_step(&device, waiting, count));
-    return line_write(user, bytes, size);
+/* Replies that come twice: what waits is taken in before a command is sent, so that it is data. */
+static bool line_waits(void *user) {
+    const struct line *l = (const struct line *)user;
+    return l->next < l->count;
 }
 
 static void twice(void) {
-    static const struct mip_port careful = {line_read, write_after_reading, line_now, &line};
     fresh(all, 1);
-    mip_device_init(&device, &careful, 1, all);
+    device.waits = line_waits;
     forget();
     memset(later, 0, sizeof(later));
     COMES(0, 0x01, PONG);

@@ -27,6 +27,8 @@ struct Played {
     stopped_inside: u32,
     /// How long reading takes if there are bytes.
     pace: u32,
+    /// Does it know whether bytes wait?
+    knows: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,6 +71,10 @@ impl Port for Played {
         self.sent.push(bytes.to_vec());
         self.coming.extend(self.replies.pop_front().unwrap_or_default());
         Ok(())
+    }
+
+    fn waits(&mut self) -> Result<bool, Gone> {
+        Ok(self.knows && !self.coming.is_empty())
     }
 
     fn now_ms(&mut self) -> u32 {
@@ -288,6 +294,15 @@ fn the_time_that_data_may_take() {
     assert_eq!(device.port().now, 510);
     device.port_mut().coming.push_back(vec![]);
     assert_eq!(device.next_packet(500).unwrap_err(), DeviceError::Port(Gone));
+}
+
+#[test]
+fn a_copy_of_a_reply_that_waits_is_not_that_of_the_next_command() {
+    let twice = |code| vec![ack(1, code), ack(1, code)];
+    let mut device = device([twice(AckCode::OK), twice(AckCode::INVALID_PARAMETER)]);
+    device.port_mut().knows = true;
+    assert!(device.request(&tools::Ping).is_ok() && device.request(&tools::Ping).is_err());
+    assert!(next(&mut device).is_some() && next(&mut device).is_some());
 }
 
 #[test]

@@ -139,12 +139,17 @@ bool mip_device_step(struct mip_device *device, const uint8_t *data, size_t size
     return handle_bytes(device, data, size, true);
 }
 
-bool mip_device_poll(struct mip_device *device) {
-    uint8_t bytes[MIP_MAX_PACKET];
+/** Does the same unless this is called in a handler. */
+static bool poll(struct mip_device *device, uint8_t *bytes) {
     mip_device_lock(device, true);
     const bool outside = device->packet == NULL;
     mip_device_lock(device, false);
     return outside && update(device, bytes);
+}
+
+bool mip_device_poll(struct mip_device *device) {
+    uint8_t bytes[MIP_MAX_PACKET];
+    return poll(device, bytes);
 }
 
 /* ------------------------------------------------------------------------------------- commands */
@@ -163,6 +168,12 @@ static bool guard(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_BARRIER];
     const size_t size = mip_client_barrier(&device->client, bytes);
     return size == 0 || write(device, bytes, size);
+}
+
+/** Takes in what has arrived before a command is sent: it cannot be the reply to that. */
+static void take_in(struct mip_device *device, uint8_t *bytes) {
+    while (device->waits != NULL && device->waits(device->port.user) && poll(device, bytes)) {
+    }
 }
 
 /** Sends a command, whose data is already in the packet, and waits for its reply. */
@@ -217,6 +228,7 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
     struct mip_builder builder;
     struct mip_request request;
     request_of(&request, command->exchange, codec, response);
+    take_in(device, bytes);
     mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
     request.result.error = (uint8_t)mip_command_encode(command, value, &builder);
     if (request.result.error == MIP_OK) {
@@ -229,6 +241,7 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
 static struct mip_result send(struct mip_device *device, struct mip_request *request,
                               const uint8_t *data, size_t size) {
     uint8_t bytes[MIP_MAX_PACKET];
+    take_in(device, bytes);
     if (size > MIP_MAX_FIELD_DATA) {
         request->result.error = MIP_ERROR_COUNT;
     } else {

@@ -92,6 +92,10 @@ impl<T: Read + ReadReady + Write, F: FnMut() -> u32> Port for EmbeddedPort<T, F>
         }
     }
 
+    fn waits(&mut self) -> Result<bool, Self::Error> {
+        self.io.read_ready().map_err(EmbeddedError::Driver)
+    }
+
     fn now_ms(&mut self) -> u32 {
         (self.now_ms)()
     }

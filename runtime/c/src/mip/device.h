@@ -39,9 +39,7 @@ struct mip_port {
      * has no bytes, just like a silent one; only poll() detects it, by POLLHUP (see ports/posix.c).
      */
     bool (*read)(void *user, uint8_t *bytes, size_t size, size_t *count);
-    /** Sends all of these bytes. Returns false if that failed. On a line where replies can come
-     * twice or out of order, such as UDP, first pass what waits to mip_device_step, as data: a late
-     * reply then does not answer the next command. Serial ports and TCP keep the order. */
+    /** Sends all of these bytes. Returns false if that failed. */
     bool (*write)(void *user, const uint8_t *bytes, size_t size);
     /** Returns a time in milliseconds that only increases and is never set; it may wrap around. */
     uint32_t (*now)(void *user);
@@ -134,6 +132,11 @@ struct mip_device {
     uint32_t silence;
     /** When the last bytes arrived. */
     uint32_t heard;
+    /** Returns whether bytes have arrived, so that `read` would not wait; its argument is the port's
+     * `user`. NULL unless your program sets it, for a line where replies can come twice or out of
+     * order, such as UDP: each command is then preceded by what has arrived, as data. Serial ports
+     * and TCP keep the order. */
+    bool (*waits)(void *user);
     /** In handlers and observers, the packet that is being handled: mip_walk_packet finds all its
      * fields, for example a timestamp and the values of that time. NULL otherwise. */
     const struct mip_packet *packet;

@@ -10,6 +10,7 @@
 #include "mip/types.hpp"
 
 #include <new>
+#include <utility>
 #ifdef __cpp_lib_concepts
 #include <concepts>
 #endif
@@ -198,10 +199,22 @@ concept port = requires(T &way, span<std::uint8_t> room, bytes packet) {
 #define MIP_PORT_TYPE class
 #endif
 
+namespace detail {
+/* The device's `waits` for a port that has the function, else null. */
+template <class Port>
+auto waits_of(int) -> std::enable_if_t<sizeof(std::declval<Port &>().waits()) != 0, bool (*)(void *)> {
+    return [](void *user) { return static_cast<bool>(static_cast<Port *>(user)->waits()); };
+}
+template <class Port> std::nullptr_t waits_of(...) {
+    return nullptr;
+}
+} // namespace detail
+
 /**
  * Returns a C port that calls your object, which must outlive the device and have
  * `std::optional<std::size_t> read(mip::span<std::uint8_t> room)`, `bool write(mip::bytes packet)`
- * and `std::uint32_t now()`. They do what the functions of struct mip_port do.
+ * and `std::uint32_t now()`. They do what the functions of struct mip_port do. For a line such as
+ * UDP, also `bool waits()`: see struct mip_device.
  */
 template <MIP_PORT_TYPE Port> mip_port port_of(Port &port) {
     return {[](void *user, std::uint8_t *to, std::size_t size, std::size_t *count) {
@@ -231,6 +244,7 @@ template <std::size_t Handlers = 8> class device {
     }
     template <MIP_PORT_TYPE Port, class = std::enable_if_t<!std::is_same_v<Port, mip_port>>>
     explicit device(Port &port) : device(port_of(port)) {
+        device_.waits = detail::waits_of<Port>(0);
     }
     device(const device &) = delete;
     device &operator=(const device &) = delete;

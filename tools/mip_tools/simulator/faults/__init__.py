@@ -24,6 +24,7 @@ class _Line:
     """The state of a receiver at the end of one line."""
 
     free: int = 0  # when the line has sent all delayed bytes
+    apart: int = 0  # when the last packet arrives that does not keep its place
     pending: bytes = b""  # bytes that may be the start of a packet
     hidden: list[bytes] = field(default_factory=list)  # the packets in these bytes
     late: list[tuple[int, bytes]] = field(default_factory=list)  # arrival times, and packets
@@ -39,7 +40,8 @@ class Faults:
         faults = Faults(seed=1, lose=0.01, noise=(0.1, 32), script=["lose_answer@3"])
 
     Noise and false headers are inserted only between packets. A receiver that searches again after a
-    false start loses no packet because of them: all packets that are not logged as damaged arrive intact.
+    false start loses no packet because of them: all packets that are not logged as damaged arrive intact,
+    unless a repeated or reordered one completes a false start by chance.
     """
 
     def __init__(
@@ -136,9 +138,14 @@ class Faults:
             self.tell(now, "double_packet", "the packet arrives twice", packet=packet, added=packet)
             body += packet
             packets.append(packet)
+        moved = [kind for kind in ("repeat_packet", "reorder_packet") if kind in struck and intact]
+        if "reorder_packet" in moved:
+            body = body[len(packet) :]
+            packets.remove(packet)
         before = self._apart(now, at, before, body, packets)
         parts = self._timed(now, at, before, body, struck, packet)
-        if at.pending or at.free > now:
+        parts += [(self._moved(now, at, kind, packet), packet) for kind in moved]
+        if at.pending or max(at.free, at.apart) > now:
             self._lines[line] = at
         return parts
 
@@ -212,7 +219,7 @@ class Faults:
             self.tell(now, "delay_packet", f"{later / 1e9:.3f} s late", packet=packet)
         stream = before + body
         parts = [(first, stream)]
-        if "delay" in struck and len(body) > 1:
+        if "delay" in struck and len(body) > 1 and at.apart <= now + first:
             later = self._seconds("delay")
             cut = len(before) + self._random["delay"].randrange(1, len(body))
             parts = [(first, stream[:cut]), (first + later, stream[cut:])]
@@ -224,6 +231,15 @@ class Faults:
         if parts[-1][0]:  # bytes that are due at the same time follow it
             at.free = now + parts[-1][0] + 1
         return [part for part in parts if part[1]]
+
+    def _moved(self, now: int, at: _Line, kind: str, packet: bytes) -> int:
+        """Returns when a packet arrives that does not keep its place: never in the middle of another one."""
+        later = max(at.free - now, 0) + self._seconds(kind)
+        at.apart = max(at.apart, now + later)
+        at.late.append((now + later, packet))
+        again = packet if kind == "repeat_packet" else None
+        self.tell(now, kind, f"{later / 1e9:.3f} s late", packet=packet, added=again)
+        return later
 
     def data(self, now: int, set_number: int, fields: list[RawField]) -> list[RawField]:
         """Returns the fields of a data packet, with faults."""

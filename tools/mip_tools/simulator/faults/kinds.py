@@ -37,6 +37,8 @@ KINDS: dict[str, Kind] = {
     "double": Kind("packet", "consecutive bytes of a packet arrive twice", 4, "bytes"),
     "lose_packet": Kind("packet", "a whole packet is lost"),
     "double_packet": Kind("packet", "a whole packet arrives twice"),
+    "repeat_packet": Kind("packet", "a whole packet arrives again, later", 0.1, "s"),
+    "reorder_packet": Kind("packet", "a whole packet arrives later than packets that follow it", 0.1, "s"),
     "delay": Kind("packet", "the rest of a packet arrives later", 0.1, "s"),
     "delay_packet": Kind("packet", "a whole packet, and what follows it, arrives later", 0.1, "s"),
     "noise": Kind("packet", "random bytes precede a packet", 64, "bytes"),
