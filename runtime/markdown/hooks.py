@@ -131,7 +131,7 @@ def on_post_build(config: Any) -> None:
     if _frames:
         (assets / "frames.js").write_text(f"globalThis.mipFrames = {json.dumps(_frames)};\n", "utf-8")
     if WORKBENCH:
-        for name in ("workbench.js", "tools.css"):
+        for name in ("workbench.js", "fields.js", "tools.css"):
             shutil.copy(Path(WORKBENCH, name), assets)
 
 

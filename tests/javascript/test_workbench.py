@@ -32,7 +32,8 @@ def test_what_is_built(spec: str, tmp_path: Path) -> None:
         page = (folder / f"{tool.name}.html").read_text("utf-8")
         assert f"<title>{tool.title}</title>" in page and f"<h1>{tool.title}</h1>" in page
     names = sorted(path.name for path in folder.iterdir())
-    assert names == sorted([*(f"{tool.name}.html" for tool in TOOLS), "page.css", "tools.css", "workbench.js"])
+    pages, others = (f"{tool.name}.html" for tool in TOOLS), ("fields.js", "page.css", "tools.css", "workbench.js")
+    assert names == sorted([*pages, *others])
     assert all((folder / name).read_bytes() == (workbench(spec) / name).read_bytes() for name in names)
 
 

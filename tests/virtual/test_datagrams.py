@@ -17,7 +17,7 @@ pytestmark = uses()  # the languages at hand
 HERE = Path(__file__).parent / "datagrams"
 FAULTS = "double_packet=0.1,repeat_packet=0.1:0.02,reorder_packet=0.1:0.02"
 
-#: Pairs in a row that may be wrong: a copy can arrive while a command waits, and on a busy machine the reply to that only
+#: Pairs in a row that may be wrong: a copy can arrive while a command waits, and on a busy machine the reply to that
 #: after the next one was sent.
 LONGEST = 10
 

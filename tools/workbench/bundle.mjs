@@ -4,8 +4,8 @@
 //
 // PACKAGE is a codec that mipgen generated, such as `generated/javascript`, of any specification. Browsers load no
 // modules from disk, so the tools, the codec and the model become one classic script, `workbench.js`, which defines one
-// global object, `mip`, with the exports of `index.mjs`. FOLDER gets that script, the style sheets, and a page for each
-// tool.
+// global object, `mip`, with the exports of `index.mjs`. FOLDER gets that script, the style sheets, a page for each tool,
+// and `fields.js`, which defines only what `fields.mjs` exports: pages without a tool search fields with it.
 import fs from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
@@ -46,8 +46,35 @@ function read(model) {
     };
 }
 
-/** Finds the codec under the name by which the tools import it, and compresses the model. */
-const codec = {
+const only = (names, of) => Object.fromEntries(Object.entries(of).filter(([name]) => names.includes(name)));
+
+/** Returns what of a model the search reads. */
+function searched(model) {
+    const part = (parameter) => ({
+        ...only(["name", "type", "description"], parameter),
+        variants: parameter.variants?.map((variant) => only(["type"], variant)),
+        cases: parameter.cases?.map((one) => ({ parameter: one.parameter && part(one.parameter) })),
+    });
+    const OF_FIELD = ["set", "name", "descriptor", "role", "title", "description", "responses", "command", "symbols"];
+    const OF_DEVICE = ["id", "title", "also", "model_number", "supports", "refuses", "incomplete", "evidence"];
+    return {
+        ...without(["guides", "named_devices", "manuals", "notes", "programs", "examples", "errata", "simulation"], model),
+        fields: model.fields.map((field) => ({
+            ...only([...OF_FIELD, "also", "keywords", "deprecated", "occurrences"], field),
+            parameters: field.parameters.map(part),
+            sources: field.sources.map((source) => only(["section"], source)),
+        })),
+        devices: model.devices?.map((device) => ({
+            ...only(OF_DEVICE, device),
+            supports: device.supports?.map((one) => only(["field", "evidence"], one)),
+            evidence:
+                device.evidence && Object.fromEntries(Object.entries(device.evidence).map(([key, one]) => [key, only(["answer"], one)])),
+        })),
+    };
+}
+
+/** Finds the codec under the name by which the tools import it, and compresses the part of the model that is read. */
+const codec = (partOf) => ({
     name: "codec",
     setup({ onResolve, onLoad }) {
         onResolve({ filter: /^mip-protocol(\/|$)/ }, ({ path: name }) => ({
@@ -57,28 +84,33 @@ const codec = {
         }));
         onLoad({ filter: /^/, namespace: "model" }, async ({ path: file }) => {
             const { default: model } = await import(pathToFileURL(file));
-            return { contents: zlibSync(strToU8(JSON.stringify(read(model))), { level: 9 }), loader: "binary" };
+            return { contents: zlibSync(strToU8(JSON.stringify(partOf(model))), { level: 9 }), loader: "binary" };
         });
     },
-};
+});
 
 const licences = ["fflate", "yaml"].map((name) => {
     const home = path.dirname(require.resolve(`${name}/package.json`));
     return `${name}: ${fs.readFileSync(path.join(home, "LICENSE"), "utf8")}`;
 });
-await build({
-    entryPoints: [path.join(here, "index.mjs")],
-    outfile: path.join(output, "workbench.js"),
-    bundle: true,
-    minify: true,
-    format: "iife",
-    globalName: "mip",
-    target: "es2022",
-    banner: { js: "// The MIP workbench: tools, codec and model as one script. MIT licence; it contains yaml and fflate." },
-    footer: { js: `globalThis.mip = mip; // also where a script is a module\n/*\n${licences.join("\n")}*/` },
-    plugins: [codec],
-    nodePaths: process.env.NODE_PATH.split(path.delimiter),
-});
+for (const [entry, script, partOf] of [
+    ["index.mjs", "workbench.js", read],
+    ["fields.mjs", "fields.js", searched],
+]) {
+    await build({
+        entryPoints: [path.join(here, entry)],
+        outfile: path.join(output, script),
+        bundle: true,
+        minify: true,
+        format: "iife",
+        globalName: "mip",
+        target: "es2022",
+        banner: { js: "// The MIP workbench: tools, codec and model as one script. MIT licence; it contains yaml and fflate." },
+        footer: { js: `globalThis.mip = mip; // also where a script is a module\n/*\n${licences.join("\n")}*/` },
+        plugins: [codec(partOf)],
+        nodePaths: process.env.NODE_PATH.split(path.delimiter),
+    });
+}
 
 for (const style of ["page.css", "tools.css"]) fs.copyFileSync(path.join(here, style), path.join(output, style));
 const page = fs.readFileSync(path.join(here, "page.html"), "utf8");

@@ -132,10 +132,10 @@ struct mip_device {
     uint32_t silence;
     /** When the last bytes arrived. */
     uint32_t heard;
-    /** Returns whether bytes have arrived, so that `read` would not wait; its argument is the port's
-     * `user`. NULL unless your program sets it, for a line where replies can come twice or out of
-     * order, such as UDP: each command is then preceded by what has arrived, as data. Serial ports
-     * and TCP keep the order. */
+    /** Returns whether bytes have arrived, so that `read` would not wait; its argument is the
+     * port's `user`. NULL unless your program sets it, for a line where replies can come twice or
+     * out of order, such as UDP: each command is then preceded by what has arrived, as data. Serial
+     * ports and TCP keep the order. */
     bool (*waits)(void *user);
     /** In handlers and observers, the packet that is being handled: mip_walk_packet finds all its
      * fields, for example a timestamp and the values of that time. NULL otherwise. */

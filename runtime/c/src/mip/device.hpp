@@ -202,7 +202,8 @@ concept port = requires(T &way, span<std::uint8_t> room, bytes packet) {
 namespace detail {
 /* The device's `waits` for a port that has the function, else null. */
 template <class Port>
-auto waits_of(int) -> std::enable_if_t<sizeof(std::declval<Port &>().waits()) != 0, bool (*)(void *)> {
+auto waits_of(int)
+    -> std::enable_if_t<sizeof(std::declval<Port &>().waits()) != 0, bool (*)(void *)> {
     return [](void *user) { return static_cast<bool>(static_cast<Port *>(user)->waits()); };
 }
 template <class Port> std::nullptr_t waits_of(...) {

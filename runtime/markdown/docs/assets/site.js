@@ -27,11 +27,11 @@
         return document.querySelector("link[href$='assets/tools.css']") !== null;
     }
 
-    /** The specification, for all tools of this page; null if the site is built without the workbench. */
+    /** The specification, for the search and all tools of this page; null if the site is built without the workbench. */
     let known;
     async function protocol() {
         if (!hasTools()) return null;
-        await load("workbench.js");
+        await load(document.querySelector("[data-tool]") ? "workbench.js" : "fields.js");
         known ??= new mip.Protocol(mip.model);
         return known;
     }
