@@ -24,6 +24,8 @@ COMMANDS = {
     "stream": "write live data as JSON lines, CSV, MCAP, or to Foxglove",
     "send": "send a command and show the reply",
     "corrections": "pass RTCM corrections from an NTRIP caster to a device",
+    "calibrate-mag": "compute hard and soft iron of a magnetometer",
+    "noise": "measure white noise and bias instability of a log at rest",
     "config": "copy, compare and restore the settings of a device",
     "profile": "read what a device supports, for a specification",
     "fields": "look up fields: bytes, values, units, devices",
@@ -38,7 +40,7 @@ PACKAGE = "--package"
 
 def loaded(command: str) -> Any:
     """Imports the module of a command, which imports what it uses from the generated package."""
-    return import_module(f".{command}", __name__)
+    return import_module(f".{command.replace('-', '_')}", __name__)
 
 
 def without_package(words: list[str]) -> tuple[str | None, list[str]]:
