@@ -1,4 +1,4 @@
-"""`mip profile`: data from a device as a file that mipgen accepts, or added to a file that was edited by hand."""
+"""`mip profile`: data from a device as a file that mipgen accepts."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def put(folder: Path, device_id: str, text: str) -> Path:
 
 
 def test_the_file_of_a_model_that_is_known() -> None:
-    assert device_file.new_file(facts("3dm-mv5-ar"), SPEC.parent) == (
+    assert device_file.file_text(facts("3dm-mv5-ar"), SPEC.parent) == (
         "extend: 3dm-mv5-ar\n"
         "evidence:\n"
         "  - kind: listed\n"
@@ -87,7 +87,7 @@ def test_the_file_of_a_model_that_is_not_known(tmp_path: Path) -> None:
     device = VirtualDevice(unknown())
     device.field_keys |= {(0x80, 0x7E), (0x3F, 0x01), (0x3F, 0x02)}
     it = facts(device)
-    text = device_file.new_file(it, tmp_path)
+    text = device_file.file_text(it, tmp_path)
     assert text.startswith(
         "device: 3dm-xy9-ins\n"
         "name: xy9_ins\n"
@@ -111,7 +111,7 @@ def test_the_file_of_a_model_that_is_not_known(tmp_path: Path) -> None:
 def test_ports_of_a_model_that_is_not_known(tmp_path: Path) -> None:
     of = devices.DEVICES["3dm-cv7-gnss-ins"]
     device = VirtualDevice(replace(of, title="3DM-XY8", model_number=6998))
-    put(tmp_path, "3dm-xy8", device_file.new_file(facts(device), tmp_path))
+    put(tmp_path, "3dm-xy8", device_file.file_text(facts(device), tmp_path))
     made = loaded(tmp_path, "3dm-xy8")
     assert {p.id: p.name for p in made.ports} == {p.id: p.name for p in of.ports}
     (first,) = (p for p in made.ports if p.name == "UART 1")
@@ -145,7 +145,7 @@ def test_rates_that_a_device_does_not_tell(tmp_path: Path) -> None:
     device, known = VirtualDevice(unknown()), VirtualDevice("3dm-gq7")
     for one in (device, known):
         one.field_keys -= {(0x0C, 0x0E)}
-    text = device_file.new_file(facts(device), tmp_path)
+    text = device_file.file_text(facts(device), tmp_path)
     names = ("sensor", "filter_data", "gnss_1", "gnss_2", "gnss_corrections", "system_data")
     assert f"\nbase_rates: {{{', '.join(f'{name}: ~' for name in names)}}}\n" in text
     put(tmp_path, "3dm-xy9-ins", text)
@@ -168,212 +168,50 @@ def test_shared_data_that_is_listed_in_data_sets() -> None:
 # --------------------------------------------------------------------------- a file that is there
 
 
-EXTENSION = """\
-# What I know of mine.
-extend: 3dm-mv5-ar   # the old one
-
-evidence:
-  # by hand
-  - kind: software          # our own
-    fields: {sensor: [scaled_accel]}     # seen
-
-  - kind: listed
-    firmware: 1.0.00
-    fields:
-      base:
-        - ping   # of course
-base_rates: {sensor: 100, # measured
-}
-notes:
-- name: one
-  title: One
-  description: >
-    A text
-    of two lines.   # no comment
-# the end"""
-BLOCK = """\
-  - kind: listed
-    firmware: 5.0.00
-    date: 2026-01-31
-    fields:
-      base: [ping, set_idle, get_device_info, get_device_descriptors, resume]
-      3dm: [data_stream_control]
-"""
-FLOW = (
-    "{kind: listed, firmware: 5.0.00, date: 2026-01-31, fields: {base: [ping, set_idle, get_device_info, "
-    "get_device_descriptors, resume], 3dm: [data_stream_control]}}"
-)
-
-
-def merged(text: str, folder: Path, device: VirtualDevice | str = "3dm-mv5-ar") -> tuple[str, dict[str, str]]:
-    return device_file.updated(facts(device), put(folder, "3dm-mv5-ar", text))
-
-
-def test_a_file_of_a_person_keeps_its_words(tmp_path: Path) -> None:
-    text, contradictions = merged(EXTENSION, tmp_path)
-    assert text == EXTENSION.replace("base_rates:", f"{BLOCK}base_rates:") and not contradictions
-
-
-@pytest.mark.parametrize(
-    ("text", "made"),
-    [
-        ("extend: 3dm-mv5-ar\n", f"extend: 3dm-mv5-ar\nevidence:\n{BLOCK}"),
-        ("extend: 3dm-mv5-ar", f"extend: 3dm-mv5-ar\nevidence:\n{BLOCK}".rstrip("\n")),
-        ("extend: 3dm-mv5-ar\n\n# end\n", f"extend: 3dm-mv5-ar\nevidence:\n{BLOCK}\n# end\n"),
-        (
-            "extend: 3dm-mv5-ar\nevidence:\n- {kind: software, fields: {sensor: [scaled_accel]}}  # a\n# b\n",
-            "extend: 3dm-mv5-ar\nevidence:\n- {kind: software, fields: {sensor: [scaled_accel]}}  # a\n"
-            + BLOCK.replace("  - ", "- ").replace("\n    ", "\n  ")
-            + "# b\n",
-        ),
-        (
-            "extend: 3dm-mv5-ar\nevidence: [{kind: software, fields: {sensor: [scaled_accel]}}, # a\n]\n",
-            f"extend: 3dm-mv5-ar\nevidence: [{{kind: software, fields: {{sensor: [scaled_accel]}}}}, {FLOW}, # a\n]\n",
-        ),
-        (
-            "{extend: 3dm-mv5-ar, }\n",
-            f"{{extend: 3dm-mv5-ar, evidence: [{FLOW}], }}\n",
-        ),
-    ],
-)
-def test_layouts(tmp_path: Path, text: str, made: str) -> None:
-    assert merged(text, tmp_path)[0] == made
-    crlf = text.replace("\n", "\r\n")
-    assert merged(crlf, tmp_path)[0] == (made.replace("\n", "\r\n") if "\r\n" in crlf else made)
-
-
-def test_only_the_list_of_the_same_firmware_is_replaced(tmp_path: Path) -> None:
-    old = """\
-extend: 3dm-mv5-ar
-evidence:
-  - kind: listed # first
-    # mine
-    firmware: 5.0.00
-    sources:
-      - {manual: mscl, section: Issue 1}
-    notes: ["Kept: as it is."]
-    fields: {base: [ping]} # last
-  - {kind: listed, firmware: 4.0.00, fields: {base: [ping]}}
-"""
-    text, _ = merged(old, tmp_path)
-    assert (
-        text
-        == """\
-extend: 3dm-mv5-ar
-evidence:
-  # first
-  # mine
-  - kind: listed
-    firmware: 5.0.00
-    date: 2026-01-31
-    sources:
-      - {manual: mscl, section: Issue 1}
-    notes: ["Kept: as it is."]
-    fields:
-      base: [ping, set_idle, get_device_info, get_device_descriptors, resume]
-      3dm: [data_stream_control] # last
-  - {kind: listed, firmware: 4.0.00, fields: {base: [ping]}}
-"""
-    )
-    again, _ = merged(text, tmp_path)
-    assert again == text
-    later = device_file.Facts(facts("3dm-mv5-ar").model, told(VirtualDevice("3dm-mv5-ar")), "2027-01-01")
-    assert device_file.updated(later, tmp_path / "devices/3dm-mv5-ar.yaml")[0] == text  # the same list: the same day
-
-
-def test_rates(tmp_path: Path) -> None:
-    """New data is added, `~` is filled, and contradictions are reported with their places and left as they are."""
-    old = "extend: 3dm-gx5-15\nbase_rates:\n  sensor: 999  # measured\n  filter_data: ~\n"
-    it = facts("3dm-gx5-15")
-    path = put(tmp_path, "3dm-gx5-15", old)
-    text, contradictions = device_file.updated(it, path)
-    assert text.startswith(old.replace("~", "500"))
-    said = f"{path}:3:11: the device says 1000 Hz for sensor, not 999; the file is kept"
-    assert contradictions == {"sensor": said}
-    text, _ = device_file.updated(it, put(tmp_path, "3dm-gx5-15", "extend: 3dm-gx5-15\nbase_rates: {sensor: 1e3}\n"))
-    assert "\nbase_rates: {sensor: 1e3, filter_data: 500}\n" in text
-    text, _ = device_file.updated(it, put(tmp_path, "3dm-gx5-15", "extend: 3dm-gx5-15\nbase_rates:\n  sensor: 1000\n"))
-    assert "\nbase_rates:\n  sensor: 1000\n  filter_data: 500\nevidence:\n" in text
-
-
-def test_ports(tmp_path: Path) -> None:
-    of = devices.DEVICES["3dm-cv7-gnss-ins"]
-    device = VirtualDevice(replace(of, title="3DM-XY8", model_number=6998))
-    it = facts(device)
-    whole = device_file.new_file(it, tmp_path)
-    kept = whole.partition("ports:\n")[0]
-    mine = "  - {name: UART 1, id: 0x12, baud_rates: [9600], receives: [], sends: []}\n"
-    path = put(tmp_path, "3dm-xy8", f"{kept}ports:\n{mine}")
-    text, contradictions = device_file.updated(it, path)
-    line = text[: text.index(mine)].count("\n") + 1
-    said = f"{path}:{line}:5: the device calls the port UART "
-    assert mine in text and [*contradictions] == ["UART 1", "UART 2"]
-    assert all(x.startswith(said) for x in contradictions.values())
-    assert re.findall(r"^  - \{name: ([^,]*),", text, re.M) == ["UART 1", "Main", "UART 3", "USB 1", "USB 2"]
-
-
-#: What may have grown: lists and mappings in brackets, rates that were not known.
-MORE = {"]": r".*\]", "}": r".*\}", "~": r"(~|\d+)"}
-
-
 def wholes() -> Iterable[str]:
     """The devices that have a file of their own in the specification."""
     return [p.stem for p in sorted(SPEC.glob("devices/*.yaml")) if f"\ndevice: {p.stem}\n" in p.read_text("utf-8")]
 
 
-def test_profiles_of_the_specification(tmp_path: Path) -> None:
-    """A list is added to every profile that people wrote: nothing is removed, and mipgen accepts the result."""
+def test_a_file_beside_another(tmp_path: Path) -> None:
+    """The list of each firmware is in a file of its own, and mipgen accepts all of them beside what people wrote."""
     spec = tmp_path / "spec"
     shutil.copytree(SPEC, spec)
-    lines, found = 0, list(wholes())
+    found = list(wholes())
     assert len(found) > 5
     for device_id in found:
-        path = spec / f"devices/{device_id}.yaml"
-        before = path.read_text("utf-8")
-        text, contradictions = device_file.updated(facts(device_id), path)
-        assert not contradictions, device_id
-        rest = iter(text.splitlines())
-        for line in before.splitlines():  # in this order; there may be more in brackets, and a rate that was not known
-            now = "".join(MORE.get(c, re.escape(c)) for c in line)
-            assert any(line == x or re.fullmatch(now, x) for x in rest), (device_id, line)
-        lines += len(text.splitlines()) - len(before.splitlines())
-        path.write_text(text, "utf-8")
+        it = facts(device_id)
+        path = device_file.place(it, spec)
+        assert path == spec / f"devices/{device_id}-{it.listing.firmware}.yaml"
+        path.write_text(device_file.file_text(it, spec), "utf-8")
+        with pytest.raises(Failure, match=re.escape(f"{path} has the list of firmware {it.listing.firmware}; ")):
+            device_file.place(it, spec)
     made = load_model(spec)
     for device_id in found:
         of, kept = made.device(device_id), devices.DEVICES[device_id]
         assert of is not None and {(s.set, s.field.descriptor) for s in of.certain} == kept.fields, device_id
         assert {r.set.number: r.hertz for r in of.base_rates}.items() >= kept.base_rates.items(), device_id
-    assert lines > 100
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        (
-            "extend: 3dm-gq7\n",
-            "3dm-mv5-ar.yaml:1:9: this is '3dm-gq7', but the device is '3dm-mv5-ar'; rename the file",
-        ),
-        ("a: 1\n", "3dm-mv5-ar.yaml:1:1: the file needs `extend: 3dm-mv5-ar` or `device: 3dm-mv5-ar`; "),
-        ("devices:\n  - {device: x}\n", "3dm-mv5-ar.yaml:1:1: the file needs `extend: 3dm-mv5-ar` or "),
-        ("", "3dm-mv5-ar.yaml:1:1: this is not a device file; "),
-        ("- a\n", "3dm-mv5-ar.yaml:1:1: this is not a device file; "),
-        ("extend: [\n", "3dm-mv5-ar.yaml:2:1: not YAML: "),
-        ("extend: \x07\n", "3dm-mv5-ar.yaml: not YAML: "),
-        ("extend: 3dm-mv5-ar\nevidence: {}\n", "3dm-mv5-ar.yaml:2:11: 'evidence' must be a list; "),
-        ("extend: 3dm-mv5-ar\nevidence:\n", "3dm-mv5-ar.yaml:2:10: 'evidence' must be a list; "),
-    ],
-)
-def test_files_that_cannot_be_added_to(tmp_path: Path, text: str, message: str) -> None:
-    with pytest.raises(Failure) as caught:
-        merged(text, tmp_path)
-    assert message in str(caught.value)
-    assert (tmp_path / "devices/3dm-mv5-ar.yaml").read_text("utf-8") == text
+def test_a_further_firmware_of_a_model_that_is_not_known(tmp_path: Path) -> None:
+    it = facts(VirtualDevice(unknown()))
+    first = device_file.place(it, tmp_path)
+    put(tmp_path, first.stem, device_file.file_text(it, tmp_path))
+    with pytest.raises(Failure, match=re.escape(f"{first} has the list of firmware 7.0.00; ")):
+        device_file.place(it, tmp_path)
+    later = replace(it, listing=replace(it.listing, info=replace(it.listing.info, firmware_version=7001)))
+    further = device_file.place(later, tmp_path)
+    assert (first.name, further.name) == ("3dm-xy9-ins.yaml", "3dm-xy9-ins-7.0.01.yaml")
+    text = device_file.file_text(later, tmp_path)
+    put(tmp_path, further.stem, text)
+    assert text.startswith("extend: 3dm-xy9-ins\nevidence:\n  - kind: listed\n    firmware: 7.0.01\n")
+    assert loaded(tmp_path, "3dm-xy9-ins").certain
 
 
 def test_a_device_of_another_file_is_extended(tmp_path: Path) -> None:
     """One that the specification knows and the package does not, yet."""
     put(tmp_path, "mine", "devices:\n  - device: 3dm-xy9-ins\n    name: xy9\n    title: XY9\n    description: Mine.\n")
-    assert device_file.new_file(facts(VirtualDevice(unknown())), tmp_path).startswith("extend: 3dm-xy9-ins\n")
+    assert device_file.file_text(facts(VirtualDevice(unknown())), tmp_path).startswith("extend: 3dm-xy9-ins\n")
 
 
 # --------------------------------------------------------------------------- the device
@@ -445,17 +283,13 @@ def test_command_line(place: str, tmp_path: Path) -> None:
     assert (code, error) == (0, "") and not path.parent.exists()
     assert "54321" in mip("send", place, "base.get_device_info")[1]
     assert "54321" not in out and f"    date: {date.today().isoformat()}\n" in out
-    code, said, error = mip("profile", place, "--spec", tmp_path, extras=False)  # a new file needs no PyYAML
+    code, said, error = mip("profile", place, "--spec", tmp_path, extras=False)
     assert (code, error) == (0, "") and path.read_text("utf-8") == out
     number = len(devices.DEVICES["3dm-gq7"].fields)
     title = "3DM-GQ7-GNSS/INS, firmware 7.0.00"
     assert said == f"{path}: {title}: {number} commands and data fields, 0 undefined descriptors\n"
-    before = path.stat().st_mtime_ns
-    assert mip("profile", place, "--spec", tmp_path) == (0, f"{path}: {title}: nothing new\n", "")
-    assert path.stat().st_mtime_ns == before and [p.name for p in path.parent.iterdir()] == [path.name]
-    code, out, error = mip("profile", place, "--spec", tmp_path, extras=False)
-    assert (code, out) == (1, "")
-    assert error == f"mip profile: {path} exists; to read it, pyyaml is missing; pip install pyyaml\n"
+    error = f"mip profile: {path} has the list of firmware 7.0.00; --dry-run prints it as it is now\n"
+    assert mip("profile", place, "--spec", tmp_path) == (1, "", error)
     code, out, error = mip("profile", place, "--spec", tmp_path, "--dry-run", "--device", "3dm-gx5-45")
     assert code == 0 and out.startswith("extend: 3dm-gx5-45\n")
     assert "device 3DM-GX5-45 (named), although it is a 3DM-GQ7-GNSS/INS at the port\n" in error
@@ -466,14 +300,15 @@ def test_what_cannot_be(place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPa
     error = f"mip profile: {missing} is not a folder; create it, or name another one with --spec\n"
     assert mip("profile", place, "--spec", missing) == (1, "", error)
     path = put(tmp_path, "3dm-gq7", "extend: 3dm-gq7\n")
+    further = path.with_name("3dm-gq7-7.0.00.yaml")
 
     def full(*_: object) -> None:
         raise OSError(28, os.strerror(28))
 
     monkeypatch.setattr(os, "replace", full)
     code, out, error = mip("profile", place, "--spec", tmp_path)
-    assert (code, out) == (1, "") and error == f"mip profile: {path} cannot be written: No space left on device\n"
-    assert path.read_text("utf-8") == "extend: 3dm-gq7\n" and [*path.parent.iterdir()] == [path]
+    assert (code, out) == (1, "") and error == f"mip profile: {further} cannot be written: No space left on device\n"
+    assert [*path.parent.iterdir()] == [path]
 
 
 # --------------------------------------------------------------------------- there and back
@@ -510,7 +345,7 @@ def test_there_and_back(tmp_path: Path, ids: list[str]) -> None:
         it = facts(device_id)
         assert it.model.id == device_id and {*it.listing.descriptors} == devices.DEVICES[device_id].fields
         first[device_id] = it.listing
-        put(over, device_id, device_file.new_file(it, over))
+        put(over, device_id, device_file.file_text(it, over))
     words = ["generate", "--spec", SPEC, "--spec", over, "--target", "python", "--out", package]
     words += [word for device_id in ids if ids == FEW for word in ("--device", device_id)]
     environment = {**ENVIRONMENT, "PYTHONPATH": str(ROOT / "generator")}

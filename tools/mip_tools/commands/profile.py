@@ -21,9 +21,8 @@ examples:
 
 The device is set to idle while it is queried, and resumes afterwards. The file states the model,
 the firmware and the date as evidence, and contains no serial number. For a model in the generated
-package, the file extends its profile. If the file exists, the list is added to it, and replaces
-only a list for the same firmware; this needs the extra `yaml` (PyYAML). `mipgen validate` checks
-the file.
+package, the file extends its profile. If the file exists, the list is written to a file beside it,
+devices/MODEL-FIRMWARE.yaml. `mipgen validate` checks the files.
 """
 
 
@@ -44,24 +43,17 @@ def run(options: argparse.Namespace) -> int:
     with signals.handled(signals.interrupt), connection.opened(line_of(options, options.port)) as link:
         listing = ask(link, options.port, _complain)
     facts = device_file.Facts(device_file.named(listing, options.device, _complain), listing, date.today().isoformat())
-    path = folder / "devices" / f"{facts.model.id}.yaml"
-    contradictions = facts.contradictions()
-    if path.exists():
-        text, more = device_file.updated(facts, path)
-        contradictions |= more
-        changed = text != path.read_bytes().decode("utf-8")
-    else:
-        text, changed = device_file.new_file(facts, folder), True
+    text = device_file.file_text(facts, folder)
+    for contradiction in facts.contradictions():
+        _complain(contradiction)
     if options.dry_run:
         sys.stdout.write(text)
-    elif changed:
-        _write(path, text)
-    for contradiction in contradictions.values():
-        _complain(contradiction)
-    if not options.dry_run:
-        fields, undefined = (sum(map(len, x.values())) for x in (facts.fields(), facts.undefined()))
-        what = f"{fields} commands and data fields, {undefined} undefined descriptors"
-        print(f"{path}: {facts.model.title}, firmware {listing.firmware}: {what if changed else 'nothing new'}")
+        return 0
+    path = device_file.place(facts, folder)
+    _write(path, text)
+    fields, undefined = (sum(map(len, x.values())) for x in (facts.fields(), facts.undefined()))
+    what = f"{fields} commands and data fields, {undefined} undefined descriptors"
+    print(f"{path}: {facts.model.title}, firmware {listing.firmware}: {what}")
     return 0
 
 

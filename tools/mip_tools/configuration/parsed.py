@@ -13,9 +13,7 @@ from ..devices.checks import SAME, in_limits, set_of
 from ..devices.settings import stored_by
 from ..errors import Failure
 from ..names import typed
-from ..text import yaml_text
-from ..text.yaml_reader import Wrong, YamlReader, hint
-from ..text.yaml_text import kind_of
+from ..text.yaml_reader import Wrong, YamlReader, hint, kind_of
 from .settings import UNKNOWN, Place, on, own_parameters, settings, stored_settings
 from .words import accepted_names
 from .written import Beside, selectors
@@ -52,9 +50,7 @@ class _Reader(YamlReader):
         self.device = device
 
     def file(self) -> File:
-        root = yaml_text.composed(yaml_text.contents(self.path), self.path)
-        if kind_of(root) != "mapping":
-            raise Failure(f"{self.path}:1:1: this is not a settings file; `mip config pull` writes one")
+        root = self.root("a settings file; `mip config pull` writes one")
         parts = self.keys(root, KEYS, "a settings file")
         if "model" not in parts:
             self.wrong(Wrong(root, "'model' is missing; add the name of the device, as `mip config pull` does"))

@@ -1,4 +1,4 @@
-"""Writes what a device reports as a device file of a specification, or adds it to an existing file."""
+"""Writes what a device reports as a device file of a specification."""
 
 from __future__ import annotations
 
@@ -6,17 +6,14 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from ..binding import DEVICES, SETS, Device, identify, model_number, types
 from ..devices.known import KnownDevice
 from ..errors import Failure
-from ..text.yaml_text import YamlFile, child, flow_list, node_value, parsed_yaml, quoted, scalar_text
+from ..text.yaml_text import flow_list, quoted, scalar_text
 from .listing import ListedPort, Listing
 
 SHARED = 0xFF
-#: The keys of an evidence entry that a new list replaces.
-OWN = ("kind", "firmware", "date", "fields", "undefined")
 NEW = "Only what the device itself reported is known."
 
 
@@ -142,25 +139,20 @@ class Facts:
             )
         return " ".join(remarks)
 
-    def remark(self) -> list[str]:
-        """Returns the line of the key `notes`; empty if there is nothing to note."""
-        return [f"notes: [{quoted(self.note())}]"] if self.note() else []
-
-    def contradictions(self) -> dict[str, str]:
-        """Data set -> how the device contradicts the profile of the generated package."""
-        contradictions = {}
+    def contradictions(self) -> Iterator[str]:
+        """Yields how the device contradicts the profile of the generated package."""
         base_rates = self.model.profile.base_rates if self.model.profile else {}
         for number, rate in self.listing.base_rates.items():
             if number in base_rates and base_rates[number] != rate and number in SETS:
                 name = SETS[number][0]
-                contradictions[name] = f"the device says {rate} Hz for {name}, its profile {base_rates[number]:g} Hz"
-        return contradictions
+                yield f"the device says {rate} Hz for {name}, its profile {base_rates[number]:g} Hz"
 
     # ----------------------------------------------------------------- as YAML
 
-    def entry(self, more: list[str]) -> list[str]:
-        """Returns the lines of the evidence entry, with `more` keys."""
-        lines = ["kind: listed", f"firmware: {self.listing.firmware}", f"date: {self.date}", *more]
+    def entry(self) -> list[str]:
+        """Returns the lines of the evidence entry."""
+        lines = ["kind: listed", f"firmware: {self.listing.firmware}", f"date: {self.date}"]
+        lines += [f"notes: [{quoted(self.note())}]"] if self.note() else []
         for key, by_set in (("fields", self.fields()), ("undefined", self.undefined())):
             if by_set:
                 lines += [
@@ -168,15 +160,6 @@ class Facts:
                     *(f"  {line}" for set_name, names in by_set.items() for line in flow_list(set_name, names)),
                 ]
         return lines
-
-    def flow_entry(self, more: list[str]) -> str:
-        """Returns the evidence entry in one line, in braces."""
-        parts = ["kind: listed", f"firmware: {self.listing.firmware}", f"date: {self.date}", *more]
-        for key, by_set in (("fields", self.fields()), ("undefined", self.undefined())):
-            if by_set:
-                sets = ", ".join(f"{set_name}: [{', '.join(names)}]" for set_name, names in by_set.items())
-                parts.append(f"{key}: {{{sets}}}")
-        return f"{{{', '.join(parts)}}}"
 
 
 def _rate(rate: int | None) -> str:
@@ -194,13 +177,24 @@ def _port(port: ListedPort) -> str:
     return f"{{name: {port.name}, id: 0x{port.id:02X}, {rates}, receives: [{receives}], sends: [{sends}]}}"
 
 
-# --------------------------------------------------------------------------- a new file
+# --------------------------------------------------------------------------- the file
 
 
-def new_file(facts: Facts, folder: Path) -> str:
-    """Composes a new file: an extension of a known device, or the profile of an unknown one."""
+def place(facts: Facts, folder: Path) -> Path:
+    """Returns the path of the file, which does not exist. Raises Failure if a file has the list of this firmware."""
+    firmware, first = facts.listing.firmware, folder / "devices" / f"{facts.model.id}.yaml"
+    further = first.with_name(f"{facts.model.id}-{firmware}.yaml")
+    listed = re.compile(rf"kind: listed[,\s]+firmware: {re.escape(firmware)}(?![.\d])")
+    for path in (further, first):
+        if path.exists() and (path is further or listed.search(path.read_text("utf-8", "replace"))):
+            raise Failure(f"{path} has the list of firmware {firmware}; --dry-run prints it as it is now")
+    return further if first.exists() else first
+
+
+def file_text(facts: Facts, folder: Path) -> str:
+    """Composes the file: an extension of a known device, or the profile of an unknown one."""
     model = facts.model
-    is_known = model.profile is not None or _elsewhere(model.id, folder)
+    is_known = model.profile is not None or _is_defined(model.id, folder)
     schema = "device_extension" if is_known else "device"
     lines = []
     if (folder / f"schema/{schema}.schema.json").is_file():
@@ -213,7 +207,7 @@ def new_file(facts: Facts, folder: Path) -> str:
         if model.number:
             lines.append(f"model_number: {model.number}")
         lines += [f"description: {scalar_text(_description(model))}", f"incomplete: [{NEW}]"]
-    first, *rest = facts.entry(facts.remark())
+    first, *rest = facts.entry()
     lines += ["evidence:", f"  - {first}", *(f"    {line}" for line in rest)]
     if facts.rates():
         lines.append(f"base_rates: {_rates(facts.rates())}")
@@ -227,132 +221,7 @@ def _description(model: Model) -> str:
     return f"Device with the model number {model.number}." if model.number else "Device without a model number."
 
 
-def _elsewhere(other_id: str, folder: Path) -> bool:
-    """Does another file in the folder define the device, although the generated package does not know it yet?"""
-    pattern = re.compile(rf"^[ \t]*(- )?\{{?[ \t]*device: *{re.escape(other_id)}[ \t]*(,|#|$)", re.M)
-    for path in sorted((folder / "devices").glob("*.yaml")):
-        if path.stem != other_id and pattern.search(path.read_text("utf-8", "replace")):
-            return True
-    return False
-
-
-# --------------------------------------------------------------------------- an existing file
-
-
-def updated(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
-    """Adds the facts to the text of a file, in which everything else remains. Raises Failure for another device's file.
-
-    Returns the new text, and the contradictions between file and device by data set or port, each with its position.
-    """
-    file = YamlFile(path)
-    wanted = facts.model.id
-    own = child(file.root, "device")
-    named = own if own is not None else child(file.root, "extend")
-    if named is None:
-        raise Failure(f"{path}:1:1: the file needs `extend: {wanted}` or `device: {wanted}`; add one, or move the file")
-    if named.value != wanted:
-        raise Failure(f"{file.place(named)}: this is '{named.value}', but the device is '{wanted}'; rename the file")
-    expected = node_value(file.root)
-    _add_evidence(file, facts, expected)
-    contradictions = {**_add_rates(file, facts, expected, own is not None), **_add_ports(file, facts, expected)}
-    text = file.changed()
-    if parsed_yaml(text, path) != expected:
-        raise Failure(f"{path} cannot be changed without losing something; use --dry-run, and edit it by hand")
-    return text, contradictions
-
-
-def _add_evidence(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> None:
-    evidence = file.get("evidence", "sequence")
-    entries = list(evidence.value) if evidence is not None else []
-    flow = facts.flow_entry(facts.remark())
-    new = _plain(flow, file.path)
-    for i, entry in enumerate(entries):
-        stated = node_value(entry)
-        if not isinstance(stated, dict) or (stated.get("kind"), stated.get("firmware")) != ("listed", new["firmware"]):
-            continue
-        if all(stated.get(key) == new.get(key) for key in ("fields", "undefined")):
-            return  # the same list: the entry keeps its date
-        more = [file.source(key, value) for key, value in entry.value if key.value not in OWN]
-        more += facts.remark() if "notes" not in stated else []
-        file.replace_item(entry, facts.entry(more), facts.flow_entry(more))
-        expected["evidence"][i] = new | {key: value for key, value in stated.items() if key not in OWN}
-        return
-    first, *rest = lines = facts.entry(facts.remark())
-    if evidence is not None:
-        file.add_item(evidence, lines, flow)
-    else:
-        whole = ["evidence:", f"  - {first}", *(f"    {line}" for line in rest)]
-        file.add_key(file.root, whole, f"evidence: [{flow}]")
-    expected.setdefault("evidence", []).append(new)
-
-
-def _add_rates(file: YamlFile, facts: Facts, expected: dict[str, Any], whole: bool) -> dict[str, str]:
-    """Adds base rates. `whole`: the file is a profile, which may inherit the rates that the generated package knows."""
-    node = file.get("base_rates", "mapping")
-    profile = facts.model.profile
-    new: dict[str, int | None] = {}
-    contradictions = {}
-    for name, rate in facts.rates().items():
-        rates_node = child(node, name) if node is not None else None
-        number = next(n for n, names in SETS.items() if names[0] == name)
-        if rates_node is None:
-            if not (whole and profile is not None and profile.base_rates.get(number) == rate):
-                new[name] = rate
-        elif rate is not None and rates_node.value in ("", "~", "null"):
-            file.replace(rates_node, str(rate))
-            expected["base_rates"][name] = str(rate)
-        elif rate is not None and _number(rates_node.value) != rate:
-            place = file.place(rates_node)
-            contradictions[name] = (
-                f"{place}: the device says {rate} Hz for {name}, not {rates_node.value}; the file is kept"
-            )
-    if new and node is None:
-        file.add_key(file.root, [f"base_rates: {_rates(new)}"], f"base_rates: {_rates(new)}")
-    elif node is not None:
-        for name, rate in new.items():
-            file.add_key(node, [f"{name}: {_rate(rate)}"], f"{name}: {_rate(rate)}")
-    if new:
-        expected.setdefault("base_rates", {}).update({name: _rate(rate) for name, rate in new.items()})
-    return contradictions
-
-
-def _add_ports(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> dict[str, str]:
-    node = file.get("ports", "sequence")
-    entries = list(node.value) if node is not None else []
-    new = []
-    contradictions = {}
-    for port in facts.ports():
-        same = [x for x in entries if _is_port(x, port)]
-        if not same:
-            new.append(port)
-        for entry in same:
-            text, number = child(entry, "name"), child(entry, "id")
-            if number is None or text is None or (text.value, _number(number.value)) != (port.name, port.id):
-                remark = f"the device calls the port {port.name}, with the number 0x{port.id:02X}"
-                contradictions[port.name] = f"{file.place(entry)}: {remark}; the file is kept"
-    lines = [_port(port) for port in new]
-    if node is not None:
-        for line in lines:
-            file.add_item(node, [line], line)
-    elif lines:
-        file.add_key(file.root, ["ports:", *(f"  - {line}" for line in lines)], f"ports: [{', '.join(lines)}]")
-    if lines:
-        expected.setdefault("ports", []).extend(_plain(line, file.path) for line in lines)
-    return contradictions
-
-
-def _is_port(node: Any, port: ListedPort) -> bool:
-    name, number = child(node, "name"), child(node, "id")
-    return bool((name is not None and name.value == port.name)
-                or (number is not None and _number(number.value) == port.id))  # fmt: skip
-
-
-def _number(text: str) -> float | None:
-    try:
-        return float(int(text, 16) if text.startswith("0x") else text)
-    except ValueError:
-        return None
-
-
-def _plain(flow: str, path: Path) -> Any:
-    return parsed_yaml(flow, path)
+def _is_defined(device: str, folder: Path) -> bool:
+    """Does a file in the folder define the device, although the generated package does not know it yet?"""
+    pattern = re.compile(rf"^[ \t]*(- )?\{{?[ \t]*device: *{re.escape(device)}[ \t]*(,|#|$)", re.M)
+    return any(pattern.search(path.read_text("utf-8", "replace")) for path in (folder / "devices").glob("*.yaml"))

@@ -14,9 +14,7 @@ from typing import Any
 from ..binding import Device
 from ..devices.profiles import device_named, port_named
 from ..errors import Failure, Misuse
-from ..text import yaml_text
-from ..text.yaml_reader import Wrong, YamlReader, hint
-from ..text.yaml_text import kind_of
+from ..text.yaml_reader import Wrong, YamlReader, hint, kind_of
 from .endpoints.endpoint import KINDS as ENDPOINTS
 from .endpoints.endpoint import Endpoint, pty_at
 from .motion import MotionError, parse_motion
@@ -72,9 +70,7 @@ def _yes_or_no(text: str) -> bool:
 
 class _Reader(YamlReader):
     def scenario(self) -> Scenario:
-        root = yaml_text.composed(yaml_text.contents(self.path), self.path)
-        if kind_of(root) != "mapping":
-            raise Failure(f"{self.path}:1:1: this is not a scenario; it needs 'devices', 'events' or both")
+        root = self.root("a scenario; it needs 'devices', 'events' or both")
         parts = self.keys(root, ("devices", "events"), "a scenario")
         events = self.events(parts.get("events"))
         devices = [self.device(node, events) for node in self.items(parts.get("devices"), "devices")]

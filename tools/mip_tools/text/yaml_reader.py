@@ -7,8 +7,8 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
+from ..binding import MissingExtra
 from ..errors import Failure
-from .yaml_text import kind_of
 
 
 class Wrong(Exception):
@@ -25,6 +25,30 @@ class YamlReader:
     def __init__(self, path: Path) -> None:
         self.path = path
         self.mistakes: list[str] = []
+
+    def root(self, otherwise: str) -> Any:
+        """Parses the file into nodes with positions. Raises Failure if it is no mapping, with the words `otherwise`."""
+        try:
+            import yaml
+        except ImportError:
+            raise Failure(f"{self.path} exists; to read it, {MissingExtra('pyyaml', 'yaml')}") from None
+        if self.path.is_char_device():  # reading it would wait
+            raise Failure(f"{self.path} is a port, not a file")
+        try:
+            root = yaml.compose(self.path.read_bytes().decode("utf-8"), Loader=yaml.SafeLoader)
+        except OSError as error:
+            raise Failure(f"{self.path} cannot be read: {error.strerror}") from None
+        except UnicodeDecodeError:
+            raise Failure(f"{self.path} is not a text file in UTF-8") from None
+        except yaml.MarkedYAMLError as error:
+            mark = error.problem_mark
+            place = f"{self.path}:{mark.line + 1}:{mark.column + 1}" if mark else str(self.path)
+            raise Failure(f"{place}: not YAML: {error.problem}") from None
+        except yaml.YAMLError as error:
+            raise Failure(f"{self.path}: not YAML: {error}") from None
+        if kind_of(root) != "mapping":
+            raise Failure(f"{self.path}:1:1: this is not {otherwise}")
+        return root
 
     def end(self) -> None:
         """Raises Failure with all mistakes, if there are any."""
@@ -70,3 +94,8 @@ class YamlReader:
 def hint(word: str, candidates: Iterable[str], otherwise: str = "") -> str:
     near = get_close_matches(word, list(candidates), n=3)
     return f"; did you mean {' or '.join(map(repr, near))}?" if near else otherwise or "; remove it"
+
+
+def kind_of(node: Any) -> str:
+    """Returns the kind of a node: mapping, sequence or scalar."""
+    return getattr(node, "id", "nothing")
