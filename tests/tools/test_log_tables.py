@@ -20,7 +20,7 @@ from mip_protocol.reflection import info
 from mip_protocol.timestamps import moments
 from mip_tools import read_log
 from mip_tools.__main__ import main
-from mip_tools.columns import instants, resample, tables, text
+from mip_tools.columns import frames, instants, resample, tables, text, timeline
 from mip_tools.columns.tables import Form
 from random_values import chance
 from support import later, rounds
@@ -158,11 +158,27 @@ def test_rows_are_those_that_plain_python_finds(by: str, near: int, monkeypatch:
         frame = log.frame([kind for _, kind in registry_order(kinds)], by=by, library="pyarrow", time="gps")
         check(as_rows(frame), wanted)
         for size in (200, 1500, 1 << 22):
-            monkeypatch.setattr(tables, "PART", size)
-            parts = [table for table, _ in tables.table_parts(log, kinds, form)]
+            parts = [table for table, _ in tables.table_parts(log, kinds, form, size)]
             made = [tables_as_arrow(table) for table in parts]
             assert all(one.schema.equals(made[0].schema, check_metadata=True) for one in made)
             check(as_rows(pa.concat_tables(made)), wanted)
+
+
+@pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
+def test_frames_of_large_logs_are_the_same(library: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """They are made from parts."""
+    kinds = ["sensor.scaled_accel", (0x80, shared.ReferenceTimeDelta), "filter_data.euler_angles", "gnss_1.fix_info"]
+    log = read_log(drawn(4, 300))
+    monkeypatch.setattr(instants, "TOGETHER", 300)
+    for options in ({}, {"invalid": "mask"}, {"invalid": "drop", "position": True}, {"by": "packet", "time": None}):
+        whole = log.frame(kinds, library=library, **options)
+        with monkeypatch.context() as patch:
+            patch.setattr(timeline, "PART", 1)
+            patch.setattr(frames, "PART", 1500)
+            patch.setattr(tables, "whole_table", None)
+            made = log.frame(kinds, library=library, **options)
+        assert made.equals(whole) and len(made) > 100, options
+        assert library != "pandas" or made.attrs == whole.attrs
 
 
 def registry_order(kinds: list[Any]) -> list[Any]:

@@ -13,9 +13,12 @@ from ..binding import CLOCKS, MissingExtra, timestamps
 from . import between, buffers, resample, tables, timeline
 from .column import Column
 from .packets import Kind, Packets
+from .reader import Reader
 from .tables import Form, Series
 
 LIBRARIES = ("pandas", "polars", "pyarrow")
+#: Bytes of a large log that are read at once.
+PART = 1 << 22
 
 
 def frame(
@@ -38,9 +41,14 @@ def frame(
     form = Form(by, shown=() if time is None else None, invalid=invalid, position=position)
     form.check()
     _library(library)
-    columns = log.columns(kinds)
-    form = form._replace(**_clocks(log, _sets(columns), time or "auto")._asdict())
-    series = tables.whole_table(log, columns, form).columns
+    sets = [Reader(log, kind, None).set for kind in kinds] if log.end - log.begin > timeline.PART else [None]
+    if None in sets:
+        columns = log.columns(kinds)
+        form = form._replace(**_clocks(log, _sets(columns), time or "auto")._asdict())
+        series = tables.whole_table(log, columns, form).columns
+    else:
+        form = form._replace(**_clocks(log, sorted({number for number in sets if number}), time or "auto")._asdict())
+        series = tables.joined_parts(log, kinds, form, PART)
     if len({each.name for each in series}) < len(series):
         raise ValueError("a type is named twice, so columns would have the same name; name each type once")
     if names == "plain":
@@ -126,7 +134,7 @@ def objects(series: Series) -> list[Any]:
 def _pandas(series: Sequence[Series], units: bool) -> Any:
     """Makes a frame; missing values are NaN or NaT, and NA in columns of integers."""
     pandas = library("pandas")
-    frame = pandas.DataFrame({titled(column, units): _pandas_column(pandas, column) for column in series})
+    frame = pandas.DataFrame({titled(column, units): _pandas_column(pandas, column) for column in series}, copy=False)
     frame.attrs["units"] = {titled(c, units): c.facts["unit"] for c in series if c.facts.get("unit")}
     if series and series[0].name in ("time", "time_device"):
         frame.attrs.update({name: fact for name, fact in series[0].facts.items() if name != "unit"})

@@ -36,10 +36,11 @@ class Reader:
         if set_number is None:
             set_number = named_number if sets or named_number not in (0, registry.SHARED_SET) else None
         self._log, self._kind = log, kind
-        self._set = sets[0] if set_number is None and len(sets) == 1 else set_number
+        #: The set of all rows; None if several are possible.
+        self.set = sets[0] if set_number is None and len(sets) == 1 else set_number
         self._cache: dict[int, bool] = {}
         #: The sets to search; empty means all.
-        self._sets = sets if self._set is None else (self._set,)
+        self._sets = sets if self.set is None else (self.set,)
         if not all(map(self._in, self._sets or kind.SETS[:1])):
             where = "the specification" if set_number is None else f"set 0x{set_number:02X}"
             raise KeyError(f"{where} has no field {kind.NAME}")
@@ -47,13 +48,13 @@ class Reader:
         self._layout = None if several else layout.layout(kind)
         self._rows = None if self._layout is None else Rows(self._layout, log.end)
         self._objects: list[Any] = []
-        self._where = Where(self._set or 0)
+        self._where = Where(self.set or 0)
 
     def _in(self, number: int) -> bool:
         """Can packets of a set have this field?"""
         if number not in self._cache:
             types = registry.types(number, self._kind.DESCRIPTOR)
-            self._cache[number] = self._set in (None, number) and self._kind in types
+            self._cache[number] = self.set in (None, number) and self._kind in types
         return self._cache[number]
 
     def _runs(self, piece: Piece) -> list[walk.Run]:
@@ -118,14 +119,14 @@ class Reader:
             fixed, right = layout.row_values(self._kind, rows, self._layout, self._rows.turned)
             values = dict(fixed)
         self._where.keep(right)
-        only = self._set
+        only = self.set
         if only is None and self._sets:
             only = self._one_of(self._where.sets())
         return Column(self._log, self._kind, values, self._where, only)
 
     def objects(self) -> Iterator[Any]:
         """Yields the rows as objects."""
-        if self._set is None and self._sets:
+        if self.set is None and self._sets:
             self._one_of(sorted({run.set for piece in self._log.pieces() for run in self._runs(piece)}))
         for piece in self._log.pieces():
             places = self._fields(piece)

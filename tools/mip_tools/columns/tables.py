@@ -125,7 +125,7 @@ def survey_tables(log: Packets, form: Form) -> tuple[list[tuple[int, type[Field]
     return sorted(present, key=lambda pair: (pair[0], pair[1].DESCRIPTOR, pair[1].NAME)), clocks
 
 
-def table_parts(log: Packets, kinds: Sequence[Any], form: Form) -> Iterator[tuple[Table, int]]:
+def table_parts(log: Packets, kinds: Sequence[Any], form: Form, size: int = 0) -> Iterator[tuple[Table, int]]:
     """Yields the table of a log in parts, in bounded memory, and the offset at which each part ends. All parts have the
     same columns.
 
@@ -135,7 +135,7 @@ def table_parts(log: Packets, kinds: Sequence[Any], form: Form) -> Iterator[tupl
     number = 0
     done: Array = np.zeros(0, np.int64)
     while True:
-        stop = min(log.end, stop + PART)
+        stop = min(log.end, stop + (size or PART))
         part = log.part(begin, stop)
         chosen = [_part(column, form, done) for column in part.columns(kinds)]
         rows, last = _rows_of(chosen, form), stop >= log.end
@@ -148,6 +148,34 @@ def table_parts(log: Packets, kinds: Sequence[Any], form: Form) -> Iterator[tupl
         done = np.concatenate((done, rows.packets[~waits]))
         done = done[done >= begin]
         number += part.before_offset(begin)
+
+
+def joined_parts(log: Packets, kinds: Sequence[Any], form: Form, size: int) -> list[Series]:
+    """Makes the columns of a log part by part. They grow in place, so memory is needed for the table alone."""
+    columns: list[Series] = []
+    for table, _ in table_parts(log, kinds, form, size):
+        empty = [each.rows(slice(0))._replace(mask=None) for each in table.columns]
+        columns = list(map(_extended, columns or empty, table.columns))
+    return columns
+
+
+def _extended(series: Series, more: Series) -> Series:
+    """Appends rows to a column."""
+    count, mask = len(series.values), series.mask
+    if more.mask is not None and mask is None:
+        mask = np.zeros(count, bool)
+    if mask is not None:
+        mask = _grown(mask, more.mask if more.mask is not None else np.zeros(len(more.values), bool))
+    return series._replace(values=_grown(series.values, more.values), mask=mask)
+
+
+def _grown(values: Array, more: Array) -> Array:
+    """Appends values to an array. The system moves the pages of a large one, and copies nothing."""
+    count = len(values)
+    values = values if values.flags.owndata else values.copy()
+    values.resize((count + len(more), *more.shape[1:]), refcheck=False)
+    values[count:] = more
+    return values
 
 
 def _part(column: Column[Any], form: Form, done: Array | None = None) -> _Part:

@@ -29,7 +29,8 @@ _NEAR = 10 * SECOND
 _HOUR = 3600 * SECOND
 #: The number of events of a set that are kept.
 _KEPT = 1000
-#: Bytes of a log whose times are in memory at the same time; a log of this size is read only once.
+#: The size in bytes of a log that is read only once, and whose times are all in memory; of a larger one, those of an
+#: eighth.
 PART = 1 << 26
 
 _DATED = [clock for clock in CLOCKS if CLOCKS[clock]]
@@ -294,7 +295,7 @@ def of_log(log: Packets) -> Timeline:
     notes = log.source.notes
     if "timeline" not in notes:
         made, whole = Timeline(), log.whole()
-        for part in whole.parts(PART) if whole.size > PART else (whole,):
+        for part in whole.parts(PART // 8) if whole.size > PART else (whole,):
             made.add(part)
         notes["timeline"] = made
     made = notes["timeline"]

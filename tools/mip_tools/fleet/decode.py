@@ -12,7 +12,8 @@ from typing import Any
 
 import pyarrow as pa
 
-from ..columns import Log, contents, frames, read_log, tables, timeline
+from ..binding import registry
+from ..columns import Log, contents, frames, read_log, tables
 from ..columns.sender import identity_replies
 from ..logs.report import Report, report_on
 from ..names.occurrence import Occurrence, occurrence_in
@@ -35,8 +36,9 @@ def decode_to_fragments(work: Work, log: sources.Log, identity: str) -> dict[str
         making.mkdir(parents=True)
         try:
             with log.local() as path, read_log(path, device=work.sender) as source:
-                facts = _facts(source)
-                facts["fragments"] = _fragments(work, source, making)
+                report = report_on(source)
+                facts = _facts(source, report)
+                facts["fragments"] = _fragments(work, source, report, making)
             (making / FACTS).write_text(json.dumps(facts), "utf-8")
             os.rename(making, done)
         except (OSError, ValueError) as error:
@@ -48,9 +50,8 @@ def decode_to_fragments(work: Work, log: sources.Log, identity: str) -> dict[str
     return facts_read
 
 
-def _facts(source: Log) -> dict[str, Any]:
+def _facts(source: Log, report: Report) -> dict[str, Any]:
     """Makes the catalogue entry of a log. Raises ValueError if the file is not a log."""
-    report = report_on(source)
     if not report.packets:
         raise ValueError("the file has no MIP packets")
     identity = _identity(source)
@@ -84,21 +85,24 @@ def _set(report: Report, number: int) -> dict[str, Any]:
     return entry
 
 
-def _fragments(work: Work, source: Log, folder: Path) -> list[dict[str, Any]]:
+def _fragments(work: Work, source: Log, report: Report, folder: Path) -> list[dict[str, Any]]:
     """Writes a file for each field. Raises OSError."""
     selection = Selection(work.names, data=True)
     form = tables.Form(position=True, invalid=work.invalid, wanted=selection.has)
     fragments: dict[Occurrence, dict[str, Any]] = {}
     files: dict[Occurrence, Any] = {}
     options = pa.ipc.IpcWriteOptions(compression="lz4")
-    sets, line = _sets(source, selection), timeline.of_log(source)
+    sets: dict[Occurrence, set[int]] = {}
+    for number, descriptor in report.fields:
+        for kind in registry.types(number, descriptor):
+            sets.setdefault(occurrence_in(number, kind), set()).add(number)
     with ExitStack() as stack:
         for part in source.parts(_PART):
             kinds = dict.fromkeys(
                 occurrence_in(n, kind) for n, kind in contents.decodable(part) if selection.has(n, kind.DESCRIPTOR)
             )
             for occurrence, column in zip(kinds, part.columns(list(kinds))):
-                clocks = line.clocks(sets[occurrence])
+                clocks = report.timeline.clocks(sets[occurrence])
                 rows = tables.whole_table(part, [column], form._replace(**clocks._asdict()))
                 table = frames.as_frame(rows.columns, "pyarrow", True).drop_columns(["packet"])
                 if not len(table):
@@ -118,13 +122,3 @@ def _fragments(work: Work, source: Log, folder: Path) -> list[dict[str, Any]]:
                 fragments[occurrence]["rows"] += len(table)
                 fragments[occurrence]["bytes"] += table.nbytes
     return list(fragments.values())
-
-
-def _sets(source: Log, selection: Selection) -> dict[Occurrence, set[int]]:
-    """Finds the descriptor sets of each field in the whole log."""
-    sets_by_kind: dict[Occurrence, set[int]] = {}
-    for part in source.parts(_PART):
-        for number, kind in contents.decodable(part):
-            if selection.has(number, kind.DESCRIPTOR):
-                sets_by_kind.setdefault(occurrence_in(number, kind), set()).add(number)
-    return sets_by_kind

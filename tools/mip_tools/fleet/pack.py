@@ -107,8 +107,11 @@ def _tables(source: Source) -> Iterator[Any]:
 
 def _same(text: str | None, count: int) -> Any:
     """Makes a column with the same text in all rows."""
+    import numpy as np
     import pyarrow as pa
 
-    words = pa.array([] if text is None else [text], pa.string())
-    which = pa.array([None if text is None else 0], pa.int32())
-    return pa.DictionaryArray.from_arrays(which.take(pa.array([0] * count, pa.int32())), words)
+    from ..columns import buffers
+
+    mask = np.ones(count, bool) if text is None else None
+    which = buffers.array(pa, np.zeros(count, np.int32), mask)
+    return pa.DictionaryArray.from_arrays(which, buffers.texts(pa, [] if text is None else [text]))

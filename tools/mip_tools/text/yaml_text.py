@@ -31,5 +31,5 @@ def flow_list(name: str, words: Iterable[str]) -> list[str]:
     whole = f"{name}: [{', '.join(words)}]"
     if len(whole) <= WIDTH - 10:
         return [whole]
-    indents = {"initial_indent": "  ", "subsequent_indent": "   "}
-    return [f"{name}:", *textwrap.wrap(whole.partition(" ")[2], WIDTH - 10, break_on_hyphens=False, **indents)]
+    lines = textwrap.wrap(whole.partition(" ")[2], WIDTH - 12, subsequent_indent=" ", break_on_hyphens=False)
+    return [f"{name}:", *(f"  {line}" for line in lines)]
