@@ -7,7 +7,7 @@ import json
 import sys
 import time
 
-from python_mscl import mscl
+import mscl
 
 #: Settings that MSCL reads, each where it knows that the model has it.
 READS = (

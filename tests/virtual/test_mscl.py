@@ -51,11 +51,13 @@ def used(at: str) -> subprocess.CompletedProcess[str]:
 
 #: Models that MSCL has to read some settings of, and to stream all sets with a rate from, at both kinds of ports.
 SURE = ("3dm-gx5-15", "3dm-gx5-45", "3dm-cv7-gnss-ins")
-CASES = [(name, port) for name in SURE for port in ("tcp", "pty")]
+CASES = [(name, port) for name in SURE for port in ("tcp", "pty")] + [
+    (name, "tcp") for name in ("3dm-gx3-25", "3dm-gx4-25")
+]
 REST = [
     pytest.param(d.id, "tcp", marks=nightly("MSCL, from PyPI, with every model"))
     for d in model("real").devices
-    if d.model_number and d.id not in SURE
+    if d.model_number and d.id not in dict(CASES)
 ]
 
 

@@ -8,7 +8,6 @@ import os
 import shutil
 import stat
 import sys
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -19,8 +18,6 @@ from . import signals
 
 #: The longest file name that every common file system allows, in bytes.
 _LONGEST = 255
-#: Seconds for which what a killed program has left is kept.
-_KEPT = 3600
 
 
 @contextmanager
@@ -124,16 +121,12 @@ def _beside(path: Path) -> Path:
 
 
 def _remove_abandoned(path: Path) -> None:
-    """Removes what killed programs have left of this file, but only after a while: somebody may still look for it.
-
-    Parts that may be all that is left of a recording stay.
-    """
+    """Removes what killed programs have left of this file, except parts that may be all that is left of a recording."""
     for part in path.parent.glob(f"{glob.escape(path.name)}.*.part"):
         number = part.name[len(path.name) + 1 : -len(".part")]
         if number.isdigit() and not _is_running(int(number)):
             with suppress(OSError):
-                if time.time() - part.stat().st_mtime > _KEPT:
-                    part.unlink()
+                part.unlink()
 
 
 def _is_running(process: int) -> bool:
