@@ -3,11 +3,12 @@
 use std::error::Error;
 
 use mip_protocol::session::Rate;
+use mip_protocol::DescriptorSet;
 // 1. the line of the page that begins with use
 use mip_protocol::sensor;
 
 // 3. the descriptor set and the descriptor of the page
-const FIELD: (u8, u8) = (0x80, 0x04);
+const FIELD: (DescriptorSet, u8) = (DescriptorSet(0x80), 0x04);
 
 fn main() -> Result<(), Box<dyn Error>> {
     let place = std::env::args().nth(1).ok_or("usage: program serial:PORT | tcp:HOST:PORT")?;

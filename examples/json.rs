@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut lines = BufWriter::new(stdout().lock());
     while let Some(packet) = packets.next_packet()? {
         let fields = packet.fields().map(text).collect::<Result<Vec<_>, _>>()?;
-        writeln!(lines, r#"{{"set":{},"fields":[{}]}}"#, packet.set(), fields.join(","))?;
+        writeln!(lines, r#"{{"set":{},"fields":[{}]}}"#, packet.set().0, fields.join(","))?;
     }
     Ok(lines.flush()?)
 }

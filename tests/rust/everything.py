@@ -27,7 +27,7 @@ HEAD = """//! Made by everything.py.
 
 use mip_protocol::registry::{FieldInfo, Listed, ParameterInfo};
 use mip_protocol::{
-    devices, AnyField, Bool, Command, DecodeErrorKind, EncodeErrorKind, Field, List, OneSet, Packet, PacketBuilder,
+    devices, AnyField, Bool, Command, DecodeErrorKind, DescriptorSet, EncodeErrorKind, Field, List, OneSet, Packet, PacketBuilder,
     RawField, ResponseOf, Text, VarText, View, Viewed,
 };
 
@@ -40,21 +40,21 @@ fn same<T: Field + PartialEq + std::fmt::Debug>(value: T, data: &[u8]) {
 /// These data are the field in these sets, each with its name, and in no other.
 fn occurs<T: Listed>(descriptor: u8, name: &str, sets: &[(u8, &str)], data: &[u8]) {
     assert_eq!((T::DESCRIPTOR, T::NAME), (descriptor, name));
-    assert!(T::SETS.iter().eq(sets.iter().map(|(set, _)| set)), "{name}");
+    assert!(T::SETS.iter().map(|set| &set.0).eq(sets.iter().map(|(set, _)| set)), "{name}");
     assert_eq!((T::INFO.sets, T::INFO.descriptor, T::INFO.name), (T::SETS, descriptor, name));
     for (_, its_name) in sets {
         assert_eq!(FieldInfo::by_name(its_name), Some(&T::INFO));
     }
     let value = T::decode(data).unwrap();
-    for set in 0..=255 {
-        let its_name = sets.iter().find(|(number, _)| *number == set).map(|(_, its_name)| *its_name);
+    for set in (0..=255).map(DescriptorSet) {
+        let its_name = sets.iter().find(|(number, _)| *number == set.0).map(|(_, its_name)| *its_name);
         assert_eq!((T::occurs_in(set), T::INFO.name_in(set)), (its_name.is_some(), its_name));
         let mut builder = PacketBuilder::new(set);
         let pushed = builder.push(&value).map_err(|error| (error.kind, error.got));
         let field = RawField { set, descriptor, data };
         let any = AnyField::decode_with_trailing(&field);
         let Some(its_name) = its_name else {
-            assert_eq!(pushed, Err((EncodeErrorKind::Set, set.into())), "{name} in {set}");
+            assert_eq!(pushed, Err((EncodeErrorKind::Set, set.0.into())), "{name} in {set}");
             assert_eq!(field.get::<T>(), Ok(None));
             assert!(!matches!(any, Ok(Some(found)) if *found.field.info() == T::INFO));
             continue;
@@ -90,6 +90,7 @@ fn alike(one: &dyn std::fmt::Debug, other: &dyn std::fmt::Debug) {
 }
 
 fn only_in<T: OneSet>(set: u8) {
+    let set = DescriptorSet(set);
     assert_eq!((T::SET, T::SETS), (set, &[set][..]));
 }
 
@@ -248,7 +249,7 @@ class _Writer:
             yield f"only_in::<{of}>({f.set});"
         fixed = f.min_size == f.max_size and all(p.constant is None for p in f.parameters)
         if f.role != m.COMMAND and fixed and f.parameters:
-            of_set = f"set: {min(f.sets)}, descriptor: {f.descriptor}"
+            of_set = f"set: DescriptorSet({min(f.sets)}), descriptor: {f.descriptor}"
             yield f"let field = RawField {{ {of_set}, data: {data_literal(data)} }};"
             yield f"let (view, value) = viewed::<{of}>(&field);"
             yield from self.values_in_view(f, "view", "value")
@@ -376,13 +377,13 @@ class _Writer:
         of = f"devices::{rust.constant(d.name)}"
         for s in (*d.supports, *d.refuses):
             functions = [x.value for x in s.functions]
-            yield f"let field = {of}.field({s.set}, {s.field.descriptor}).unwrap();"
+            yield f"let field = {of}.field(DescriptorSet({s.set}), {s.field.descriptor}).unwrap();"
             answer, why = f"devices::Support::{s.evidence.answer.capitalize()}", describe.why(s.evidence, self.model)
             yield f"assert_eq!((field.evidence.answer, field.evidence.why), ({answer}, {text(why)}));"
-            yield f"assert_eq!({of}.support({s.set}, {s.field.descriptor}), {answer});"
-            yield f'assert_eq!((field.set, field.name), ({s.set}, "{s.name}"));'
+            yield f"assert_eq!({of}.support(DescriptorSet({s.set}), {s.field.descriptor}), {answer});"
+            yield f'assert_eq!((field.set.0, field.name), ({s.set}, "{s.name}"));'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
-            yield f"assert_eq!({of}.firmware_of({s.set}, {s.field.descriptor}), {maybe(s.firmware)});"
+            yield f"assert_eq!({of}.firmware_of(DescriptorSet({s.set}), {s.field.descriptor}), {maybe(s.firmware)});"
         yield f"assert_eq!(({of}.fields.len(), {of}.refuses.len()), ({len(d.supports)}, {len(d.refuses)}));"
         number = "None" if d.model_number is None else f"Some({d.model_number})"
         yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
@@ -398,7 +399,7 @@ class _Writer:
             yield f"assert_eq!(devices::Profile::by_model({d.model_number}), Some(&{of}));"
         rates = {r.set.number: f"Some({float(r.hertz)!r})" for r in d.base_rates}
         for s in self.model.sets:
-            yield f"assert_eq!({of}.base_rate({s.number}), {rates.get(s.number)});"
+            yield f"assert_eq!({of}.base_rate(DescriptorSet({s.number})), {rates.get(s.number)});"
         for i, port in enumerate(d.ports):
             identity = "None" if port.id is None else f"Some({port.id})"
             yield f"let port = &{of}.ports[{i}];"
@@ -432,6 +433,8 @@ def number(p: m.Parameter, value: Any) -> str:
     if isinstance(p.named, m.Enum):
         known = next((v for v in p.named.values if v.value == value), None)
         return f"{path(p.named)}::{rust.constant(known.name)}" if known else f"{path(p.named)}({value})"
+    if p.shown == "set" and not p.readings:
+        return f"DescriptorSet({value})"
     return f"{path(p.named)}({value})" if isinstance(p.named, m.Bitfield) else str(value)
 
 

@@ -6,8 +6,8 @@ use mip_protocol::device::{Device, DeviceError, Port};
 use mip_protocol::protocol::AckCode;
 use mip_protocol::session::{Rate, StreamError, BAUD_RATES};
 use mip_protocol::{
-    base, checksum, filter_data, mip_3dm, sensor, shared, CommandError, Packet, Reason,
-    RequestError,
+    base, checksum, filter_data, mip_3dm, sensor, shared, CommandError, DescriptorSet, Packet,
+    Reason, RequestError,
 };
 
 /// A device, and its faults.
@@ -182,7 +182,7 @@ fn answers_that_are_lost_are_asked_for_again() {
     for (lose_of, stream) in [(0x0C0E, 5), (0x0C0F, 5), (0x0C11, 5), (0x0106, 5)] {
         let mut device = device(115_200);
         (device.port_mut().lose, device.port_mut().lose_of) = (2, lose_of);
-        assert_eq!(device.stream(0x80, &[Rate::of::<sensor::ScaledAccel>(100.0)]), Ok(1000));
+        assert_eq!(device.stream(sensor::SET, &[Rate::of::<sensor::ScaledAccel>(100.0)]), Ok(1000));
         assert_eq!(device.port().sent.len(), stream + 1);
     }
 }
@@ -237,7 +237,8 @@ fn streams() {
 
 #[test]
 fn streams_of_older_devices() {
-    for (set, base, format, stream) in [(0x80, 0x0C06, 0x0C08, 1), (0x82, 0x0C0B, 0x0C0A, 3)] {
+    let sets = [(sensor::SET, 0x0C06, 0x0C08, 1), (filter_data::SET, 0x0C0B, 0x0C0A, 3)];
+    for (set, base, format, stream) in sets {
         let mut device = device(115_200);
         device.port_mut().older = true;
         assert_eq!(device.stream(set, &[Rate::of::<shared::GpsTimestamp>(100.0)]), Ok(1000));
@@ -253,8 +254,8 @@ fn streams_of_older_devices() {
     };
     let mut device = device(115_200);
     (device.port_mut().older, device.port_mut().refuse) = (true, 0x0C0B);
-    refused(&mut device, 0x82);
-    refused(&mut device, 0x91);
+    refused(&mut device, filter_data::SET);
+    refused(&mut device, DescriptorSet(0x91));
     assert_eq!(device.port().commands(), [0x0C0E, 0x0C0B, 0x0C0E]);
 }
 
@@ -263,7 +264,7 @@ fn the_rejected_field_is_in_neither_of_its_lists() {
     let command = mip_3dm::MessageFormat::write(0x82, [(0x10, 1).into(), (0x01, 1).into()]);
     let mut rejected = device(115_200);
     let found = rejected.rejected(&command).unwrap().unwrap();
-    assert_eq!((found.index, found.set, found.descriptor), (1, 0x82, 0x01));
+    assert_eq!((found.index, found.set.0, found.descriptor), (1, 0x82, 0x01));
     assert_eq!(found.to_string(), "3DM-CV7-AHRS does not send filter_data.llh_position");
     assert_eq!(rejected.port().commands(), [0x0103, 0x0104, 0x0107]);
     assert_eq!(rejected.rejected(&base::Ping::new()), Ok(None));
@@ -283,7 +284,7 @@ fn a_rate_that_the_device_lacks_changes_nothing() {
     for (hz, next) in wrong {
         let mut device = device(115_200);
         let asked = [Rate::of::<sensor::ScaledGyro>(10.0), Rate::of::<sensor::ScaledAccel>(hz)];
-        let error = device.stream(0x80, &asked).unwrap_err();
+        let error = device.stream(sensor::SET, &asked).unwrap_err();
         let StreamError::NoSuchRate { descriptor, nearest, base, .. } = error else {
             panic!("{error}")
         };
@@ -294,7 +295,10 @@ fn a_rate_that_the_device_lacks_changes_nothing() {
                 "sensor.scaled_accel at 70 Hz: not a rate of the device; nearest: 71.42857 Hz, \
                         as it divides 1000 Hz by whole numbers";
             assert_eq!(error.to_string(), said);
-            assert_eq!(device.stream(0x80, &[Rate::of::<sensor::ScaledAccel>(nearest)]), Ok(1000));
+            assert_eq!(
+                device.stream(sensor::SET, &[Rate::of::<sensor::ScaledAccel>(nearest)]),
+                Ok(1000)
+            );
         }
     }
 }
@@ -306,7 +310,7 @@ fn decimations_are_the_nearest() {
         {
             let mut device = device(115_200);
             device.port_mut().base_rate = base;
-            let got = match device.stream(0x80, &[Rate::of_descriptor(4, wanted)]) {
+            let got = match device.stream(sensor::SET, &[Rate::of_descriptor(4, wanted)]) {
                 Err(StreamError::NoSuchRate { nearest, .. }) => nearest,
                 done => done.map(|_| wanted).unwrap(),
             };
@@ -321,18 +325,19 @@ fn decimations_are_the_nearest() {
 fn data_that_is_sent_as_it_arrives_has_no_rate() {
     let mut device = device(115_200);
     device.port_mut().base_rate = 0;
-    assert_eq!(device.stream(0x80, &[Rate::of::<sensor::ScaledAccel>(5.0)]), Ok(0));
+    assert_eq!(device.stream(sensor::SET, &[Rate::of::<sensor::ScaledAccel>(5.0)]), Ok(0));
     assert_eq!(device.port().last(0x0C0F), [1, 0x80, 1, 4, 0, 1]);
 }
 
 #[test]
 fn fields_of_other_sets_and_too_many() {
     let mut device = device(115_200);
-    let error = device.stream(0x80, &[Rate::of::<filter_data::EulerAngles>(10.0)]).unwrap_err();
+    let error =
+        device.stream(sensor::SET, &[Rate::of::<filter_data::EulerAngles>(10.0)]).unwrap_err();
     assert!(error.to_string().contains("filter_data.euler_angles"), "{error}");
     assert!(device.port().sent.is_empty());
     let many = [Rate::of_descriptor(4, 10.0); 84];
-    let error = device.stream(0x80, &many).unwrap_err();
+    let error = device.stream(sensor::SET, &many).unwrap_err();
     assert!(matches!(error, StreamError::Device(DeviceError::Request(RequestError::Encode(_)))));
     assert_eq!(device.port().commands(), [0x0C0E]);
 }

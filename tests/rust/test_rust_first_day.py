@@ -130,7 +130,7 @@ def built(name: str, text: str) -> Path:
 
 #: Prints what is in a log, and shows that a log accepts no commands.
 LOG = """
-use mip_protocol::{base::Ping, session::Rate};
+use mip_protocol::{base::Ping, session::Rate, DescriptorSet};
 fn main() {
     let place = std::env::args().nth(1).unwrap();
     let mut device = mip_protocol::open(&place).unwrap();
@@ -140,7 +140,7 @@ fn main() {
     }
     println!("{count} {}", device.parser().skipped());
     println!("{}", device.request(&Ping::new()).unwrap_err());
-    println!("{}", device.stream(0x80, &[Rate::of_descriptor(4, 1.0)]).unwrap_err());
+    println!("{}", device.stream(DescriptorSet(0x80), &[Rate::of_descriptor(4, 1.0)]).unwrap_err());
 }
 """
 
@@ -223,3 +223,40 @@ def test_a_second_attempt_has_the_same_baud_rate(tmp_path: Path) -> None:
     port = tmp_path / "port"
     port.symlink_to(os.ttyname(terminal))
     subprocess.run([built("retried", RETRIED), port], check=True, timeout=PATIENCE)
+
+
+#: Copies what it receives, in each of three ways.
+RECORDED = """
+use mip_protocol::device::{AsyncLine, Device, Line, TokioDevice};
+use std::{fs, io::Write, net::TcpListener};
+const PING: &[u8] = b"noise\\x75\\x65\\x01\\x02\\x02\\x01\\xE0\\xC6";
+#[tokio::main]
+async fn main() {
+    let path = std::env::args().nth(1).unwrap();
+    for way in 0..3 {
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let place = listener.local_addr().unwrap().to_string();
+        std::thread::spawn(move || listener.accept().unwrap().0.write_all(PING).unwrap());
+        let file = fs::File::create(&path).unwrap();
+        if way == 0 {
+            let mut device = Device::new(Line::open(&place).unwrap());
+            device.port_mut().record(file);
+            assert!(device.next_packet(10_000).unwrap().is_some());
+        } else {
+            let mut device = TokioDevice::at(AsyncLine::open(&place).await.unwrap());
+            device.port_mut().record(file);
+            if way == 1 {
+                assert!(device.next_packet(10_000).await.unwrap().is_some());
+            } else {
+                assert!(device.split().1.next_packet(10_000).await.unwrap().is_some());
+            }
+        }
+        assert_eq!(fs::read(&path).unwrap(), PING);
+    }
+}
+"""
+
+
+@heavy(EXAMPLES)
+def test_received_bytes_are_copied(tmp_path: Path) -> None:
+    subprocess.run([built("recorded", RECORDED), tmp_path / "log.bin"], check=True, timeout=PATIENCE)

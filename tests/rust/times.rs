@@ -32,10 +32,10 @@ fn main() {
             let [command, data, listed] = [(); 3].map(|()| bytes(words.next().unwrap()));
             let numbers = listed.chunks(2).map(|x| u16::from_be_bytes([x[0], x[1]]));
             let known = Known { profile: device, descriptors: &numbers.collect::<Vec<_>>() };
-            let command = RawField { set: command[0], descriptor: command[1], data: &data };
+            let command = RawField { set: command[0].into(), descriptor: command[1], data: &data };
             let text = Rejected::find(&command, &known).map(|found| {
                 let Rejected { index, set, descriptor, reason, .. } = found;
-                format!("{index} {set:02X} {descriptor:02X} {reason:?} {found}")
+                format!("{index} {:02X} {descriptor:02X} {reason:?} {found}", set.0)
             });
             println!("{}", text.unwrap_or_default());
             continue;

@@ -9,7 +9,7 @@ use crate::error::{DecodeError, EncodeError, EncodeErrorKind};
 use crate::field::{Command, Field, RawField, Response, ResponseCheck};
 use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, MAX_PAYLOAD};
 use crate::parser::Parser;
-use crate::protocol::{AckCode, Acknowledge, BARRIER};
+use crate::protocol::{AckCode, Acknowledge, DescriptorSet, BARRIER};
 #[cfg(feature = "registry")]
 use crate::registry::AnyField;
 use crate::view::{View, Viewed};
@@ -82,7 +82,7 @@ struct Slot {
 /// The properties that all commands of a type share.
 struct Kind {
     name: &'static str,
-    set: u8,
+    set: DescriptorSet,
     descriptor: u8,
     timeout_ms: u32,
     /// The descriptors of all responses.
@@ -132,7 +132,7 @@ impl Slot {
 impl fmt::Debug for Slot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { state, deadline, event: Event { id, set, descriptor, .. }, .. } = self;
-        write!(f, "{id}: 0x{set:02X},0x{descriptor:02X} {:?} until {deadline}", state.get())
+        write!(f, "{id}: 0x{:02X},0x{descriptor:02X} {:?} until {deadline}", set.0, state.get())
     }
 }
 
@@ -293,7 +293,7 @@ pub struct Event {
     /// The number of the ticket.
     pub id: u32,
     /// The descriptor set of the command.
-    pub set: u8,
+    pub set: DescriptorSet,
     /// The descriptor of the command.
     pub descriptor: u8,
     kind: Option<&'static Kind>,
@@ -307,7 +307,7 @@ pub struct Event {
 impl Event {
     const NONE: Self = Self {
         id: 0,
-        set: 0,
+        set: DescriptorSet(0),
         descriptor: 0,
         kind: None,
         check: None,
@@ -526,7 +526,7 @@ impl<const N: usize> Client<N> {
     }
 
     /// Begins a packet with commands of one descriptor set.
-    pub fn request(&mut self, set: u8) -> Request<'_> {
+    pub fn request(&mut self, set: DescriptorSet) -> Request<'_> {
         let table = self.table_mut();
         for slot in &table.slots {
             if slot.is(State::Added) {
@@ -731,7 +731,7 @@ impl Slots {
             miss(&mut self.missed); // it may be the same command as in a barrier
         }
         self.behind = self.missed.wrapping_add(1);
-        self.packet.start(set);
+        self.packet.start(DescriptorSet(set));
         (0..self.behind).try_for_each(|_| self.packet.push_raw(descriptor, &[])).ok()?;
         Some(self.packet.packet())
     }
@@ -746,7 +746,7 @@ impl Slots {
             }
             (rest, left) = (behind, left.wrapping_sub(1));
         }
-        if size == 0 || left > 0 || !rest.is_empty() || fields.set() != set {
+        if size == 0 || left > 0 || !rest.is_empty() || fields.set().0 != set {
             return false;
         }
         let order = self.happened;
@@ -886,7 +886,7 @@ impl Slot {
     /// Returns the command's result if this acknowledge and the field after it answer it.
     fn outcome(
         &self,
-        set: u8,
+        set: DescriptorSet,
         command: u8,
         code: AckCode,
         behind: Option<&RawField<'_>>,

@@ -1,6 +1,6 @@
 //! The fields that each device supports.
 
-use crate::protocol::{AckCode, FunctionSelector};
+use crate::protocol::{AckCode, DescriptorSet, FunctionSelector};
 
 mod known;
 mod lists;
@@ -82,7 +82,7 @@ pub struct Evidence {
 #[non_exhaustive]
 pub struct AbsentSet {
     /// The descriptor set.
-    pub set: u8,
+    pub set: DescriptorSet,
     /// Why that is believed.
     pub evidence: &'static Evidence,
 }
@@ -92,7 +92,7 @@ pub struct AbsentSet {
 #[non_exhaustive]
 pub struct Supported {
     /// The descriptor set; 0xFF if it may be any data set.
-    pub set: u8,
+    pub set: DescriptorSet,
     /// The field descriptor.
     pub descriptor: u8,
     /// The name in that set, `set.field`.
@@ -108,7 +108,7 @@ pub struct Supported {
 #[non_exhaustive]
 pub struct Firmware {
     /// The descriptor set.
-    pub set: u8,
+    pub set: DescriptorSet,
     /// The field descriptor.
     pub descriptor: u8,
     /// The versions that support it: `> 1.0.07` or `>= 1.0, < 1.1`.
@@ -120,7 +120,7 @@ pub struct Firmware {
 #[non_exhaustive]
 pub struct BaseRate {
     /// The descriptor set.
-    pub set: u8,
+    pub set: DescriptorSet,
     /// The rate in Hz, before decimation; 0 if data is sent as it arrives.
     pub hertz: f64,
 }
@@ -200,11 +200,11 @@ impl Profile {
     ///
     /// # if Profile::by_id("3dm-cv7-ar").is_none() { return }
     /// let device = Profile::by_id("3dm-cv7-ar").unwrap();
-    /// assert_eq!(device.support(0x80, 0x04), Support::Yes);
-    /// assert_eq!(device.support(0x91, 0x03), Support::No); // it has no GNSS receiver
+    /// assert_eq!(device.support(0x80.into(), 0x04), Support::Yes);
+    /// assert_eq!(device.support(0x91.into(), 0x03), Support::No); // it has no GNSS receiver
     /// ```
     #[must_use]
-    pub fn support(&self, set: u8, descriptor: u8) -> Support {
+    pub fn support(&self, set: DescriptorSet, descriptor: u8) -> Support {
         match self.evidence(set, descriptor) {
             Some(evidence) => evidence.answer,
             None if self.incomplete.is_empty() => Support::No,
@@ -214,12 +214,12 @@ impl Profile {
 
     /// Returns the profile's entry for a field in packets of this set, with its evidence.
     #[must_use]
-    pub fn field(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
-        let shared = if set < 0x80 { set } else { 0xFF };
+    pub fn field(&self, set: DescriptorSet, descriptor: u8) -> Option<&'static Supported> {
+        let shared = if set.0 < 0x80 { set } else { DescriptorSet(0xFF) };
         self.stated(set, descriptor).or_else(|| self.stated(shared, descriptor))
     }
 
-    fn stated(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
+    fn stated(&self, set: DescriptorSet, descriptor: u8) -> Option<&'static Supported> {
         let mut stated = self.fields.iter().chain(self.refuses);
         stated.find(|f| (f.set, f.descriptor) == (set, descriptor))
     }
@@ -227,7 +227,7 @@ impl Profile {
     /// Returns the reason to believe that the device supports a field in packets of this set, or
     /// does not; also of a set of which it supports no field.
     #[must_use]
-    pub fn evidence(&self, set: u8, descriptor: u8) -> Option<&'static Evidence> {
+    pub fn evidence(&self, set: DescriptorSet, descriptor: u8) -> Option<&'static Evidence> {
         let field = self.stated(set, descriptor).map(|field| field.evidence);
         let absent = self.absent_sets.iter().find(|absent| absent.set == set);
         let of_set = field.or_else(|| absent.map(|absent| absent.evidence));
@@ -238,20 +238,20 @@ impl Profile {
     /// a single set, use [`Profile::support`].
     #[must_use]
     pub fn has<T: crate::Field>(&self) -> bool {
-        let found = |set: &u8| self.support(*set, T::DESCRIPTOR);
+        let found = |set: &DescriptorSet| self.support(*set, T::DESCRIPTOR);
         T::SETS.iter().map(found).any(|x| !matches!(x, Support::No | Support::Unknown))
     }
 
     /// Returns the firmware versions that support a field; `None` if all do, or if that is unknown.
     #[must_use]
-    pub fn firmware_of(&self, set: u8, descriptor: u8) -> Option<&'static str> {
+    pub fn firmware_of(&self, set: DescriptorSet, descriptor: u8) -> Option<&'static str> {
         let mut said = self.firmware.iter();
         said.find(|f| (f.set, f.descriptor) == (set, descriptor)).map(|f| f.versions)
     }
 
     /// Returns the base rate of a descriptor set in Hz; 0 if data is sent as it arrives.
     #[must_use]
-    pub fn base_rate(&self, set: u8) -> Option<f64> {
+    pub fn base_rate(&self, set: DescriptorSet) -> Option<f64> {
         self.base_rates.iter().find(|rate| rate.set == set).map(|rate| rate.hertz)
     }
 

@@ -2,7 +2,7 @@
 
 use crate::codec::{Reader, Wire, Writer};
 use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid};
-use crate::protocol::FunctionSelector;
+use crate::protocol::{DescriptorSet, FunctionSelector};
 use crate::view::{self, View, Viewed};
 use core::fmt;
 use core::ops::{Deref, RangeInclusive};
@@ -12,7 +12,7 @@ use core::ops::{Deref, RangeInclusive};
 /// For the set of a received field, see [`Packet::set`](crate::Packet::set) or [`RawField::set`].
 pub trait Field: Wire {
     /// The descriptor sets in which it occurs, in ascending order.
-    const SETS: &'static [u8];
+    const SETS: &'static [DescriptorSet];
     /// The field descriptor.
     const DESCRIPTOR: u8;
     /// The name in the specification, `family.field`. The name of a family of one set is the set's.
@@ -25,7 +25,7 @@ pub trait Field: Wire {
     /// Does it occur in this descriptor set?
     #[inline]
     #[must_use]
-    fn occurs_in(set: u8) -> bool {
+    fn occurs_in(set: DescriptorSet) -> bool {
         Self::SETS.contains(&set)
     }
 
@@ -84,10 +84,17 @@ pub trait Field: Wire {
 /// A field that occurs in one descriptor set only: its type determines the set of its packet.
 pub trait OneSet: Field {
     /// The descriptor set.
-    const SET: u8;
+    const SET: DescriptorSet;
 }
 
 /// A field that the device acknowledges, with or without a response after the acknowledge.
+#[cfg_attr(
+    any(feature = "open", feature = "core-error"), // they need a Rust that has this
+    diagnostic::on_unimplemented(
+        message = "`{Self}` is no command",
+        note = "commands are made by constructors, such as `base::Ping::new()` or `mip_3dm::PpsSourceControl::read()`"
+    )
+)]
 pub trait Command: OneSet {
     /// The result of a request: `()`, the type of the response, or an enumeration of several types.
     /// For a command whose function is known only at run time, it is an `Option` of this.
@@ -192,20 +199,20 @@ impl<C: Wire, const FUNCTION: u8> Wire for Call<C, FUNCTION> {
 }
 
 impl<C: Field, const FUNCTION: u8> Field for Call<C, FUNCTION> {
-    const SETS: &'static [u8] = C::SETS;
+    const SETS: &'static [DescriptorSet] = C::SETS;
     const DESCRIPTOR: u8 = C::DESCRIPTOR;
     const NAME: &'static str = C::NAME;
     const CONSTANTS: &'static [(usize, &'static [u8])] = &[(0, &[FUNCTION])];
     const SIZES: RangeInclusive<usize> = C::SIZES;
 
     #[inline]
-    fn occurs_in(set: u8) -> bool {
+    fn occurs_in(set: DescriptorSet) -> bool {
         C::occurs_in(set)
     }
 }
 
 impl<C: OneSet, const FUNCTION: u8> OneSet for Call<C, FUNCTION> {
-    const SET: u8 = C::SET;
+    const SET: DescriptorSet = C::SET;
 }
 
 /// A command that supports the function `FUNCTION`, among others.
@@ -346,7 +353,7 @@ impl fmt::Display for Role {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RawField<'a> {
     /// The descriptor set of the packet.
-    pub set: u8,
+    pub set: DescriptorSet,
     /// The field descriptor.
     pub descriptor: u8,
     /// The bytes after the descriptor.
@@ -411,7 +418,7 @@ impl<'a> RawField<'a> {
 ///         _ => println!("another field"),
 ///     })
 /// }
-/// # show(&RawField { set: 1, descriptor: 0xF1, data: &[1, 0] }).unwrap();
+/// # show(&RawField { set: 1.into(), descriptor: 0xF1, data: &[1, 0] }).unwrap();
 /// ```
 #[macro_export]
 macro_rules! dispatch {
@@ -447,13 +454,13 @@ macro_rules! dispatch {
     };
 }
 
-/// Returns `N` consecutive numbers, starting with `first`.
+/// Returns `N` consecutive sets, starting with the number `first`.
 #[allow(clippy::indexing_slicing)] // evaluated at compile time
-pub(crate) const fn run<const N: usize>(first: u8) -> [u8; N] {
-    let (mut numbers, mut at, mut number) = ([0; N], 0, first);
+pub(crate) const fn run<const N: usize>(first: u8) -> [DescriptorSet; N] {
+    let (mut sets, mut at, mut number) = ([DescriptorSet(0); N], 0, first);
     while at < N {
-        numbers[at] = number;
+        sets[at] = DescriptorSet(number);
         (at, number) = (at.wrapping_add(1), number.wrapping_add(1));
     }
-    numbers
+    sets
 }

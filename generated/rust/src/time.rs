@@ -107,6 +107,15 @@ impl Times {
         Self { device: Some(device.id), seen: [0; clocks::SOURCES.len()] }
     }
 
+    /// Returns the time of the first clock, in the order of [`Clock::ALL`], that a packet has.
+    pub fn first(&mut self, packet: &Packet<'_>) -> Option<Time> {
+        let mut clocks = Clock::ALL.iter();
+        clocks.find_map(|clock| {
+            let nanoseconds = self.read(packet, *clock)?;
+            Some(Time { clock: *clock, nanoseconds })
+        })
+    }
+
     /// Returns the time of a clock in nanoseconds; see [`Packet::time`].
     pub fn read(&mut self, packet: &Packet<'_>, clock: Clock) -> Option<i64> {
         for (source, seen) in clocks::SOURCES.iter().zip(&mut self.seen) {
@@ -146,7 +155,7 @@ impl Source {
     /// Returns the data of the first such field of a packet that is long enough.
     fn find<'a>(&self, packet: &Packet<'a>) -> Option<&'a [u8]> {
         let mut fields = packet.fields();
-        let set = fields.set();
+        let set = fields.set().0;
         if !(self.sets.contains(&set) || (self.sets.contains(&0xFF) && set >= 0x80)) {
             return None;
         }
@@ -258,6 +267,41 @@ fn rounded(number: f64) -> Option<i64> {
     let up = rest > 0.5 || (is_odd && rest >= 0.5);
     let down = rest < -0.5 || (is_odd && rest <= -0.5);
     Some(whole.wrapping_add(up.into()).wrapping_sub(down.into()))
+}
+
+/// The time of a packet by one of its clocks.
+///
+/// It is written as [`Utc`], or as seconds if its clock has no epoch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Time {
+    /// The clock.
+    pub clock: Clock,
+    /// Nanoseconds since the clock's epoch, or since its start if it has none.
+    pub nanoseconds: i64,
+}
+
+impl Time {
+    /// Converts it to UTC; `None` if the clock has no epoch.
+    #[must_use]
+    pub fn utc(self) -> Option<Utc> {
+        Utc::from_clock(self.clock, self.nanoseconds)
+    }
+
+    /// Returns the seconds since the clock's epoch, or since its start.
+    #[must_use]
+    pub fn seconds(self) -> f64 {
+        self.nanoseconds as f64 / SECOND as f64
+    }
+}
+
+impl fmt::Display for Time {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.utc() {
+            Some(utc) => utc.fmt(f),
+            None => self.seconds().fmt(f),
+        }
+    }
 }
 
 /// A time in UTC, in nanoseconds since 1970. A leap second becomes the second after it.

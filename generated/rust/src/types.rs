@@ -795,7 +795,7 @@ record! {
     #[derive(Copy, Default)]
     pub struct EventTriggerThreshold {
         /// Data descriptor set of the watched value.
-        pub descriptor_set: u8,
+        pub descriptor_set: crate::DescriptorSet,
         /// Field descriptor of the watched value.
         ///
         /// Refers to fields of [`descriptor_set`](EventTriggerThreshold::descriptor_set).
@@ -845,7 +845,7 @@ constructors! {
 
     /// Creates it from its values.
     fn new(
-        descriptor_set: u8,
+        descriptor_set: impl Into<crate::DescriptorSet>,
         field_descriptor: u8,
         parameter_id: u8,
         thresholds: EventTriggerThresholdThresholds,
@@ -926,7 +926,7 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct EventActionMessage {
         /// Data descriptor set of the packet.
-        pub descriptor_set: u8,
+        pub descriptor_set: crate::DescriptorSet,
         /// 0 sends one packet per activation. Any other value streams while the trigger is active,
         /// at the base rate of the descriptor set divided by this value. At each activation, a
         /// packet is sent immediately and the count restarts.
@@ -950,13 +950,13 @@ constructors! {
 
     /// Creates it from its values.
     fn new(
-        descriptor_set: u8,
+        descriptor_set: impl Into<crate::DescriptorSet>,
         decimation: u16,
         descriptors: impl Into<crate::List<u8, 249>>,
     );
 }
 
-tuple! { EventActionMessage descriptor_set: u8, decimation: u16, descriptors: crate::List<u8, 249> }
+tuple! { EventActionMessage descriptor_set: crate::DescriptorSet, decimation: u16, descriptors: crate::List<u8, 249> }
 
 open_enum! {
     /// Satellite constellation. QZSS has no value.
@@ -1308,7 +1308,7 @@ record! {
         /// The talker in the sentence.
         pub talker_id: NmeaTalkerId,
         /// Data descriptor set from which the contents are taken.
-        pub source_descriptor_set: u8,
+        pub source_descriptor_set: crate::DescriptorSet,
         /// Base rate of the source descriptor set divided by the desired rate; a poll ignores it.
         pub decimation: u16,
     }
@@ -1319,7 +1319,7 @@ view! {
     NmeaMessage
     message_id: NmeaMessageId, at 0;
     talker_id: NmeaTalkerId, at 1;
-    source_descriptor_set: u8, at 2;
+    source_descriptor_set: crate::DescriptorSet, at 2;
     decimation: u16, at 3;
 }
 
@@ -1330,12 +1330,12 @@ constructors! {
     fn new(
         message_id: NmeaMessageId,
         talker_id: NmeaTalkerId,
-        source_descriptor_set: u8,
+        source_descriptor_set: impl Into<crate::DescriptorSet>,
         decimation: u16,
     );
 }
 
-tuple! { NmeaMessage message_id: NmeaMessageId, talker_id: NmeaTalkerId, source_descriptor_set: u8, decimation: u16 }
+tuple! { NmeaMessage message_id: NmeaMessageId, talker_id: NmeaTalkerId, source_descriptor_set: crate::DescriptorSet, decimation: u16 }
 
 open_enum! {
     /// A port of a device.

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::protocol::DescriptorSet;
+
 #[cfg(feature = "core-error")]
 pub(crate) use core::error::Error;
 #[cfg(all(feature = "std", not(feature = "core-error")))]
@@ -50,7 +52,7 @@ pub enum DecodeErrorKind {
 /// use mip_protocol::error::{EncodeError, EncodeErrorKind};
 /// use mip_protocol::PacketBuilder;
 ///
-/// let error: EncodeError = PacketBuilder::new(0x80).push_raw(0x04, &[0; 254]).unwrap_err();
+/// let error: EncodeError = PacketBuilder::new(0x80.into()).push_raw(0x04, &[0; 254]).unwrap_err();
 /// assert_eq!((error.kind, error.need), (EncodeErrorKind::Length, 254));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -139,8 +141,8 @@ impl EncodeError {
 
     /// Creates the error for a field in a packet of a set in which it does not occur.
     #[must_use]
-    pub(crate) const fn set(field: &'static str, need: u8, got: u8) -> Self {
-        Self::new(EncodeErrorKind::Set, field, need as usize, got as usize)
+    pub(crate) const fn set(field: &'static str, need: DescriptorSet, got: DescriptorSet) -> Self {
+        Self::new(EncodeErrorKind::Set, field, need.0 as usize, got.0 as usize)
     }
 }
 

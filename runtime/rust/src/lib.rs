@@ -69,6 +69,7 @@ mod slice;
 mod stream;
 mod text;
 pub mod time;
+mod timed;
 mod view;
 
 #[cfg(feature = "devices")]
@@ -95,13 +96,15 @@ pub use field::{
 pub use list::{CapacityError, List};
 #[cfg(feature = "alloc")]
 pub use owned::PacketBuf;
-pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
+pub use packet::{checksum, FieldLengthError, FromPacket, Packet, PacketBuilder, PacketError};
 pub use parser::{Feed, Parser};
+pub use protocol::DescriptorSet;
 #[cfg(feature = "registry")]
 pub use registry::{AnyField, Decoded};
 pub use slice::{packets, Packets};
 #[cfg(feature = "std")]
 pub use stream::PacketReader;
 pub use text::{Text, VarText};
-pub use time::{Clock, Utc};
+pub use time::{Clock, Time, Utc};
+pub use timed::Timed;
 pub use view::{View, Viewed};

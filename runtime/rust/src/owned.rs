@@ -5,8 +5,9 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use crate::error::DecodeError;
-use crate::field::{Field, RawField};
-use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, PacketError};
+use crate::field::RawField;
+use crate::packet::{FieldLengthError, Fields, FromPacket, Packet, PacketBuilder, PacketError};
+use crate::protocol::DescriptorSet;
 use crate::time::Clock;
 
 /// A packet that owns its bytes, so that it can be kept or sent to another thread.
@@ -19,7 +20,7 @@ use crate::time::Clock;
 /// let log = b"\x75\x65\x01\x02\x02\x01\xE0\xC6\x75\x65\x01\x02\x02\x01\xE0\xC6";
 /// let kept: Vec<PacketBuf> = packets(log).map(PacketBuf::from).collect();
 /// let packet: Packet<'_> = (&kept[0]).into();
-/// assert_eq!((packet.set(), kept[1].fields().count()), (1, 1));
+/// assert_eq!((packet.set().0, kept[1].fields().count()), (1, 1));
 /// ```
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct PacketBuf {
@@ -41,7 +42,7 @@ impl PacketBuf {
 
     /// Returns the descriptor set.
     #[must_use]
-    pub fn set(&self) -> u8 {
+    pub fn set(&self) -> DescriptorSet {
         self.packet().set()
     }
 
@@ -57,7 +58,7 @@ impl PacketBuf {
     ///
     /// The data is invalid.
     #[inline]
-    pub fn find<T: Field>(&self) -> Result<Option<T>, DecodeError> {
+    pub fn find<T: FromPacket>(&self) -> Result<Option<T>, DecodeError> {
         self.packet().find()
     }
 

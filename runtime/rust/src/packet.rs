@@ -7,7 +7,7 @@ use crate::codec::Writer;
 use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 use crate::field::{Field, OneSet, RawField};
 use crate::parser::copy;
-use crate::protocol::SYNC;
+use crate::protocol::{DescriptorSet, SYNC};
 use crate::view::{self, View, Viewed};
 
 /// The maximum size of a payload.
@@ -230,8 +230,8 @@ impl<'a> Packet<'a> {
 
     /// Returns the descriptor set.
     #[must_use]
-    pub fn set(&self) -> u8 {
-        self.bytes.get(2).copied().unwrap_or_default()
+    pub fn set(&self) -> DescriptorSet {
+        DescriptorSet(self.bytes.get(2).copied().unwrap_or_default())
     }
 
     /// Returns the payload: the fields, one after another.
@@ -244,7 +244,7 @@ impl<'a> Packet<'a> {
     #[must_use]
     pub fn fields(&self) -> Fields<'a> {
         match *self.bytes {
-            [_, _, set, _, ref payload @ .., _, _] => Fields { set, payload },
+            [_, _, set, _, ref payload @ .., _, _] => Fields { set: DescriptorSet(set), payload },
             _ => Fields::NONE,
         }
     }
@@ -253,6 +253,8 @@ impl<'a> Packet<'a> {
     ///
     /// A type that occurs in several descriptor sets is found in packets of each; for the packet's
     /// set, call [`Packet::set`].
+    ///
+    /// A tuple of types is found if the packet contains them all; see [`FromPacket`].
     ///
     /// A field of this type that extends past the payload is an error
     /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), even if the part in the packet could be
@@ -272,8 +274,8 @@ impl<'a> Packet<'a> {
     ///
     /// The data is invalid.
     #[inline]
-    pub fn find<T: Field>(&self) -> Result<Option<T>, DecodeError> {
-        self.search::<T>()?.map(|field| T::decode(field.data)).transpose()
+    pub fn find<T: FromPacket>(&self) -> Result<Option<T>, DecodeError> {
+        T::from_packet(self)
     }
 
     /// Like [`Packet::find`], but returns a view, to read values in place.
@@ -336,6 +338,66 @@ impl<'a> Packet<'a> {
     }
 }
 
+/// What [`Packet::find`] reads from one packet: a field; or a tuple of up to six fields, all of which
+/// must be there. In a tuple, `Option<T>` is a field that may be absent; at least one is there.
+#[cfg_attr(
+    any(feature = "open", feature = "core-error"), // they need a Rust that has this
+    diagnostic::on_unimplemented(
+        message = "`{Self}` is no field that a packet can contain",
+        note = "types of fields are in the modules of the descriptor sets, such as `sensor::ScaledAccel`"
+    )
+)]
+pub trait FromPacket: Sized {
+    /// Decodes it; `None` if it is not in the packet.
+    ///
+    /// # Errors
+    ///
+    /// The data of a field is invalid.
+    fn from_packet(packet: &Packet<'_>) -> Result<Option<Self>, DecodeError>;
+
+    #[doc(hidden)]
+    fn is_present(&self) -> bool {
+        true
+    }
+}
+
+impl<T: Field> FromPacket for T {
+    #[inline]
+    fn from_packet(packet: &Packet<'_>) -> Result<Option<Self>, DecodeError> {
+        packet.search::<T>()?.map(|field| T::decode(field.data)).transpose()
+    }
+}
+
+impl<T: Field> FromPacket for Option<T> {
+    #[inline]
+    fn from_packet(packet: &Packet<'_>) -> Result<Option<Self>, DecodeError> {
+        T::from_packet(packet).map(Some)
+    }
+
+    fn is_present(&self) -> bool {
+        self.is_some()
+    }
+}
+
+macro_rules! several {
+    ($($part:ident)+) => {
+        #[allow(non_snake_case)]
+        impl<$($part: FromPacket),+> FromPacket for ($($part,)+) {
+            #[inline]
+            fn from_packet(packet: &Packet<'_>) -> Result<Option<Self>, DecodeError> {
+                $(let Some($part) = $part::from_packet(packet)? else { return Ok(None) };)+
+                Ok(($($part.is_present())||+).then_some(($($part,)+)))
+            }
+        }
+    };
+}
+
+several! { A B }
+several! { A B C }
+several! { A B C D }
+several! { A B C D E }
+several! { A B C D E F }
+
 impl<'a> IntoIterator for Packet<'a> {
     type Item = Result<RawField<'a>, FieldLengthError>;
     type IntoIter = Fields<'a>;
@@ -379,19 +441,19 @@ impl fmt::Debug for Packet<'_> {
 /// The fields of a packet. A malformed field is the last item; the fields before it are valid.
 #[derive(Clone, Debug)]
 pub struct Fields<'a> {
-    set: u8,
+    set: DescriptorSet,
     payload: &'a [u8],
 }
 
 impl<'a> Fields<'a> {
-    pub(crate) const NONE: Self = Self { set: 0, payload: &[] };
+    pub(crate) const NONE: Self = Self { set: DescriptorSet(0), payload: &[] };
 
-    pub(crate) fn new(set: u8, payload: &'a [u8]) -> Self {
+    pub(crate) fn new(set: DescriptorSet, payload: &'a [u8]) -> Self {
         Self { set, payload }
     }
 
     /// Returns the descriptor set.
-    pub(crate) const fn set(&self) -> u8 {
+    pub(crate) const fn set(&self) -> DescriptorSet {
         self.set
     }
 
@@ -466,19 +528,19 @@ impl PacketBuilder {
     /// No packet has set 0 or 0xFF, and [`Packet::new`] rejects them: a builder with such a set
     /// accepts no field, and its packet must not be sent.
     #[must_use]
-    pub const fn new(set: u8) -> Self {
+    pub const fn new(set: DescriptorSet) -> Self {
         let [first, second] = SYNC;
         let mut bytes = [0; MAX_PACKET];
-        (bytes[0], bytes[1], bytes[2]) = (first, second, set);
+        (bytes[0], bytes[1], bytes[2]) = (first, second, set.0);
         [bytes[4], bytes[5]] = Self::sums_of_header(set);
         Self { bytes }
     }
 
     /// Computes the checksum of a packet without fields.
     #[inline]
-    const fn sums_of_header(set: u8) -> [u8; 2] {
+    const fn sums_of_header(set: DescriptorSet) -> [u8; 2] {
         let [first, second] = SYNC;
-        let sum = first.wrapping_add(second).wrapping_add(set);
+        let sum = first.wrapping_add(second).wrapping_add(set.0);
         // The second sum counts each byte once, and once more for each header byte after it.
         [sum, sum.wrapping_mul(2).wrapping_add(first.wrapping_mul(2)).wrapping_add(second)]
     }
@@ -487,10 +549,10 @@ impl PacketBuilder {
     pub(crate) const BLANK: Self = Self { bytes: [0; MAX_PACKET] };
 
     /// Begins the next packet, with another set.
-    pub(crate) fn start(&mut self, set: u8) {
+    pub(crate) fn start(&mut self, set: DescriptorSet) {
         let [first, second, number, payload, ..] = &mut self.bytes;
         let [a, b] = SYNC;
-        (*first, *second, *number, *payload) = (a, b, set, 0);
+        (*first, *second, *number, *payload) = (a, b, set.0, 0);
         self.seal(Self::sums_of_header(set));
     }
 
@@ -510,9 +572,9 @@ impl PacketBuilder {
 
     /// Returns the descriptor set.
     #[must_use]
-    pub const fn set(&self) -> u8 {
+    pub const fn set(&self) -> DescriptorSet {
         let [_, _, set, ..] = self.bytes;
-        set
+        DescriptorSet(set)
     }
 
     /// Appends a field, which must occur in the set of the packet.
@@ -542,7 +604,7 @@ impl PacketBuilder {
     pub(crate) fn push_by(
         &mut self,
         name: &'static str,
-        set: u8,
+        set: DescriptorSet,
         descriptor: u8,
         encode: &dyn Fn(&mut Writer<'_>) -> Result<(), EncodeErrorKind>,
     ) -> Result<(), EncodeError> {
@@ -568,7 +630,7 @@ impl PacketBuilder {
     pub fn clear(&mut self) {
         let [_, _, set, payload, ..] = &mut self.bytes;
         *payload = 0;
-        let sums = Self::sums_of_header(*set);
+        let sums = Self::sums_of_header(DescriptorSet(*set));
         self.seal(sums);
     }
 
@@ -594,8 +656,8 @@ impl PacketBuilder {
     /// Returns the space for the data of another field, whose header will replace the checksum.
     /// Until the field is closed, the packet is unchanged.
     #[inline]
-    fn free(&mut self, field: &'static str, set: u8) -> Result<&mut [u8], EncodeError> {
-        if matches!(self.set(), 0 | 0xFF) {
+    fn free(&mut self, field: &'static str, set: DescriptorSet) -> Result<&mut [u8], EncodeError> {
+        if matches!(self.set().0, 0 | 0xFF) {
             return Err(EncodeError::set(field, set, self.set()));
         }
         let payload = self.end();
@@ -610,7 +672,7 @@ impl PacketBuilder {
     fn append(
         &mut self,
         field: &'static str,
-        set: u8,
+        set: DescriptorSet,
         descriptor: u8,
         data: &[u8],
     ) -> Result<(), EncodeError> {
@@ -675,7 +737,7 @@ impl Eq for PacketBuilder {}
 
 impl From<Packet<'_>> for PacketBuilder {
     fn from(packet: Packet<'_>) -> Self {
-        let mut builder = Self::new(0);
+        let mut builder = Self::new(DescriptorSet(0));
         let places = builder.bytes.iter_mut().zip(packet.bytes);
         places.for_each(|(place, byte)| *place = *byte);
         builder

@@ -17,7 +17,7 @@ use crate::protocol::SYNC;
 ///
 /// let mut parser = Parser::new();
 /// for chunk in [&b"noise\x75\x65\x01\x02"[..], b"\x02\x01\xE0\xC6 and more"] {
-///     parser.feed(chunk).for_each(|packet| assert_eq!(packet.set(), 1));
+///     parser.feed(chunk).for_each(|packet| assert_eq!(packet.set().0, 1));
 /// }
 /// assert_eq!(parser.skipped(), 14);
 /// ```

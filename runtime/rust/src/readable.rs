@@ -362,8 +362,9 @@ mod any {
             }
             let (set, descriptor, Data(data)) = Deserialize::deserialize(deserializer)?;
             let field = RawField { set, descriptor, data: &data };
-            let unknown =
-                || D::Error::custom(format_args!("unknown field {set:#x},{descriptor:#x}"));
+            let unknown = || {
+                D::Error::custom(format_args!("unknown field {:#x},{descriptor:#x}", field.set.0))
+            };
             Self::decode(&field).map_err(D::Error::custom)?.ok_or_else(unknown)
         }
     }

@@ -12,6 +12,7 @@ use crate::client::{Request, RequestError, Ticket};
 use crate::codec::{Reader, Wire as _, Writer};
 use crate::error::{DecodeError, EncodeError};
 use crate::field::{Call, Field, RawField, Role};
+use crate::protocol::DescriptorSet;
 
 mod fields;
 
@@ -22,7 +23,7 @@ pub use fields::{visit, AnyField, FIELDS};
 #[non_exhaustive]
 pub struct FieldInfo {
     /// The descriptor sets in which it occurs, in ascending order.
-    pub sets: &'static [u8],
+    pub sets: &'static [DescriptorSet],
     /// The field descriptor.
     pub descriptor: u8,
     /// Its role.
@@ -40,7 +41,7 @@ pub struct FieldInfo {
 /// A field in one of the descriptor sets of its family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Occurrence {
-    set: u8,
+    set: DescriptorSet,
     name: &'static str,
     title: &'static str,
 }
@@ -57,7 +58,7 @@ impl FieldInfo {
 
     /// Returns its descriptor set, if it occurs in only one.
     #[must_use]
-    pub const fn set(&self) -> Option<u8> {
+    pub const fn set(&self) -> Option<DescriptorSet> {
         match *self.sets {
             [set] => Some(set),
             _ => None,
@@ -66,24 +67,24 @@ impl FieldInfo {
 
     /// Does it occur in this descriptor set?
     #[must_use]
-    pub fn occurs_in(&self, set: u8) -> bool {
+    pub fn occurs_in(&self, set: DescriptorSet) -> bool {
         self.sets.contains(&set)
     }
 
     /// Returns its name in a set, `set.field`, if it occurs there. A field of all data sets, or of
     /// all command sets, has the same name everywhere.
     #[must_use]
-    pub fn name_in(&self, set: u8) -> Option<&'static str> {
+    pub fn name_in(&self, set: DescriptorSet) -> Option<&'static str> {
         self.occurs_in(set).then(|| self.occurrence(set).map_or(self.name, |found| found.name))
     }
 
     /// Returns its title in a set, if it occurs there.
     #[must_use]
-    pub fn title_in(&self, set: u8) -> Option<&'static str> {
+    pub fn title_in(&self, set: DescriptorSet) -> Option<&'static str> {
         self.occurs_in(set).then(|| self.occurrence(set).map_or(self.title, |found| found.title))
     }
 
-    fn occurrence(&self, set: u8) -> Option<&'static Occurrence> {
+    fn occurrence(&self, set: DescriptorSet) -> Option<&'static Occurrence> {
         self.occurrences.iter().find(|found| found.set == set)
     }
 
@@ -216,7 +217,8 @@ impl<V: Visitor> fmt::Debug for Own<V> {
 ///
 /// ```
 /// use mip_protocol::registry::{visit_with, Listed, Own, Visitor};
-/// use mip_protocol::{EncodeErrorKind, Field, Invalid, RawField, Reader, Wire, Writer};
+/// use mip_protocol::{DescriptorSet, Field, RawField, Wire};
+/// use mip_protocol::{EncodeErrorKind, Invalid, Reader, Writer};
 ///
 /// /// What a device of your own sends.
 /// struct Wind {
@@ -237,7 +239,7 @@ impl<V: Visitor> fmt::Debug for Own<V> {
 /// }
 ///
 /// impl Field for Wind {
-///     const SETS: &'static [u8] = &[0x80];
+///     const SETS: &'static [DescriptorSet] = &[DescriptorSet(0x80)];
 ///     const DESCRIPTOR: u8 = 0xCF;
 ///     const NAME: &'static str = "own.wind";
 /// }
@@ -261,9 +263,9 @@ impl<V: Visitor> fmt::Debug for Own<V> {
 ///     Ok(wind) => format!("{} m/s", wind.speed),
 ///     Err(error) => error.to_string(),
 /// })];
-/// let field = RawField { set: 0x80, descriptor: 0xCF, data: &[0x40, 0, 0, 0] };
+/// let field = RawField { set: 0x80.into(), descriptor: 0xCF, data: &[0x40, 0, 0, 0] };
 /// assert_eq!(visit_with(&field, &own, Text), "2 m/s");
-/// let field = RawField { set: 0x01, descriptor: 0xF1, data: &[1, 0] };
+/// let field = RawField { set: 0x01.into(), descriptor: 0xF1, data: &[1, 0] };
 /// assert!(visit_with(&field, &own, Text).starts_with("Acknowledge"));
 /// ```
 #[inline]
@@ -282,7 +284,7 @@ pub fn visit_with<V: Visitor>(field: &RawField<'_>, own: &[Own<V>], visitor: V) 
 #[non_exhaustive]
 pub struct Decoded {
     /// The descriptor set of the packet.
-    pub set: u8,
+    pub set: DescriptorSet,
     /// The field.
     pub field: AnyField,
     /// The number of bytes left over, because newer firmware may append some.

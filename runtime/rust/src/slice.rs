@@ -2,8 +2,9 @@
 
 use core::iter::FusedIterator;
 
-use crate::packet::Packet;
+use crate::packet::{FromPacket, Packet};
 use crate::parser::{behind, judge, noise, Candidate};
+use crate::timed::Timed;
 
 /// Iterates over the packets in these bytes, for example of a log that was read as a whole.
 ///
@@ -34,6 +35,25 @@ pub struct Packets<'a> {
 }
 
 impl<'a> Packets<'a> {
+    /// Returns the fields `F` of the packets, with their times: a field, or a tuple of fields of one
+    /// packet; see [`FromPacket`].
+    ///
+    /// ```
+    /// # #[cfg(feature = "sensor")] {
+    /// use mip_protocol::{packets, sensor::{ScaledAccel, ScaledGyro}};
+    ///
+    /// # let log = b"";
+    /// for found in packets(log).fields::<(ScaledAccel, Option<ScaledGyro>)>() {
+    ///     let (time, (accel, gyro)) = found.unwrap();
+    ///     println!("{time:?}: {accel:?} {gyro:?}");
+    /// }
+    /// # }
+    /// ```
+    #[inline]
+    pub fn fields<F: FromPacket>(self) -> Timed<Self, F> {
+        Timed::new(self, 0)
+    }
+
     /// Returns the number of bytes so far that are not part of a packet, without the remainder.
     #[must_use]
     pub const fn skipped(&self) -> usize {

@@ -3,9 +3,12 @@
 use std::fmt;
 use std::io::{self, Read};
 
+use crate::error::DecodeError;
 use crate::owned::PacketBuf;
-use crate::packet::Packet;
+use crate::packet::{FromPacket, Packet};
 use crate::parser::{judge, Candidate, Parser};
+use crate::time::Time;
+use crate::timed::Timed;
 
 /// Reads packets from a source.
 ///
@@ -107,6 +110,49 @@ impl<R: Read> PacketReader<R> {
         }
         Ok(self.parser.look_behind())
     }
+}
+
+impl<R: Read> PacketReader<R> {
+    /// Returns the fields `F` of the packets, with their times: a field, or a tuple of fields of one
+    /// packet; see [`FromPacket`].
+    ///
+    /// ```no_run
+    /// # #[cfg(feature = "sensor")]
+    /// # fn example() -> std::io::Result<()> {
+    /// use mip_protocol::{sensor::ScaledAccel, PacketReader};
+    ///
+    /// let mut log = PacketReader::new(std::fs::File::open("log.bin")?);
+    /// for found in log.fields::<ScaledAccel>() {
+    ///     let (time, accel) = found?;
+    ///     println!("{:?}: {}", time.and_then(|time| time.utc()), accel.scaled_accel.x);
+    /// }
+    /// # Ok(()) }
+    /// ```
+    pub fn fields<F: FromPacket>(&mut self) -> Timed<&mut Self, F> {
+        Timed::new(self, 0)
+    }
+}
+
+/// A field that cannot be decoded is an error of the kind [`InvalidData`](io::ErrorKind::InvalidData).
+impl<R: Read, F: FromPacket> Iterator for Timed<&mut PacketReader<R>, F> {
+    type Item = io::Result<(Option<Time>, F)>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            match self.source.next_packet() {
+                Ok(packet) => {
+                    if let Some(found) = self.reader.read(&packet?) {
+                        return Some(found.map_err(invalid));
+                    }
+                }
+                Err(error) => return Some(Err(error)),
+            }
+        }
+    }
+}
+
+fn invalid(error: DecodeError) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, error)
 }
 
 /// The packets up to the end of the source, or to the time-out of some ports.

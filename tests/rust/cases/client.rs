@@ -4,8 +4,8 @@ use std::error::Error;
 
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    protocol, tools, AnyField, Client, Command, CommandError, EncodeErrorKind, Event, Field,
-    PacketBuilder, Parser, Reason, RequestError, Ticket,
+    protocol, tools, AnyField, Client, Command, CommandError, DescriptorSet, EncodeErrorKind,
+    Event, Field, PacketBuilder, Parser, Reason, RequestError, Ticket,
 };
 use protocol::{AckCode, Acknowledge};
 
@@ -256,7 +256,7 @@ fn a_full_client_or_packet_refuses() {
     assert_eq!(refused(request.add(&long)), EncodeErrorKind::Length);
     assert_eq!(request.send(0).fields().count(), 1);
     assert_eq!(client.pending(), 1);
-    let mut request = client.request(0x0C);
+    let mut request = client.request(DescriptorSet(0x0C));
     assert_eq!(refused(request.add(&tools::Ping)), EncodeErrorKind::Set);
     // A request that is not sent is forgotten.
     let mut request = client.request(tools::SET);

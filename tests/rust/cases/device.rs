@@ -8,8 +8,8 @@ use mip_protocol::device::{Device, DeviceError, Port, StdPort};
 use mip_protocol::protocol::{AckCode, Acknowledge};
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    measurements, tools, AnyField, Client, Command, CommandError, EncodeErrorKind, Field,
-    PacketBuilder, Reason, RequestError,
+    measurements, tools, AnyField, Client, Command, CommandError, DescriptorSet, EncodeErrorKind,
+    Field, PacketBuilder, Reason, RequestError,
 };
 
 /// A port that answers each packet with chunks, or with an error; in between, time goes on.
@@ -90,7 +90,7 @@ fn barrier(bytes: &[u8]) -> Option<Vec<u8>> {
         answer.push(&Acknowledge { command: 1, code: AckCode::OK }).ok()?;
         (ping == [2, 1]).then_some(())?;
     }
-    (bytes[2] == tools::SET && pings.len() > 2).then(|| answer.bytes().to_vec())
+    (bytes[2] == tools::SET.0 && pings.len() > 2).then(|| answer.bytes().to_vec())
 }
 
 fn ack(command: u8, code: AckCode) -> Vec<u8> {
@@ -498,7 +498,7 @@ fn only_after_a_missing_answer_is_there_a_barrier() {
 #[test]
 fn without_commands_nothing_is_sent() {
     let mut device = device([]);
-    for set in [0, tools::SET, 0xFF] {
+    for set in [DescriptorSet(0), tools::SET, DescriptorSet(0xFF)] {
         assert_eq!(device.send_all(set, |_| Ok(())), Ok(()));
     }
     assert!(device.port().sent.is_empty());
@@ -538,4 +538,19 @@ fn a_port_can_be_lent() {
     let mut port = Played { replies: [vec![ack(1, AckCode::OK)]].into(), ..Default::default() };
     assert_eq!(Device::new(&mut port).request(&tools::Ping), Ok(()));
     assert_eq!(port.sent, [packet(&tools::Ping)]);
+}
+
+#[test]
+fn fields_are_iterated_until_no_packet_arrives() {
+    let stream = vec![[data(1.0), ack(1, AckCode::OK)].concat(), data(2.0)];
+    let mut device = device([stream]);
+    device.request(&tools::Ping).unwrap();
+    let found = device.fields::<measurements::Accel>(100).map(|found| found.unwrap());
+    let found = found.map(|(time, accel)| (time, accel.scaled_accel.x));
+    assert_eq!(found.collect::<Vec<_>>(), [(None, 1.0), (None, 2.0)]);
+    let short = vec![0x75, 0x65, 0x80, 2, 2, measurements::Accel::DESCRIPTOR];
+    let short = [&short[..], &mip_protocol::checksum(&short)].concat();
+    device.port_mut().coming.push_back(short);
+    let error = device.fields::<measurements::Accel>(100).next().unwrap().unwrap_err();
+    assert!(matches!(error, DeviceError::Data(_)), "{error:?}");
 }

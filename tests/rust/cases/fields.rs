@@ -6,8 +6,8 @@ use mip_protocol::protocol::{ReadCall, SaveCall, WriteCall};
 use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, Vector3f};
 use mip_protocol::{
     devices, dispatch, measurements, mip_3d, protocol, registry, shared, tools, AnyField, Bool,
-    Command, DecodeErrorKind, EncodeErrorKind, Field, List, PacketBuilder, RawField, Reader,
-    Response, ResponseOf, Role,
+    Command, DecodeErrorKind, DescriptorSet, EncodeErrorKind, Field, List, PacketBuilder, RawField,
+    Reader, Response, ResponseOf, Role,
 };
 
 fn bytes<T: Field>(field: &T) -> Vec<u8> {
@@ -130,7 +130,11 @@ fn first_number(field: &RawField<'_>) -> Result<f64, DecodeErrorKind> {
 fn each_field_gets_the_arm_of_its_type() {
     let accel = measurements::Accel { scaled_accel: [2.5, 0.0, 0.0].into(), ..Default::default() };
     let data = bytes(&accel);
-    let field = RawField { set: 0x80, descriptor: measurements::Accel::DESCRIPTOR, data: &data };
+    let field = RawField {
+        set: DescriptorSet(0x80),
+        descriptor: measurements::Accel::DESCRIPTOR,
+        data: &data,
+    };
     assert_eq!(first_number(&field), Ok(2.5));
     assert_eq!(
         dispatch!(field, { measurements::Accel(found) => assert_eq!(found, accel) }),
@@ -141,16 +145,22 @@ fn each_field_gets_the_arm_of_its_type() {
     assert!(!other);
     let short = RawField { data: &data[..5], ..field };
     assert_eq!(first_number(&short), Err(DecodeErrorKind::Truncated));
-    assert!(first_number(&RawField { set: 1, ..field }).unwrap().is_nan());
+    assert!(first_number(&RawField { set: DescriptorSet(1), ..field }).unwrap().is_nan());
     let time = bytes(&shared::Timestamp { tow: 7.0, ..Default::default() });
     let descriptor = shared::Timestamp::DESCRIPTOR;
-    assert_eq!(first_number(&RawField { set: 0x80, descriptor, data: &time }), Ok(7.0));
+    assert_eq!(
+        first_number(&RawField { set: DescriptorSet(0x80), descriptor, data: &time }),
+        Ok(7.0)
+    );
     // Several layouts of one descriptor.
     let descriptor = tools::StatusShort::DESCRIPTOR;
     let long = bytes(&tools::StatusLong { flags: 1, uptime: 2 });
-    assert_eq!(first_number(&RawField { set: 1, descriptor, data: &long }), Ok(2.0));
+    assert_eq!(first_number(&RawField { set: DescriptorSet(1), descriptor, data: &long }), Ok(2.0));
     let status = bytes(&tools::StatusShort { flags: 1 });
-    assert_eq!(first_number(&RawField { set: 1, descriptor, data: &status }), Ok(-1.0));
+    assert_eq!(
+        first_number(&RawField { set: DescriptorSet(1), descriptor, data: &status }),
+        Ok(-1.0)
+    );
 }
 
 #[test]
@@ -242,7 +252,11 @@ fn numbers_are_read_by_what_they_depend_on() {
 fn a_layout_has_the_name_of_its_set() {
     let [first, second] =
         [(0x80, "measurements.accel"), (0x81, "more.accel")].map(|(set, name)| {
-            let raw = RawField { set, descriptor: measurements::Accel::DESCRIPTOR, data: &[0; 14] };
+            let raw = RawField {
+                set: DescriptorSet(set),
+                descriptor: measurements::Accel::DESCRIPTOR,
+                data: &[0; 14],
+            };
             let found = AnyField::decode_with_trailing(&raw).unwrap().unwrap();
             assert_eq!(
                 (found.name(), registry::FieldInfo::of(&raw)),
@@ -252,10 +266,10 @@ fn a_layout_has_the_name_of_its_set() {
         });
     assert_eq!((first, second), ("Acceleration", "Acceleration"));
     // The same descriptor has another layout in one of the sets, or several in one set.
-    let raw = RawField { set: 0x81, descriptor: 7, data: &[2; 40] };
+    let raw = RawField { set: DescriptorSet(0x81), descriptor: 7, data: &[2; 40] };
     assert!(raw.is::<measurements::Own>() && !raw.is::<measurements::Radio>());
     let data = bytes(&tools::StatusShort { flags: 1 });
-    let raw = RawField { set: 1, descriptor: 0x90, data: &data };
+    let raw = RawField { set: DescriptorSet(1), descriptor: 0x90, data: &data };
     let found = tools::StatusResponses::from_field(&raw);
     assert!(matches!(found, Some(Ok(tools::StatusResponses::Short(_)))));
     let neither = RawField { data: &[0x12, 0x67, 3, 0, 0, 0, 0], ..raw };
@@ -271,7 +285,7 @@ fn profiles_are_found_and_tell_what_is_not_certain() {
     assert!(devices::Profile::find("Model").is_none() && devices::Profile::by_model(0).is_none());
     assert!(old.has::<tools::Ping>() && old.has::<measurements::Numbers>());
     assert!(!old.has::<tools::Choice>() && !devices::MODEL_C.has::<tools::Choice>());
-    assert_eq!(old.support(0x80, 0x03), devices::Support::Unknown);
+    assert_eq!(old.support(DescriptorSet(0x80), 0x03), devices::Support::Unknown);
     assert_eq!((devices::MODEL_A.limit("nothing"), devices::ALL.len()), (None, 5));
 }
 

@@ -2,8 +2,9 @@
 
 use mip_protocol::packet::{checksum, MAX_FIELD_DATA, MAX_PAYLOAD};
 use mip_protocol::{
-    measurements, packets, tools, types, EncodeError, EncodeErrorKind, Packet, PacketBuf,
-    PacketBuilder, PacketError, PacketReader, Parser, RawField, Text, VarText,
+    measurements, packets, shared, tools, types, Clock, DescriptorSet, EncodeError,
+    EncodeErrorKind, Field, Packet, PacketBuf, PacketBuilder, PacketError, PacketReader, Parser,
+    RawField, Text, VarText,
 };
 
 const PING: [u8; 8] = [0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6];
@@ -19,7 +20,7 @@ fn a_packet_is_built_and_looked_into() {
     let packet = Packet::new(packet.bytes()).unwrap();
     assert_eq!((packet.set(), packet.payload()), (tools::SET, &PING[4..6]));
     let fields: Vec<_> = packet.fields().collect();
-    assert_eq!(fields, [Ok(RawField { set: 1, descriptor: 1, data: &[] })]);
+    assert_eq!(fields, [Ok(RawField { set: DescriptorSet(1), descriptor: 1, data: &[] })]);
     assert_eq!(packet.find::<tools::Ping>(), Ok(Some(tools::Ping)));
     assert_eq!(packet.find::<tools::Inventory>(), Ok(None));
     assert_eq!(format!("{packet:?}"), "Packet(756501020201e0c6)");
@@ -62,6 +63,44 @@ fn packets_and_fields_are_iterated() {
     let found: Vec<_> = cut.find_all::<measurements::Accel>().collect();
     assert_eq!((found.len(), found[0], found[1].is_err()), (2, Ok(both[0]), true));
     assert_eq!(cut.find_all::<measurements::Numbers>().count(), 1);
+}
+
+#[test]
+fn fields_of_a_log_come_with_the_time_of_their_packet() {
+    type Both = (measurements::Accel, Option<measurements::Numbers>);
+    let accel = measurements::Accel { scaled_accel: [1.0, 2.0, 3.0].into(), ..Default::default() };
+    let mut builder = PacketBuilder::new(measurements::MEASUREMENTS_SET);
+    builder.push(&accel).unwrap();
+    let mut log = [&PING, builder.bytes()].concat(); // the ping has neither
+    builder.push(&measurements::Numbers::default()).unwrap();
+    builder.push(&shared::Timestamp { tow: 1.5, valid_flags: types::StateFlags::READY }).unwrap();
+    log.extend(builder.bytes());
+    let found: Vec<_> = packets(&log).fields::<Both>().map(Result::unwrap).collect();
+    let [(None, (_, None)), (Some(time), (_, Some(_)))] = found[..] else { panic!("{found:?}") };
+    assert_eq!(found[0].1 .0, accel);
+    assert_eq!((time.seconds(), Some(time.nanoseconds)), (1.5, packet_time(&builder, time.clock)));
+    assert_eq!(time.to_string(), time.utc().map_or("1.5".into(), |utc| utc.to_string()));
+    let mut reader = PacketReader::new(&log[..]);
+    let read: Vec<_> = reader.fields::<Both>().map(Result::unwrap).collect();
+    assert_eq!(read, found);
+    // All must be there; one of several that may be absent.
+    let of = |log| packets(log).fields::<(measurements::Accel, measurements::Numbers)>().count();
+    assert_eq!(of(&log), 1);
+    let optional = packets(&log).fields::<(Option<tools::Ping>, Option<measurements::Numbers>)>();
+    assert_eq!(
+        optional.map(|found| found.unwrap().1 .0.is_some()).collect::<Vec<_>>(),
+        [true, false]
+    );
+    let cut =
+        [&[0x75, 0x65, 0x80, 4, 14, measurements::Accel::DESCRIPTOR, 0, 0][..], &[0, 0]].concat();
+    let cut = [&cut[..8], &checksum(&cut[..8])].concat();
+    assert!(packets(&cut).fields::<Both>().next().unwrap().is_err());
+    let error = PacketReader::new(&cut[..]).fields::<Both>().next().unwrap().unwrap_err();
+    assert_eq!(error.kind(), std::io::ErrorKind::InvalidData);
+}
+
+fn packet_time(builder: &PacketBuilder, clock: Clock) -> Option<i64> {
+    builder.packet().time(clock)
 }
 
 fn kind(error: EncodeError) -> EncodeErrorKind {
@@ -156,7 +195,7 @@ fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
 /// The header of this packet ends with the checksum of what is in front of it.
 #[test]
 fn a_header_is_no_packet() {
-    let mut packet = PacketBuilder::new(0xDA);
+    let mut packet = PacketBuilder::new(DescriptorSet(0xDA));
     packet.push_raw(0x01, &[0; 0x4F - 2]).unwrap();
     let bytes = packet.bytes();
     assert_eq!(checksum(&bytes[..2]), bytes[2..4]);

@@ -10,8 +10,8 @@ use mip_protocol::registry::{visit, Listed, Visitor};
 use mip_protocol::types::{Health, Mode, StateFlags};
 use mip_protocol::{
     checksum, measurements, shared, tools, AnyField, Bool, Command, CommandError, DecodeErrorKind,
-    EncodeErrorKind, Field, List, Packet, PacketBuilder, RawField, Reason, RequestError, Role,
-    VarText,
+    DescriptorSet, EncodeErrorKind, Field, List, Packet, PacketBuilder, RawField, Reason,
+    RequestError, Role, VarText,
 };
 
 // ------------------------------------------------------------------------------------------ lists
@@ -237,7 +237,7 @@ fn commands_without_arguments_are_constants() {
 #[test]
 fn answers_and_their_errors_are_keys() {
     let error = EncodeErrorKind::Count;
-    let full = PacketBuilder::new(0).push_raw(1, &[]).unwrap_err();
+    let full = PacketBuilder::new(DescriptorSet(0)).push_raw(1, &[]).unwrap_err();
     let errors: HashSet<_> = [RequestError::Busy, full.into(), RequestError::Busy].into();
     assert_eq!((errors.len(), full.kind == error), (2, false));
     let late = CommandError::new("tools.ping", Reason::TimedOut);
@@ -264,16 +264,18 @@ fn errors_tell_the_field_and_what_it_needs() {
     assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Length, 44, 43));
     let error = measurements::Accel::default().encode(&mut [0; 3]).unwrap_err();
     assert_eq!((error.need, error.got), (14, 3));
-    let error = PacketBuilder::new(1).push(&shared::Timestamp::default()).unwrap_err();
+    let error =
+        PacketBuilder::new(DescriptorSet(1)).push(&shared::Timestamp::default()).unwrap_err();
     assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Set, 0x80, 0x01));
     assert_eq!(error.to_string(), "shared.timestamp: it occurs in set 0x80, and not in set 0x01");
-    let error = PacketBuilder::new(0xFF).push(&shared::Timestamp::default()).unwrap_err();
+    let error =
+        PacketBuilder::new(DescriptorSet(0xFF)).push(&shared::Timestamp::default()).unwrap_err();
     assert_eq!(error.to_string(), "shared.timestamp: no packet has set 0xff");
-    let error = PacketBuilder::new(0).push_raw(1, &[]).unwrap_err();
+    let error = PacketBuilder::new(DescriptorSet(0)).push_raw(1, &[]).unwrap_err();
     assert_eq!(error.to_string(), "no packet has set 0x00");
-    let error = PacketBuilder::new(0xFF).push_raw(1, &[]).unwrap_err();
+    let error = PacketBuilder::new(DescriptorSet(0xFF)).push_raw(1, &[]).unwrap_err();
     assert_eq!(error.to_string(), "no packet has set 0xff");
-    let error = PacketBuilder::new(0x80).push(&tools::Ping).unwrap_err();
+    let error = PacketBuilder::new(DescriptorSet(0x80)).push(&tools::Ping).unwrap_err();
     assert_eq!(error.to_string(), "tools.ping: it occurs in set 0x01, and not in set 0x80");
     let error: Box<dyn std::error::Error> = Box::new(error.kind);
     assert_eq!(error.to_string(), "the field does not occur in the descriptor set of the packet");
@@ -326,8 +328,8 @@ fn a_field_that_the_packet_cuts_is_no_absent_one() {
 }
 
 /// A packet of any payload.
-fn sealed(set: u8, payload: &[u8]) -> Vec<u8> {
-    let mut bytes = [&[0x75, 0x65, set, payload.len() as u8], payload].concat();
+fn sealed(set: impl Into<DescriptorSet>, payload: &[u8]) -> Vec<u8> {
+    let mut bytes = [&[0x75, 0x65, set.into().0, payload.len() as u8], payload].concat();
     bytes.extend(checksum(&bytes));
     bytes
 }
@@ -355,7 +357,7 @@ impl Visitor for Look {
 
 #[test]
 fn a_visitor_gets_each_field_as_its_own_type() {
-    let raw = |set, descriptor, data| RawField { set, descriptor, data };
+    let raw = |set, descriptor, data| RawField { set: DescriptorSet(set), descriptor, data };
     assert_eq!(visit(&raw(0x01, 0x01, &[]), Look), Some(("Ping", 0)));
     assert_eq!(visit(&raw(0x81, 0x01, &[0; 14]), Look), Some(("Acceleration", 14)));
     assert_eq!(visit(&raw(0x01, 0xF1, &[1, 0]), Look).unwrap().1, 2);

@@ -14,7 +14,8 @@ use mip_protocol::device::{AsyncDevice, Device, DeviceError, EmbeddedError, Embe
 use mip_protocol::protocol::{AckCode, Acknowledge};
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    measurements, tools, AnyField, Client, CommandError, OneSet, PacketBuilder, Reason,
+    measurements, tools, AnyField, Client, CommandError, DescriptorSet, OneSet, PacketBuilder,
+    Reason,
 };
 
 /// A line on which each packet is answered, byte by byte; while nothing arrives, time goes on.
@@ -475,7 +476,7 @@ fn commands_whose_type_is_known_at_run_time_and_no_commands() {
     let uart = Uart::answering(&[ack(1, AckCode::OK).bytes().to_vec()]);
     let clock = uart.clone();
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
-    block_on(&uart, device.send_all(0, |_| Ok(()))).unwrap();
+    block_on(&uart, device.send_all(DescriptorSet(0), |_| Ok(()))).unwrap();
     assert_eq!(uart.0.borrow().replies.len(), 1); // nothing was written
     let ping = AnyField::from(tools::Ping);
     let ticket = block_on(&uart, device.send_all(tools::SET, |r| r.add_any(&ping))).unwrap();

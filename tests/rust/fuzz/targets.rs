@@ -218,17 +218,17 @@ pub fn fields(data: &[u8]) {
     }
     if flags & 0x80 == 0 {
         let data = input.bytes(253);
-        visit(&RawField { set, descriptor, data }, Codec { lack });
+        visit(&RawField { set: set.into(), descriptor, data }, Codec { lack });
         return;
     }
     let payload = input.bytes(255);
     let bytes = packet(set, payload);
     let mut walk = Packet::new(&bytes).expect("it is a packet").fields();
-    let mut builder = PacketBuilder::new(set);
+    let mut builder = PacketBuilder::new(set.into());
     let mut rest = payload;
     while let Some(data) = rest.first().and_then(|length| rest.get(2..usize::from(*length))) {
         let field = walk.next().and_then(Result::ok).expect("there is one");
-        assert_eq!(field, RawField { set, descriptor: rest[1], data });
+        assert_eq!(field, RawField { set: set.into(), descriptor: rest[1], data });
         builder.push_raw(field.descriptor, field.data).expect("it came from a packet");
         visit(&field, Codec { lack });
         rest = &rest[data.len() + 2..];

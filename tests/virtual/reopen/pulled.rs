@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use mip_protocol::device::DeviceError;
-use mip_protocol::{mip_3dm::GetBaseRate, sensor::ScaledAccel, session::Rate};
+use mip_protocol::{mip_3dm::GetBaseRate, sensor::ScaledAccel, session::Rate, DescriptorSet};
 
 fn main() {
     let mut arguments = std::env::args().skip(1);
@@ -11,8 +11,8 @@ fn main() {
     let wanted: u32 = arguments.next().unwrap().parse().unwrap();
     let [mut reopened, mut streamed, mut answered, mut lost, mut wrong, mut other] = [0_u32; 6];
     let mut device = mip_protocol::open(&place).unwrap();
-    device.stream(0x80, &[Rate::of::<ScaledAccel>(100.0)]).unwrap();
-    for set in [0x80, 0x82, 0x91].into_iter().cycle() {
+    device.stream(DescriptorSet(0x80), &[Rate::of::<ScaledAccel>(100.0)]).unwrap();
+    for set in [0x80, 0x82, 0x91].map(DescriptorSet).into_iter().cycle() {
         match device.request(&GetBaseRate::new(set)) {
             Ok(response) => {
                 answered += 1;

@@ -2,12 +2,13 @@
 
 use crate::client::{Client, CommandError, Reason, Request, RequestError, Ticket};
 use crate::field::Command;
+use crate::protocol::DescriptorSet;
 
 /// Commands of one descriptor set that are sent in one packet: a tuple of references to two to six
 /// commands, for [`Device::request_all`](super::Device::request_all).
 pub trait Commands {
     /// The descriptor set of the first one, to which all must belong.
-    const SET: u8;
+    const SET: DescriptorSet;
     /// A tuple of their responses.
     type Responses;
     /// A tuple of their tickets.
@@ -28,7 +29,7 @@ macro_rules! commands {
     ($first:ident $($other:ident)*) => {
         #[allow(non_snake_case)]
         impl<$first: Command, $($other: Command),*> Commands for (&$first, $(&$other),*) {
-            const SET: u8 = $first::SET;
+            const SET: DescriptorSet = $first::SET;
             type Responses = ($first::Response, $($other::Response),*);
             type Tickets = (Ticket<$first>, $(Ticket<$other>),*);
 

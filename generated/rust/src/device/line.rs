@@ -36,6 +36,18 @@ pub struct Line {
     start: Instant,
     /// The time of a log's clock.
     log_ms: u32,
+    record: Record,
+}
+
+/// Where received bytes are copied to.
+pub(super) type Record = Option<Box<dyn Write + Send>>;
+
+/// Copies received bytes, and returns their number.
+pub(super) fn recorded(record: &mut Record, bytes: &[u8], count: usize) -> io::Result<usize> {
+    match record {
+        Some(record) => record.write_all(bytes.get(..count).unwrap_or_default()).map(|()| count),
+        None => Ok(count),
+    }
 }
 
 enum Way {
@@ -70,7 +82,14 @@ impl Line {
     /// The port cannot be opened.
     pub fn open(place: &str) -> io::Result<Self> {
         let (way, baud) = Self::way(place)?;
-        Ok(Self { way, place: place.to_owned(), baud, start: Instant::now(), log_ms: 0 })
+        Ok(Self {
+            way,
+            place: place.to_owned(),
+            baud,
+            start: Instant::now(),
+            log_ms: 0,
+            record: None,
+        })
     }
 
     fn way(place: &str) -> io::Result<(Way, Option<u32>)> {
@@ -112,6 +131,12 @@ impl Line {
             }
             std::thread::sleep(PAUSE);
         }
+    }
+
+    /// Copies all bytes that are received from now on, for example to a file, which is then a log:
+    /// `device.port_mut().record(File::create("log.bin")?)`. An error there is one of the port.
+    pub fn record(&mut self, to: impl Write + Send + 'static) {
+        self.record = Some(Box::new(to));
     }
 
     /// Returns the baud rate in the address.
@@ -198,7 +223,7 @@ impl Port for Line {
     type Error = io::Error;
 
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        match &mut self.way {
+        let count = match &mut self.way {
             Way::Serial(port) => port.read(buffer).or_else(none_yet),
             Way::Tcp(stream) => match stream.read(buffer) {
                 Ok(0) => Err(closed()),
@@ -212,7 +237,8 @@ impl Port for Line {
                 Ok(count)
             }
             Way::Lost(_) => Err(closed()),
-        }
+        };
+        recorded(&mut self.record, buffer, count?)
     }
 
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {

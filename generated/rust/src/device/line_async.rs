@@ -16,7 +16,7 @@ use tokio::sync::{Mutex as AsyncMutex, Notify};
 use tokio::time::{sleep, timeout, Instant, Sleep};
 use tokio_serial::{SerialPort as _, SerialPortBuilderExt, SerialStream};
 
-use super::line::{is_host, named, refused, serial_name, PAUSE, USUAL, WRITE};
+use super::line::{is_host, named, recorded, refused, serial_name, Record, PAUSE, USUAL, WRITE};
 use super::{closed, is_over, AsyncDevice, Core, DeviceError, BACKLOG, CHUNK};
 use crate::field::Command;
 use crate::owned::PacketBuf;
@@ -31,6 +31,7 @@ pub struct AsyncLine {
     place: String,
     /// The baud rate in the address.
     named: Option<u32>,
+    record: Record,
 }
 
 trait Io: AsyncRead + AsyncWrite + Unpin + Send {
@@ -94,7 +95,7 @@ impl AsyncLine {
     /// The port cannot be opened.
     pub async fn open(place: &str) -> io::Result<Self> {
         let (io, named) = Self::io(place).await.map_err(|error| named(place, &error))?;
-        Ok(Self { io, place: place.to_owned(), named })
+        Ok(Self { io, place: place.to_owned(), named, record: None })
     }
 
     async fn io(place: &str) -> io::Result<(Box<dyn Io>, Option<u32>)> {
@@ -107,6 +108,12 @@ impl AsyncLine {
         let (name, baud) = serial_name(place.strip_prefix("serial:").unwrap_or(place));
         let port = tokio_serial::new(name, baud.unwrap_or(USUAL)).open_native_async()?;
         Ok((Box::new(port), baud))
+    }
+
+    /// Copies all bytes that are received from now on, for example to a file; see
+    /// [`Line::record`](super::Line::record). The writer must not block for long.
+    pub fn record(&mut self, to: impl io::Write + Send + 'static) {
+        self.record = Some(Box::new(to));
     }
 
     /// Returns the baud rate in the address.
@@ -128,7 +135,8 @@ impl embedded_io_async::ErrorType for AsyncLine {
 
 impl embedded_io_async::Read for AsyncLine {
     async fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        self.io.read(buffer).await
+        let count = self.io.read(buffer).await?;
+        recorded(&mut self.record, buffer, count)
     }
 }
 
@@ -208,7 +216,10 @@ impl TokioDevice {
         let (read, write) = split(self.port.io);
         let (core, port, start) = (Mutex::new(self.core), AsyncMutex::new(write), Instant::now());
         let shared = Arc::new(Shared { core, port, arrived: Notify::new(), start });
-        (CommandHalf { shared: shared.clone() }, DataHalf { shared, port: read })
+        (
+            CommandHalf { shared: shared.clone() },
+            DataHalf { shared, port: read, record: self.port.record },
+        )
     }
 }
 
@@ -276,6 +287,7 @@ impl CommandHalf {
 pub struct DataHalf {
     shared: Arc<Shared>,
     port: ReadHalf<Box<dyn Io>>,
+    record: Record,
 }
 
 impl DataHalf {
@@ -303,6 +315,7 @@ impl DataHalf {
                 Err(_) => {}
                 Ok(Ok(0)) => return Err(DeviceError::Closed),
                 Ok(count) => {
+                    let count = count.and_then(|n| recorded(&mut self.record, &chunk, n));
                     let count = count.map_err(DeviceError::Port)?;
                     self.shared.core().arrived(chunk.get(..count).unwrap_or_default());
                     self.shared.arrived.notify_waiters();

@@ -5,7 +5,7 @@ use super::{
     AbsentSet, BaseRate, Evidence, Firmware, Limit, Profile, ProfilePort, Support, Variant,
 };
 #[allow(unused_imports)]
-use crate::protocol::AckCode;
+use crate::protocol::{AckCode, DescriptorSet};
 
 /// All devices.
 #[rustfmt::skip]
@@ -182,10 +182,10 @@ pub static CV5_10: Profile = Profile {
         0x80 0x17 "sensor.scaled_pressure" [] CV5_10_8;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CV5_10_6 },
-        AbsentSet { set: 0x91, evidence: CV5_10_6 },
-        AbsentSet { set: 0x92, evidence: CV5_10_6 },
-        AbsentSet { set: 0x93, evidence: CV5_10_6 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CV5_10_6 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CV5_10_6 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CV5_10_6 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CV5_10_6 },
     ],
     firmware: &[
     ],
@@ -431,10 +431,10 @@ pub static CV5_15: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV5_15_8;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CV5_15_6 },
-        AbsentSet { set: 0x91, evidence: CV5_15_6 },
-        AbsentSet { set: 0x92, evidence: CV5_15_6 },
-        AbsentSet { set: 0x93, evidence: CV5_15_6 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CV5_15_6 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CV5_15_6 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CV5_15_6 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CV5_15_6 },
     ],
     firmware: &[
     ],
@@ -699,10 +699,10 @@ pub static CV5_25: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV5_25_6;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CV5_25_5 },
-        AbsentSet { set: 0x91, evidence: CV5_25_5 },
-        AbsentSet { set: 0x92, evidence: CV5_25_5 },
-        AbsentSet { set: 0x93, evidence: CV5_25_5 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CV5_25_5 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CV5_25_5 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CV5_25_5 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CV5_25_5 },
     ],
     firmware: &[
     ],
@@ -1043,27 +1043,27 @@ pub static CV7_AHRS: Profile = Profile {
         0x92 0x14 "gnss_2.rf_error_detection" [] CV7_AHRS_13;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CV7_AHRS_14 },
-        AbsentSet { set: 0x91, evidence: CV7_AHRS_14 },
-        AbsentSet { set: 0x92, evidence: CV7_AHRS_14 },
-        AbsentSet { set: 0x93, evidence: CV7_AHRS_14 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CV7_AHRS_14 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CV7_AHRS_14 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CV7_AHRS_14 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CV7_AHRS_14 },
     ],
     firmware: &[
         Firmware {
-            set: 0x0C,
+            set: DescriptorSet(0x0C),
             descriptor: 0x50,
             versions: "<= 1.0.07",
         },
         Firmware {
-            set: 0x0C,
+            set: DescriptorSet(0x0C),
             descriptor: 0x54,
             versions: "> 1.0.07",
         },
     ],
     base_rates: &[
-        BaseRate { set: 0x80, hertz: 1000.0 },
-        BaseRate { set: 0x82, hertz: 1000.0 },
-        BaseRate { set: 0xA0, hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x80), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x82), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0xA0), hertz: 1000.0 },
     ],
     ports: &[
         ProfilePort {
@@ -1457,27 +1457,27 @@ pub static CV7_AR: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_AR_14;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CV7_AR_12 },
-        AbsentSet { set: 0x91, evidence: CV7_AR_12 },
-        AbsentSet { set: 0x92, evidence: CV7_AR_12 },
-        AbsentSet { set: 0x93, evidence: CV7_AR_12 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CV7_AR_12 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CV7_AR_12 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CV7_AR_12 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CV7_AR_12 },
     ],
     firmware: &[
         Firmware {
-            set: 0x0C,
+            set: DescriptorSet(0x0C),
             descriptor: 0x50,
             versions: "<= 1.0.07",
         },
         Firmware {
-            set: 0x0C,
+            set: DescriptorSet(0x0C),
             descriptor: 0x54,
             versions: "> 1.0.07",
         },
     ],
     base_rates: &[
-        BaseRate { set: 0x80, hertz: 1000.0 },
-        BaseRate { set: 0x82, hertz: 1000.0 },
-        BaseRate { set: 0xA0, hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x80), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x82), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0xA0), hertz: 1000.0 },
     ],
     ports: &[
         ProfilePort {
@@ -1973,13 +1973,13 @@ pub static CV7_GNSS_INS: Profile = Profile {
     firmware: &[
     ],
     base_rates: &[
-        BaseRate { set: 0x80, hertz: 1000.0 },
-        BaseRate { set: 0x82, hertz: 1000.0 },
-        BaseRate { set: 0x91, hertz: 5.0 },
-        BaseRate { set: 0x92, hertz: 5.0 },
-        BaseRate { set: 0x93, hertz: 0.0 },
-        BaseRate { set: 0x94, hertz: 0.0 },
-        BaseRate { set: 0xA0, hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x80), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x82), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x91), hertz: 5.0 },
+        BaseRate { set: DescriptorSet(0x92), hertz: 5.0 },
+        BaseRate { set: DescriptorSet(0x93), hertz: 0.0 },
+        BaseRate { set: DescriptorSet(0x94), hertz: 0.0 },
+        BaseRate { set: DescriptorSet(0xA0), hertz: 1000.0 },
     ],
     ports: &[
         ProfilePort {
@@ -2549,15 +2549,15 @@ pub static CV7_INS: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_INS_12;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CV7_INS_11 },
-        AbsentSet { set: 0x91, evidence: CV7_INS_11 },
-        AbsentSet { set: 0x92, evidence: CV7_INS_11 },
-        AbsentSet { set: 0x93, evidence: CV7_INS_11 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CV7_INS_11 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CV7_INS_11 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CV7_INS_11 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CV7_INS_11 },
     ],
     firmware: &[
     ],
     base_rates: &[
-        BaseRate { set: 0x94, hertz: 0.0 },
+        BaseRate { set: DescriptorSet(0x94), hertz: 0.0 },
     ],
     ports: &[
         ProfilePort {
@@ -2803,10 +2803,10 @@ pub static CX5_10: Profile = Profile {
         0x80 0x17 "sensor.scaled_pressure" [] CX5_10_7;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CX5_10_5 },
-        AbsentSet { set: 0x91, evidence: CX5_10_5 },
-        AbsentSet { set: 0x92, evidence: CX5_10_5 },
-        AbsentSet { set: 0x93, evidence: CX5_10_5 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CX5_10_5 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CX5_10_5 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CX5_10_5 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CX5_10_5 },
     ],
     firmware: &[
     ],
@@ -3041,10 +3041,10 @@ pub static CX5_15: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX5_15_7;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CX5_15_5 },
-        AbsentSet { set: 0x91, evidence: CX5_15_5 },
-        AbsentSet { set: 0x92, evidence: CX5_15_5 },
-        AbsentSet { set: 0x93, evidence: CX5_15_5 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CX5_15_5 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CX5_15_5 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CX5_15_5 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CX5_15_5 },
     ],
     firmware: &[
     ],
@@ -3316,10 +3316,10 @@ pub static CX5_25: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX5_25_7;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CX5_25_6 },
-        AbsentSet { set: 0x91, evidence: CX5_25_6 },
-        AbsentSet { set: 0x92, evidence: CX5_25_6 },
-        AbsentSet { set: 0x93, evidence: CX5_25_6 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CX5_25_6 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CX5_25_6 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CX5_25_6 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CX5_25_6 },
     ],
     firmware: &[
     ],
@@ -3614,7 +3614,7 @@ pub static CX5_45: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX5_45_8;
     },
     absent_sets: &[
-        AbsentSet { set: 0x92, evidence: CX5_45_9 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CX5_45_9 },
     ],
     firmware: &[
     ],
@@ -3880,10 +3880,10 @@ pub static CX7_AHRS: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX7_AHRS_5;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CX7_AHRS_4 },
-        AbsentSet { set: 0x91, evidence: CX7_AHRS_4 },
-        AbsentSet { set: 0x92, evidence: CX7_AHRS_4 },
-        AbsentSet { set: 0x93, evidence: CX7_AHRS_4 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CX7_AHRS_4 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CX7_AHRS_4 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CX7_AHRS_4 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CX7_AHRS_4 },
     ],
     firmware: &[
     ],
@@ -4195,10 +4195,10 @@ pub static CX7_AR: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX7_AR_6;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CX7_AR_4 },
-        AbsentSet { set: 0x91, evidence: CX7_AR_4 },
-        AbsentSet { set: 0x92, evidence: CX7_AR_4 },
-        AbsentSet { set: 0x93, evidence: CX7_AR_4 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CX7_AR_4 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CX7_AR_4 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CX7_AR_4 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CX7_AR_4 },
     ],
     firmware: &[
     ],
@@ -4537,10 +4537,10 @@ pub static CX7_INS: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CX7_INS_5;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: CX7_INS_4 },
-        AbsentSet { set: 0x91, evidence: CX7_INS_4 },
-        AbsentSet { set: 0x92, evidence: CX7_INS_4 },
-        AbsentSet { set: 0x93, evidence: CX7_INS_4 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: CX7_INS_4 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: CX7_INS_4 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: CX7_INS_4 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: CX7_INS_4 },
     ],
     firmware: &[
     ],
@@ -4860,7 +4860,7 @@ pub static GQ4_45: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GQ4_45_3;
     },
     absent_sets: &[
-        AbsentSet { set: 0x92, evidence: GQ4_45_4 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GQ4_45_4 },
     ],
     firmware: &[
     ],
@@ -5215,43 +5215,43 @@ pub static GQ7: Profile = Profile {
     ],
     firmware: &[
         Firmware {
-            set: 0x0C,
+            set: DescriptorSet(0x0C),
             descriptor: 0x50,
             versions: "<= 1.0.10",
         },
         Firmware {
-            set: 0x0C,
+            set: DescriptorSet(0x0C),
             descriptor: 0x54,
             versions: "> 1.0.10",
         },
         Firmware {
-            set: 0x0E,
+            set: DescriptorSet(0x0E),
             descriptor: 0x02,
             versions: "> 1.0.10",
         },
         Firmware {
-            set: 0xA0,
+            set: DescriptorSet(0xA0),
             descriptor: 0x01,
             versions: "> 1.0.10",
         },
         Firmware {
-            set: 0xA0,
+            set: DescriptorSet(0xA0),
             descriptor: 0x02,
             versions: "> 1.0.10",
         },
         Firmware {
-            set: 0xA0,
+            set: DescriptorSet(0xA0),
             descriptor: 0x03,
             versions: "> 1.0.10",
         },
     ],
     base_rates: &[
-        BaseRate { set: 0x80, hertz: 1000.0 },
-        BaseRate { set: 0x82, hertz: 1000.0 },
-        BaseRate { set: 0xA0, hertz: 1000.0 },
-        BaseRate { set: 0x91, hertz: 2.0 },
-        BaseRate { set: 0x92, hertz: 2.0 },
-        BaseRate { set: 0x93, hertz: 0.0 },
+        BaseRate { set: DescriptorSet(0x80), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x82), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0xA0), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x91), hertz: 2.0 },
+        BaseRate { set: DescriptorSet(0x92), hertz: 2.0 },
+        BaseRate { set: DescriptorSet(0x93), hertz: 0.0 },
     ],
     ports: &[
         ProfilePort {
@@ -5544,10 +5544,10 @@ pub static GV7_AHRS: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GV7_AHRS_7;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: GV7_AHRS_6 },
-        AbsentSet { set: 0x91, evidence: GV7_AHRS_6 },
-        AbsentSet { set: 0x92, evidence: GV7_AHRS_6 },
-        AbsentSet { set: 0x93, evidence: GV7_AHRS_6 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: GV7_AHRS_6 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: GV7_AHRS_6 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GV7_AHRS_6 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: GV7_AHRS_6 },
     ],
     firmware: &[
     ],
@@ -5869,10 +5869,10 @@ pub static GV7_AR: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GV7_AR_8;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: GV7_AR_6 },
-        AbsentSet { set: 0x91, evidence: GV7_AR_6 },
-        AbsentSet { set: 0x92, evidence: GV7_AR_6 },
-        AbsentSet { set: 0x93, evidence: GV7_AR_6 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: GV7_AR_6 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: GV7_AR_6 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GV7_AR_6 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: GV7_AR_6 },
     ],
     firmware: &[
     ],
@@ -6221,10 +6221,10 @@ pub static GV7_INS: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GV7_INS_7;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: GV7_INS_6 },
-        AbsentSet { set: 0x91, evidence: GV7_INS_6 },
-        AbsentSet { set: 0x92, evidence: GV7_INS_6 },
-        AbsentSet { set: 0x93, evidence: GV7_INS_6 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: GV7_INS_6 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: GV7_INS_6 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GV7_INS_6 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: GV7_INS_6 },
     ],
     firmware: &[
     ],
@@ -6426,10 +6426,10 @@ pub static GX3_15: Profile = Profile {
         0x80 0x17 "sensor.scaled_pressure" [] GX3_15_5;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: GX3_15_3 },
-        AbsentSet { set: 0x91, evidence: GX3_15_3 },
-        AbsentSet { set: 0x92, evidence: GX3_15_3 },
-        AbsentSet { set: 0x93, evidence: GX3_15_3 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: GX3_15_3 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: GX3_15_3 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX3_15_3 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: GX3_15_3 },
     ],
     firmware: &[
     ],
@@ -6591,10 +6591,10 @@ pub static GX3_25: Profile = Profile {
         0x91 0x0B "gnss_1.fix_info" [] GX3_25_5;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: GX3_25_6 },
-        AbsentSet { set: 0x91, evidence: GX3_25_6 },
-        AbsentSet { set: 0x92, evidence: GX3_25_6 },
-        AbsentSet { set: 0x93, evidence: GX3_25_6 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: GX3_25_6 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: GX3_25_6 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX3_25_6 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: GX3_25_6 },
     ],
     firmware: &[
     ],
@@ -6715,7 +6715,7 @@ pub static GX3_35: Profile = Profile {
         0x80 0x17 "sensor.scaled_pressure" [] GX3_35_3;
     },
     absent_sets: &[
-        AbsentSet { set: 0x92, evidence: GX3_35_4 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX3_35_4 },
     ],
     firmware: &[
     ],
@@ -6862,7 +6862,7 @@ pub static GX3_45: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX3_45_5;
     },
     absent_sets: &[
-        AbsentSet { set: 0x92, evidence: GX3_45_6 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX3_45_6 },
     ],
     firmware: &[
     ],
@@ -7091,10 +7091,10 @@ pub static GX4_15: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX4_15_5;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: GX4_15_3 },
-        AbsentSet { set: 0x91, evidence: GX4_15_3 },
-        AbsentSet { set: 0x92, evidence: GX4_15_3 },
-        AbsentSet { set: 0x93, evidence: GX4_15_3 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: GX4_15_3 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: GX4_15_3 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX4_15_3 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: GX4_15_3 },
     ],
     firmware: &[
     ],
@@ -7339,16 +7339,16 @@ pub static GX4_25: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX4_25_6;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: GX4_25_5 },
-        AbsentSet { set: 0x91, evidence: GX4_25_5 },
-        AbsentSet { set: 0x92, evidence: GX4_25_5 },
-        AbsentSet { set: 0x93, evidence: GX4_25_5 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: GX4_25_5 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: GX4_25_5 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX4_25_5 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: GX4_25_5 },
     ],
     firmware: &[
     ],
     base_rates: &[
-        BaseRate { set: 0x80, hertz: 1000.0 },
-        BaseRate { set: 0x82, hertz: 500.0 },
+        BaseRate { set: DescriptorSet(0x80), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x82), hertz: 500.0 },
     ],
     ports: &[
     ],
@@ -7588,7 +7588,7 @@ pub static GX4_45: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX4_45_3;
     },
     absent_sets: &[
-        AbsentSet { set: 0x92, evidence: GX4_45_4 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX4_45_4 },
     ],
     firmware: &[
     ],
@@ -7959,16 +7959,16 @@ pub static GX5_15: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX5_15_5;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: GX5_15_3 },
-        AbsentSet { set: 0x91, evidence: GX5_15_3 },
-        AbsentSet { set: 0x92, evidence: GX5_15_3 },
-        AbsentSet { set: 0x93, evidence: GX5_15_3 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: GX5_15_3 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: GX5_15_3 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX5_15_3 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: GX5_15_3 },
     ],
     firmware: &[
     ],
     base_rates: &[
-        BaseRate { set: 0x80, hertz: 1000.0 },
-        BaseRate { set: 0x82, hertz: 500.0 },
+        BaseRate { set: DescriptorSet(0x80), hertz: 1000.0 },
+        BaseRate { set: DescriptorSet(0x82), hertz: 500.0 },
     ],
     ports: &[
         ProfilePort {
@@ -8352,10 +8352,10 @@ pub static GX5_25: Profile = Profile {
         0x93 0x31 "gnss_corrections.rtk_corrections_status" [] GX5_25_8;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: GX5_25_11 },
-        AbsentSet { set: 0x91, evidence: GX5_25_11 },
-        AbsentSet { set: 0x92, evidence: GX5_25_11 },
-        AbsentSet { set: 0x93, evidence: GX5_25_11 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: GX5_25_11 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: GX5_25_11 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX5_25_11 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: GX5_25_11 },
     ],
     firmware: &[
     ],
@@ -8561,13 +8561,13 @@ pub static GX5_35: Profile = Profile {
     refuses: supported! {
     },
     absent_sets: &[
-        AbsentSet { set: 0x92, evidence: GX5_35_4 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX5_35_4 },
     ],
     firmware: &[
     ],
     base_rates: &[
-        BaseRate { set: 0x80, hertz: 500.0 },
-        BaseRate { set: 0x81, hertz: 4.0 },
+        BaseRate { set: DescriptorSet(0x80), hertz: 500.0 },
+        BaseRate { set: DescriptorSet(0x81), hertz: 4.0 },
     ],
     ports: &[
     ],
@@ -8907,14 +8907,14 @@ pub static GX5_45: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX5_45_12;
     },
     absent_sets: &[
-        AbsentSet { set: 0x92, evidence: GX5_45_13 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: GX5_45_13 },
     ],
     firmware: &[
     ],
     base_rates: &[
-        BaseRate { set: 0x80, hertz: 500.0 },
-        BaseRate { set: 0x81, hertz: 4.0 },
-        BaseRate { set: 0x82, hertz: 500.0 },
+        BaseRate { set: DescriptorSet(0x80), hertz: 500.0 },
+        BaseRate { set: DescriptorSet(0x81), hertz: 4.0 },
+        BaseRate { set: DescriptorSet(0x82), hertz: 500.0 },
     ],
     ports: &[
         ProfilePort {
@@ -9109,10 +9109,10 @@ pub static MV5_AR: Profile = Profile {
         0x0C 0x62 "3dm.gps_advanced_settings" [] MV5_AR_2;
     },
     absent_sets: &[
-        AbsentSet { set: 0x81, evidence: MV5_AR_2 },
-        AbsentSet { set: 0x91, evidence: MV5_AR_2 },
-        AbsentSet { set: 0x92, evidence: MV5_AR_2 },
-        AbsentSet { set: 0x93, evidence: MV5_AR_2 },
+        AbsentSet { set: DescriptorSet(0x81), evidence: MV5_AR_2 },
+        AbsentSet { set: DescriptorSet(0x91), evidence: MV5_AR_2 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: MV5_AR_2 },
+        AbsentSet { set: DescriptorSet(0x93), evidence: MV5_AR_2 },
     ],
     firmware: &[
     ],
@@ -9278,7 +9278,7 @@ pub static RQ1_45_LT: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] RQ1_45_LT_3;
     },
     absent_sets: &[
-        AbsentSet { set: 0x92, evidence: RQ1_45_LT_4 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: RQ1_45_LT_4 },
     ],
     firmware: &[
     ],
@@ -9479,7 +9479,7 @@ pub static RQ1_45_ST: Profile = Profile {
         0x82 0x49 "filter_data.gnss_dual_antenna_status" [] RQ1_45_ST_3;
     },
     absent_sets: &[
-        AbsentSet { set: 0x92, evidence: RQ1_45_ST_4 },
+        AbsentSet { set: DescriptorSet(0x92), evidence: RQ1_45_ST_4 },
     ],
     firmware: &[
     ],

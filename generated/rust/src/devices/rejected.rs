@@ -5,6 +5,7 @@ use core::fmt;
 use super::lists::{LISTINGS, SETS};
 use super::{Profile, Support};
 use crate::field::RawField;
+use crate::protocol::DescriptorSet;
 #[cfg(feature = "registry")]
 use crate::registry::FIELDS;
 
@@ -48,10 +49,10 @@ pub struct Known<'d> {
 impl Known<'_> {
     /// Returns whether the device sends this data or, for descriptor 0, any of the set.
     #[must_use]
-    pub fn sends(&self, set: u8, descriptor: u8) -> Support {
+    pub fn sends(&self, set: DescriptorSet, descriptor: u8) -> Support {
         let lists = |number: &u16| match (number.to_be_bytes(), descriptor) {
-            ([listed, _], 0) => listed == set,
-            ([listed, field], _) => field == descriptor && (listed == set || listed == 0xFF),
+            ([listed, _], 0) => listed == set.0,
+            ([listed, field], _) => field == descriptor && (listed == set.0 || listed == 0xFF),
         };
         match self.profile {
             _ if self.descriptors.iter().any(lists) => Support::Yes,
@@ -79,7 +80,7 @@ impl Known<'_> {
 /// let command = MessageFormat::write(0x80, [(0x04, 10).into(), (0x06, 10).into()]);
 /// let known = Known { profile: Profile::find("3DM-CV7-AR"), ..Known::default() };
 /// let rejected = Rejected::of(&command, &known).unwrap();
-/// assert_eq!((rejected.index, rejected.set, rejected.descriptor), (1, 0x80, 0x06));
+/// assert_eq!((rejected.index, rejected.set.0, rejected.descriptor), (1, 0x80, 0x06));
 /// assert_eq!(rejected.to_string(), "3DM-CV7-AR has no magnetometer");
 /// # }
 /// ```
@@ -91,7 +92,7 @@ pub struct Rejected {
     /// Its index in the list.
     pub index: u8,
     /// Its descriptor set.
-    pub set: u8,
+    pub set: DescriptorSet,
     /// Its descriptor; 0 for the whole set.
     pub descriptor: u8,
     /// The number of fields in the list.
@@ -160,13 +161,13 @@ impl fmt::Debug for Rejected {
 impl defmt::Format for Rejected {
     fn format(&self, f: defmt::Formatter<'_>) {
         let Self { reason, index, set, descriptor, .. } = self;
-        defmt::write!(f, "{} of item {}: {:#x},{:#x}", reason, index, set, descriptor);
+        defmt::write!(f, "{} of item {}: {:#x},{:#x}", reason, index, set.0, descriptor);
     }
 }
 
 /// The name of data, or with descriptor 0, of a set; numbers if it has none, or without the
 /// registry.
-struct Name(u8, u8);
+struct Name(DescriptorSet, u8);
 
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -178,9 +179,9 @@ impl fmt::Display for Name {
                 return f.write_str(name);
             }
         }
-        match SETS.iter().find(|(number, ..)| *number == set) {
+        match SETS.iter().find(|(number, ..)| *number == set.0) {
             Some((_, name, _)) => f.write_str(name)?,
-            None => write!(f, "set 0x{set:02X}")?,
+            None => write!(f, "set 0x{:02X}", set.0)?,
         }
         if descriptor == 0 {
             return Ok(());
@@ -214,7 +215,7 @@ pub(super) struct Listing {
 /// A field in a list.
 struct Item {
     index: u8,
-    set: u8,
+    set: DescriptorSet,
     /// 0 if the command names only a set.
     descriptor: u8,
     count: u8,
@@ -225,7 +226,7 @@ struct Item {
 impl Listing {
     /// Does this command contain the list?
     fn is_in(&self, command: &RawField<'_>) -> bool {
-        self.command == [command.set, command.descriptor]
+        self.command == [command.set.0, command.descriptor]
             && self.tag.map_or(true, |(at, tag)| command.data.get(at).map_or(0, |x| *x) == tag)
     }
 
@@ -247,7 +248,7 @@ impl Listing {
             let stopped = |at: usize| byte(at) == 0 && byte(at.wrapping_add(1)) == 0;
             Item {
                 index,
-                set,
+                set: DescriptorSet(set),
                 descriptor: at.map_or(0, byte),
                 count,
                 most: self.most,
@@ -274,7 +275,7 @@ impl Item {
 }
 
 /// Is this data of the set, or shared data?
-fn is_defined(set: u8, descriptor: u8) -> bool {
-    let mut sets = SETS.iter().filter(|(number, ..)| [set, 0xFF].contains(number));
+fn is_defined(set: DescriptorSet, descriptor: u8) -> bool {
+    let mut sets = SETS.iter().filter(|(number, ..)| [set.0, 0xFF].contains(number));
     sets.any(|(.., descriptors)| descriptors.contains(&descriptor))
 }

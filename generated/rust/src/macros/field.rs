@@ -28,19 +28,19 @@ macro_rules! field {
 /// The members of [`Field`](crate::Field) on descriptor sets.
 macro_rules! sets {
     ($first:literal..=$last:literal) => {
-        const SETS: &'static [u8] = &$crate::field::run::<{ $last - $first + 1 }>($first);
+        const SETS: &'static [$crate::DescriptorSet] = &$crate::field::run::<{ $last - $first + 1 }>($first);
 
         #[inline]
-        fn occurs_in(set: u8) -> bool {
-            matches!(set, $first..=$last)
+        fn occurs_in(set: $crate::DescriptorSet) -> bool {
+            matches!(set.0, $first..=$last)
         }
     };
     ($($set:literal)+) => {
-        const SETS: &'static [u8] = &[$($set),+];
+        const SETS: &'static [$crate::DescriptorSet] = &[$($crate::DescriptorSet($set)),+];
 
         #[inline]
-        fn occurs_in(set: u8) -> bool {
-            matches!(set, $($set)|+)
+        fn occurs_in(set: $crate::DescriptorSet) -> bool {
+            matches!(set.0, $($set)|+)
         }
     };
 }
@@ -49,7 +49,7 @@ macro_rules! sets {
 macro_rules! one_set {
     ($name:ident $set:literal) => {
         impl $crate::OneSet for $name {
-            const SET: u8 = $set;
+            const SET: $crate::DescriptorSet = $crate::DescriptorSet($set);
         }
     };
     ($name:ident $($several:tt)+) => {};

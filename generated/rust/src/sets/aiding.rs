@@ -12,7 +12,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x13;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x13);
 
 open_enum! {
     /// Format of the rotation of an aiding frame.

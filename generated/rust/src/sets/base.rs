@@ -12,7 +12,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x01;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x01);
 
 record! {
     /// Identity of a device. The strings are padded with spaces.

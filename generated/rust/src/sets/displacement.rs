@@ -12,7 +12,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x11;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x11);
 
 record! {
     /// Get analog to displacement calibration (0x11,0x01).

@@ -12,7 +12,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x90;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x90);
 
 bitfield! {
     /// Validity of the displacement timestamp.

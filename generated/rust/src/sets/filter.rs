@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0D;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x0D);
 
 open_enum! {
     /// Motion that the filter expects, depending on the kind of vehicle.

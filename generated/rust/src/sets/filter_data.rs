@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x82;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x82);
 
 bitfield! {
     /// Validity of the values of a field.

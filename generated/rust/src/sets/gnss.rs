@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0E;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x0E);
 
 record! {
     /// Description of a GNSS receiver.
@@ -26,7 +26,7 @@ record! {
         /// Descriptor set of this receiver's data.
         ///
         /// Range: 0x80 to 0xFE.
-        pub mip_data_descriptor_set: u8,
+        pub mip_data_descriptor_set: crate::DescriptorSet,
         /// Module name or model and firmware version, separated by a comma.
         pub description: crate::Text<32>,
     }
@@ -36,7 +36,7 @@ item! { ReceiverInfoEntry { receiver_id mip_data_descriptor_set description } }
 view! {
     ReceiverInfoEntry
     receiver_id: u8, at 0;
-    mip_data_descriptor_set: u8, at 1;
+    mip_data_descriptor_set: crate::DescriptorSet, at 1;
     description: crate::Text<32>, at 2;
 }
 
@@ -46,12 +46,12 @@ constructors! {
     /// Creates it from its values.
     fn new(
         receiver_id: u8,
-        mip_data_descriptor_set: u8,
+        mip_data_descriptor_set: impl Into<crate::DescriptorSet>,
         description: crate::Text<32>,
     );
 }
 
-tuple! { ReceiverInfoEntry receiver_id: u8, mip_data_descriptor_set: u8, description: crate::Text<32> }
+tuple! { ReceiverInfoEntry receiver_id: u8, mip_data_descriptor_set: crate::DescriptorSet, description: crate::Text<32> }
 
 bitfield! {
     /// GPS signals that are enabled.

@@ -15,30 +15,30 @@ use crate::types;
 /// GNSS data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
-pub const GNSS_DATA_SET: u8 = 0x81;
+pub const GNSS_DATA_SET: crate::DescriptorSet = crate::DescriptorSet(0x81);
 
 /// GNSS receiver 1 data (0x91): Measurements and status of the first internal GNSS receiver.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS Recv 1 (0x91).
-pub const GNSS_1_SET: u8 = 0x91;
+pub const GNSS_1_SET: crate::DescriptorSet = crate::DescriptorSet(0x91);
 
 /// GNSS receiver 2 data (0x92): Measurements and status of the second internal GNSS receiver.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS Recv 2 (0x92).
-pub const GNSS_2_SET: u8 = 0x92;
+pub const GNSS_2_SET: crate::DescriptorSet = crate::DescriptorSet(0x92);
 
 /// GNSS corrections data (0x93): RTK corrections that the device receives. Data is sent as it is
 /// received.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS Corrections (0x93).
-pub const GNSS_CORRECTIONS_SET: u8 = 0x93;
+pub const GNSS_CORRECTIONS_SET: crate::DescriptorSet = crate::DescriptorSet(0x93);
 
 /// External GNSS data (0x94): Data that an external GNSS receiver sends to the device in NMEA
 /// sentences. A field may need several sentences; a value that NMEA does not provide is not valid.
 /// Times are taken from the sentences.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS External (0x94); 3dm-cv7-gnss-ins: NMEA Input.
-pub const GNSS_EXTERNAL_SET: u8 = 0x94;
+pub const GNSS_EXTERNAL_SET: crate::DescriptorSet = crate::DescriptorSet(0x94);
 
 /// External GNSS data 2 (0x95): Data that a second external GNSS receiver sends to the device.
 ///
@@ -46,7 +46,7 @@ pub const GNSS_EXTERNAL_SET: u8 = 0x94;
 /// SDK calls the set GNSS 5.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
-pub const GNSS_EXTERNAL_2_SET: u8 = 0x95;
+pub const GNSS_EXTERNAL_2_SET: crate::DescriptorSet = crate::DescriptorSet(0x95);
 
 bitfield! {
     /// Validity flags for the position.

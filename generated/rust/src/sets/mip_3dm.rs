@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0C;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x0C);
 
 record! {
     /// A field requested by a poll.
@@ -1159,7 +1159,7 @@ record! {
         /// Data descriptor set.
         ///
         /// Range: 0x80 to 0xFE.
-        pub descriptor_set: u8,
+        pub descriptor_set: crate::DescriptorSet,
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Field descriptors.
@@ -1180,7 +1180,7 @@ constructors! {
 
     /// Creates the command from its parameters.
     fn new(
-        descriptor_set: u8,
+        descriptor_set: impl Into<crate::DescriptorSet>,
         suppress_ack: bool,
         descriptors: impl Into<crate::List<u8, 250>>,
     );
@@ -1211,7 +1211,7 @@ record! {
         /// Data descriptor set.
         ///
         /// Range: 0x80 to 0xFE.
-        pub descriptor_set: u8,
+        pub descriptor_set: crate::DescriptorSet,
     }
 }
 
@@ -1219,7 +1219,7 @@ constructors! {
     GetBaseRate
 
     /// Creates the command from its parameters.
-    fn new(descriptor_set: u8);
+    fn new(descriptor_set: impl Into<crate::DescriptorSet>);
 }
 
 field! {
@@ -1257,7 +1257,7 @@ record! {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Data descriptor set; 0 means all of them (save, load, default).
-        pub descriptor_set: Option<u8>,
+        pub descriptor_set: Option<crate::DescriptorSet>,
         /// Fields and decimations.
         ///
         /// Refers to fields of [`descriptor_set`](MessageFormat::descriptor_set). Required for
@@ -1278,19 +1278,19 @@ constructors! {
     MessageFormat
 
     /// Apply the new setting.
-    fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> WriteCall;
+    fn write(descriptor_set: impl Into<crate::DescriptorSet>, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(descriptor_set: u8) -> ReadCall;
+    fn read(descriptor_set: impl Into<crate::DescriptorSet>) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(descriptor_set: u8) -> SaveCall;
+    fn save(descriptor_set: impl Into<crate::DescriptorSet>) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(descriptor_set: u8) -> LoadCall;
+    fn load(descriptor_set: impl Into<crate::DescriptorSet>) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(descriptor_set: u8) -> LoadDefaultCall;
+    fn load_default(descriptor_set: impl Into<crate::DescriptorSet>) -> LoadDefaultCall;
 }
 
 field! {
@@ -1400,19 +1400,19 @@ constructors! {
     DataStreamControl
 
     /// Apply the new setting.
-    fn write(descriptor_set: u8, enable: bool) -> WriteCall;
+    fn write(descriptor_set: impl Into<u8>, enable: bool) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(descriptor_set: u8) -> ReadCall;
+    fn read(descriptor_set: impl Into<u8>) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(descriptor_set: u8) -> SaveCall;
+    fn save(descriptor_set: impl Into<u8>) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(descriptor_set: u8) -> LoadCall;
+    fn load(descriptor_set: impl Into<u8>) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(descriptor_set: u8) -> LoadDefaultCall;
+    fn load_default(descriptor_set: impl Into<u8>) -> LoadDefaultCall;
 }
 
 #[rustfmt::skip]
@@ -3966,7 +3966,7 @@ record! {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Descriptor set of the field.
-        pub descriptor_set: Option<u8>,
+        pub descriptor_set: Option<crate::DescriptorSet>,
         /// Field descriptor; 0 if the set is 0.
         ///
         /// Refers to fields of [`descriptor_set`](LowPassFilter::descriptor_set).
@@ -4000,7 +4000,7 @@ constructors! {
 
     /// Apply the new setting.
     fn write(
-        descriptor_set: u8,
+        descriptor_set: impl Into<crate::DescriptorSet>,
         field_descriptor: u8,
         enable: bool,
         manual: bool,
@@ -4008,16 +4008,16 @@ constructors! {
     ) -> WriteCall;
 
     /// Return the current setting in a response.
-    fn read(descriptor_set: u8, field_descriptor: u8) -> ReadCall;
+    fn read(descriptor_set: impl Into<crate::DescriptorSet>, field_descriptor: u8) -> ReadCall;
 
     /// Save the current setting to non-volatile memory.
-    fn save(descriptor_set: u8, field_descriptor: u8) -> SaveCall;
+    fn save(descriptor_set: impl Into<crate::DescriptorSet>, field_descriptor: u8) -> SaveCall;
 
     /// Load the saved setting.
-    fn load(descriptor_set: u8, field_descriptor: u8) -> LoadCall;
+    fn load(descriptor_set: impl Into<crate::DescriptorSet>, field_descriptor: u8) -> LoadCall;
 
     /// Load the factory default setting.
-    fn load_default(descriptor_set: u8, field_descriptor: u8) -> LoadDefaultCall;
+    fn load_default(descriptor_set: impl Into<crate::DescriptorSet>, field_descriptor: u8) -> LoadDefaultCall;
 }
 
 field! {
@@ -4556,7 +4556,7 @@ constructors! {
     DataStreamControlResponse
 
     /// Creates it from its values.
-    fn new(descriptor_set: u8, enabled: bool);
+    fn new(descriptor_set: impl Into<u8>, enabled: bool);
 }
 
 #[rustfmt::skip]
@@ -4918,7 +4918,7 @@ record! {
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetBaseRateResponse {
         /// Data descriptor set specified in the command.
-        pub descriptor_set: u8,
+        pub descriptor_set: crate::DescriptorSet,
         /// Base rate; 0 if the rate is variable or unknown and data is sent as it arrives.
         ///
         /// Unit: Hz.
@@ -4928,7 +4928,7 @@ record! {
 
 view! {
     GetBaseRateResponse
-    descriptor_set: u8, at 0;
+    descriptor_set: crate::DescriptorSet, at 0;
     rate: u16, at 1;
 }
 
@@ -4936,7 +4936,7 @@ constructors! {
     GetBaseRateResponse
 
     /// Creates it from its values.
-    fn new(descriptor_set: u8, rate: u16);
+    fn new(descriptor_set: impl Into<crate::DescriptorSet>, rate: u16);
 }
 
 field! {
@@ -4958,7 +4958,7 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct MessageFormatResponse {
         /// Data descriptor set.
-        pub descriptor_set: u8,
+        pub descriptor_set: crate::DescriptorSet,
         /// Fields and decimations.
         ///
         /// Refers to fields of [`descriptor_set`](MessageFormatResponse::descriptor_set).
@@ -4975,7 +4975,7 @@ constructors! {
     MessageFormatResponse
 
     /// Creates it from its values.
-    fn new(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>);
+    fn new(descriptor_set: impl Into<crate::DescriptorSet>, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>);
 }
 
 field! {
@@ -7905,7 +7905,7 @@ record! {
     #[derive(Copy, Default)]
     pub struct LowPassFilterResponse {
         /// Descriptor set of the field.
-        pub descriptor_set: u8,
+        pub descriptor_set: crate::DescriptorSet,
         /// Descriptor of the field that is filtered.
         ///
         /// Refers to fields of [`descriptor_set`](LowPassFilterResponse::descriptor_set).
@@ -7924,7 +7924,7 @@ record! {
 
 view! {
     LowPassFilterResponse
-    descriptor_set: u8, at 0;
+    descriptor_set: crate::DescriptorSet, at 0;
     field_descriptor: u8, at 1;
     enable: crate::Bool, at 2;
     manual: crate::Bool, at 3;
@@ -7936,7 +7936,7 @@ constructors! {
 
     /// Creates it from its values.
     fn new(
-        descriptor_set: u8,
+        descriptor_set: impl Into<crate::DescriptorSet>,
         field_descriptor: u8,
         enable: bool,
         manual: bool,

@@ -14,7 +14,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0F;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x0F);
 
 open_enum! {
     /// Type of device connected to a corrections modem.

@@ -12,7 +12,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x80;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x80);
 
 bitfield! {
     /// Sensor axes that were near or outside their range.

@@ -13,7 +13,7 @@ use crate::error::EncodeError;
 use crate::types;
 #[cfg(feature = "devices")]
 use crate::List;
-use crate::{Command, CommandError, Field, Reason};
+use crate::{Command, CommandError, DescriptorSet, Field, Reason};
 
 /// The baud rates of all known devices: the usual one first, the others in descending order.
 #[rustfmt::skip]
@@ -103,7 +103,7 @@ pub struct Rate {
     descriptor: u8,
     hz: f32,
     /// Empty for any set.
-    sets: &'static [u8],
+    sets: &'static [DescriptorSet],
     name: &'static str,
 }
 
@@ -336,7 +336,7 @@ $($of)* {
     #[allow(clippy::float_cmp)] // a rate that is nearly the same is another one
     pub $($async)* fn stream(
         &mut self,
-        set: u8,
+        set: DescriptorSet,
         rates: &[Rate],
     ) -> Result<u16, StreamError<P::Error>> {
         for rate in rates {
@@ -348,7 +348,7 @@ $($of)* {
         let read = crate::mip_3dm::GetBaseRate::new(set);
         let current = self.repeat(&read)$($await)*.map(|x| x.rate);
         let older = is_refused(&current);
-        let older_rate = match set {
+        let older_rate = match set.0 {
             _ if !older => None,
             0x80 => Some(self.repeat(&crate::mip_3dm::GetImuBaseRate::new())$($await)*.map(|x| x.rate)),
             0x81 => Some(self.repeat(&crate::mip_3dm::GetGnssBaseRate::new())$($await)*.map(|x| x.rate)),
@@ -368,7 +368,7 @@ $($of)* {
         }
         let fields = rates.iter();
         let fields = fields.map(|x| types::DescriptorRate::new(x.descriptor, x.decimation(base)));
-        match set {
+        match set.0 {
             0x80 if older => {
                 let format = crate::mip_3dm::ImuMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
                 let done = self.repeat(&format)$($await)*;

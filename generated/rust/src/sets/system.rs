@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x7F;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x7F);
 
 bitfield! {
     /// Protocols of a port.

@@ -11,7 +11,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0xA0;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0xA0);
 
 bitfield! {
     /// Level of each GPIO pin, set for high. Bits of pins that do not exist read 0.

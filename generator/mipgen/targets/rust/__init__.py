@@ -96,6 +96,8 @@ def identifiers(model: m.Model) -> Iterable[Identifier]:
         yield Identifier("the features", fixed, f"the feature {fixed}", None, word=False)
     for function in model.protocol.functions:
         yield Identifier("protocol", names.call_type(function), f"the function {function.name}", None)
+    for s in model.sets:
+        yield Identifier("the descriptor sets", names.module(s.name).upper(), s.name, s.position)
     for family in model.families:
         yield from _family(family)
     for t in (model.protocol.function_selector, *model.all_types):

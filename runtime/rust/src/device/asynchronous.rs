@@ -9,8 +9,11 @@ use embedded_io_async::{Error, ErrorKind, Read, Write};
 use super::{is_over, Client, Command, CommandError, Commands, Core, DeviceError, RequestError};
 use super::{BACKLOG, CHUNK};
 use crate::client::{Event, Request, Ticket};
-use crate::packet::Packet;
+use crate::packet::{FromPacket, Packet};
 use crate::parser::{behind, Parser};
+use crate::protocol::DescriptorSet;
+use crate::time::Time;
+use crate::timed::Timed;
 
 /// A device at a port with the traits of `embedded-io-async`: the asynchronous form of
 /// [`Device`](super::Device), for any executor.
@@ -154,7 +157,7 @@ where
     /// Returns the error of the closure or of the port.
     pub async fn send_all<T>(
         &mut self,
-        set: u8,
+        set: DescriptorSet,
         add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
     ) -> Result<T, DeviceError<P::Error>> {
         self.begin().await?;
@@ -231,6 +234,13 @@ where
         Ok(self.core.data.pop())
     }
 
+    /// Returns the fields `F` of the packets that [`AsyncDevice::next_packet`] would return, with
+    /// their times: `let mut data = device.fields::<ScaledAccel>(1000)`, and then
+    /// `while let Some(found) = data.next().await`. See [`Device::fields`](super::Device::fields).
+    pub fn fields<T: FromPacket>(&mut self, wait_ms: u32) -> Timed<&mut Self, T> {
+        Timed::new(self, wait_ms)
+    }
+
     /// Reads until the condition holds, or this number of milliseconds has passed.
     async fn read_until(
         &mut self,
@@ -296,6 +306,29 @@ where
             self.baud = Some(rate);
         }
         Ok(done)
+    }
+}
+
+impl<P, S, F, T, const N: usize, const Q: usize> Timed<&mut AsyncDevice<P, S, N, Q>, T>
+where
+    P: Read + Write,
+    S: FnMut(u32) -> F,
+    F: Future<Output = ()>,
+    T: FromPacket,
+{
+    /// Returns the next fields, and the time of their packet; `None` if no packet arrives in time.
+    #[allow(clippy::should_implement_trait)] // it is asynchronous
+    pub async fn next(&mut self) -> Option<Result<(Option<Time>, T), DeviceError<P::Error>>> {
+        loop {
+            match self.source.next_packet(self.wait_ms).await {
+                Ok(packet) => {
+                    if let Some(found) = self.reader.read(&packet?) {
+                        return Some(found.map_err(DeviceError::Data));
+                    }
+                }
+                Err(error) => return Some(Err(error)),
+            }
+        }
     }
 }
 

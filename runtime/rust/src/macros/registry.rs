@@ -94,7 +94,7 @@ macro_rules! registry {
                     title: $title,
                     linked: &[$($linked),*],
                     occurrences: &[$($(Occurrence {
-                        set: $set,
+                        set: DescriptorSet($set),
                         name: $its_name,
                         title: own!($title $(, $its_title)?),
                     }),+)?],
@@ -127,7 +127,7 @@ macro_rules! registry {
         )*];
 
         /// The sets and the descriptor of each type.
-        const TYPES: &[(Id, &[u8], u8)] = &[$($(
+        const TYPES: &[(Id, &[DescriptorSet], u8)] = &[$($(
             #[cfg($when)]
             (Id::$variant, <$type as Field>::SETS, $descriptor),
         )*)*];
@@ -142,7 +142,7 @@ macro_rules! registry {
                 let (id, sets, descriptor) = TYPES[at];
                 let mut i = 0;
                 while i < sets.len() {
-                    let row = PLACES[sets[i] as usize] as usize;
+                    let row = PLACES[sets[i].0 as usize] as usize;
                     if let Id::Unknown = ids[row][descriptor as usize] {
                         ids[row][descriptor as usize] = id;
                     }
@@ -166,9 +166,9 @@ macro_rules! registry {
         };
 
         #[inline]
-        fn ids(set: u8) -> &'static [Id; 256] {
+        fn ids(set: DescriptorSet) -> &'static [Id; 256] {
             let [unknown, ..] = &TABLE;
-            IDS.get(usize::from(set)).copied().unwrap_or(unknown)
+            IDS.get(usize::from(set.0)).copied().unwrap_or(unknown)
         }
 
         /// The functions that call a visitor for each type, by the type's number: one jump, and
@@ -179,7 +179,7 @@ macro_rules! registry {
         struct Visits<V>(core::marker::PhantomData<V>);
 
         impl<V: Visitor> Visits<V> {
-            const ALL: [fn(&[u8], u8, u8, V) -> V::Output; TYPES.len() + 1] = [
+            const ALL: [fn(&[u8], u8, DescriptorSet, V) -> V::Output; TYPES.len() + 1] = [
                 visit_unknown,
                 $($(
                     #[cfg($when)]
@@ -201,7 +201,7 @@ macro_rules! registry {
         fn visit_as<V: Visitor, T: Listed>(
             data: &[u8],
             descriptor: u8,
-            set: u8,
+            set: DescriptorSet,
             visitor: V,
         ) -> V::Output {
             visitor.visit::<T>(&RawField { set, descriptor, data })
@@ -210,7 +210,7 @@ macro_rules! registry {
         fn visit_unknown<V: Visitor>(
             data: &[u8],
             descriptor: u8,
-            set: u8,
+            set: DescriptorSet,
             visitor: V,
         ) -> V::Output {
             visitor.unknown(&RawField { set, descriptor, data })
@@ -220,7 +220,7 @@ macro_rules! registry {
         fn visit_layouts<V: Visitor>(
             data: &[u8],
             descriptor: u8,
-            set: u8,
+            set: DescriptorSet,
             visitor: V,
         ) -> V::Output {
             let field = &RawField { set, descriptor, data };
@@ -370,7 +370,7 @@ macro_rules! add_to {
 macro_rules! supported {
     ($($set:literal $descriptor:literal $name:literal [$($function:ident)*] $evidence:expr;)*) => {
         &[$($crate::devices::Supported {
-            set: $set,
+            set: $crate::DescriptorSet($set),
             descriptor: $descriptor,
             name: $name,
             functions: &[$($crate::protocol::FunctionSelector::$function),*],

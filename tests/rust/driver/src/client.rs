@@ -4,7 +4,8 @@ use std::time::{Duration, Instant};
 
 use mip_protocol::dynamic::Value;
 use mip_protocol::{
-    AnyField, Client, Event, Packet, Parser, RawField, Reason, RequestError, Role, Ticket,
+    AnyField, Client, DescriptorSet, Event, Packet, Parser, RawField, Reason, RequestError, Role,
+    Ticket,
 };
 
 use crate::json::Json;
@@ -88,7 +89,7 @@ impl Session {
 
     fn send(&mut self, step: &Json) -> Result<(), &'static str> {
         let set = step.get("set").and_then(Json::integer).filter(|set| (1..=254_u8).contains(set));
-        let set = set.ok_or("request")?;
+        let set = set.map(DescriptorSet).ok_or("request")?;
         let fields = step.get("fields").and_then(Json::array).ok_or("request")?;
         if fields.is_empty() {
             return Err("request");
@@ -202,7 +203,7 @@ impl Session {
         }
         let empty = packet.payload().is_empty(); // otherwise, a packet without fields left answers a barrier
         if events.is_empty() && empty || !others.is_empty() {
-            let set = Json::Integer(packet.set().into());
+            let set = Json::Integer(packet.set().0.into());
             self.happens("received", [("set", set), ("fields", Json::Array(others))]);
         }
     }
@@ -237,7 +238,7 @@ impl Session {
 }
 
 /// A command of the set by its name.
-fn command(set: u8, field: &Json) -> Result<AnyField, &'static str> {
+fn command(set: DescriptorSet, field: &Json) -> Result<AnyField, &'static str> {
     let name = field.get("name").and_then(Json::string).ok_or("request")?;
     let values: Value = to_value(field.get("values").ok_or("request")?)?;
     let any = AnyField::from_value(name, &values).map_err(value_error)?;

@@ -12,8 +12,8 @@ use json::Json;
 use mip_protocol::dynamic::{Record, Value, ValueError};
 use mip_protocol::packet::{MAX_FIELD_DATA, MAX_PACKET};
 use mip_protocol::{
-    AnyField, DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Packet, PacketBuilder,
-    PacketError, Parser, RawField,
+    AnyField, DecodeError, DecodeErrorKind, DescriptorSet, EncodeError, EncodeErrorKind, Packet,
+    PacketBuilder, PacketError, Parser, RawField,
 };
 
 type Answer = Result<Json, &'static str>;
@@ -79,7 +79,7 @@ fn decode(request: &Json) -> Answer {
         Err(_) => object([("error", string("field_length"))]),
     });
     let fields = Json::Array(fields.collect());
-    Ok(object([("set", Json::Integer(packet.set().into())), ("fields", fields)]))
+    Ok(object([("set", Json::Integer(packet.set().0.into())), ("fields", fields)]))
 }
 
 fn decode_field(field: &RawField<'_>) -> Json {
@@ -115,7 +115,7 @@ fn from_value(value: &Value) -> Json {
 // ----------------------------------------------------------------------------------------- encode
 
 fn encode(request: &Json) -> Answer {
-    let set = request.get("set").and_then(Json::integer).ok_or("request")?;
+    let set = request.get("set").and_then(Json::integer).map(DescriptorSet).ok_or("request")?;
     // A builder of a set that no packet has accepts no field; of several mistakes, the first one is reported.
     PacketBuilder::new(set).push_raw(0, &[]).map_err(encode_error)?;
     let mut packet = PacketBuilder::new(set);

@@ -15,7 +15,7 @@ from .. import docs, names
 from ..docs import Block
 from . import clocks
 from .fields import Field, set_numbers
-from .records import Constructor, Record, Struct, Union
+from .records import SET, Constructor, Record, Struct, Union
 
 __all__ = ["Constructor", "Crate", "Record", "Union", "clocks", "part_names"]
 
@@ -67,6 +67,10 @@ class Crate:
     @property
     def ack_code(self) -> str:
         return names.type_name(self.model.protocol.ack_code.name)
+
+    @property
+    def sets(self) -> list[tuple[str, m.Set]]:
+        return [(names.module(s.name).upper(), s) for s in self.model.sets]
 
     @property
     def functions(self) -> list[tuple[str, str]]:
@@ -129,7 +133,7 @@ class Crate:
         if p.kind == "array":
             item = self.type_of(p.item, here)
             return f"crate::List<{item}, {p.capacity}>" if p.open else f"[{item}; {p.count}]"
-        return names.scalar(p.scalar)
+        return SET if p.shown == "set" and not p.readings else names.scalar(p.scalar)
 
     def union(self, union: m.Union, here: str) -> Union:
         """Returns a union's type; unions with the same alternatives in one module share it."""

@@ -17,6 +17,7 @@ from ..docs import Block, prose
 if TYPE_CHECKING:
     from . import Crate
 
+SET = "crate::DescriptorSet"
 BOOL = names.scalar(m.SCALARS["bool"])
 DEFAULT = "core::default::Default::default()"
 
@@ -47,7 +48,8 @@ class Member:
         """The type of an argument that becomes this member, in a form that is easy to pass."""
         if self.type == BOOL:
             return "bool"
-        return f"impl Into<{self.type}>" if self.parameter.vector or self.type.startswith("crate::List<") else self.type
+        easy = self.parameter.vector or self.parameter.shown == "set" or self.type.startswith("crate::List<")
+        return f"impl Into<{self.type}>" if easy else self.type
 
     @property
     def default(self) -> str:

@@ -9,7 +9,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0C;
+pub const SET: crate::DescriptorSet = crate::DescriptorSet(0x0C);
 
 record! {
     /// Default (0x0C,0x10).
