@@ -1,7 +1,9 @@
 //! The traits of fields, commands and responses.
 
 use crate::codec::{Reader, Wire, Writer};
-use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid};
+use crate::error::{
+    DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid, OutOfRange,
+};
 use crate::protocol::{DescriptorSet, FunctionSelector};
 use crate::view::{self, View, Viewed};
 use core::fmt;
@@ -108,6 +110,26 @@ pub trait Command: OneSet {
     #[must_use]
     fn expects_reply(&self) -> bool {
         true
+    }
+
+    /// Checks that its values are in the ranges that the specification states. Nothing else does so: a
+    /// device rejects what it does not accept, which may depend on its model.
+    ///
+    /// ```
+    /// # #[cfg(feature = "filter")] {
+    /// use mip_protocol::{filter::SetInitialHeading, Command};
+    ///
+    /// assert_eq!(SetInitialHeading::new(core::f32::consts::PI).check(), Ok(()));
+    /// let error = SetInitialHeading::new(90.0).check().unwrap_err();
+    /// assert_eq!((error.member, error.value, error.range), ("heading", 90.0, "-pi to pi"));
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Returns the first value out of its range. Values that are not present have none.
+    fn check(&self) -> Result<(), OutOfRange> {
+        Ok(())
     }
 
     /// Returns the check for the response that it requests with these values.
@@ -229,6 +251,11 @@ impl<C: Takes<FUNCTION>, const FUNCTION: u8> Command for Call<C, FUNCTION> {
     #[inline]
     fn expects_reply(&self) -> bool {
         self.0.expects_reply()
+    }
+
+    #[inline]
+    fn check(&self) -> Result<(), OutOfRange> {
+        self.0.check()
     }
 
     #[inline]

@@ -703,6 +703,11 @@ view! {
     mode: EventTriggerGpioMode, at 1;
 }
 
+ranges! {
+    EventTriggerGpio
+    pin "pin" in "at least 1" From 1.0;
+}
+
 constructors! {
     EventTriggerGpio
 
@@ -840,6 +845,11 @@ union! {
 }
 
 item! { EventTriggerThreshold { descriptor_set field_descriptor parameter_id type_ thresholds } }
+ranges! {
+    EventTriggerThreshold
+    parameter_id "parameter_id" in "at least 1" From 1.0;
+}
+
 constructors! {
     EventTriggerThreshold
 
@@ -905,6 +915,11 @@ view! {
     EventActionGpio
     pin: u8, at 0;
     mode: EventActionGpioMode, at 1;
+}
+
+ranges! {
+    EventActionGpio
+    pin "pin" in "at least 1" From 1.0;
 }
 
 constructors! {
@@ -1575,6 +1590,11 @@ view! {
     DescriptorRate
     descriptor: u8, at 0;
     decimation: u16, at 1;
+}
+
+ranges! {
+    DescriptorRate
+    decimation "decimation" in "at least 1" From 1.0;
 }
 
 constructors! {

@@ -109,6 +109,29 @@ impl fmt::Display for UnknownName {
     }
 }
 
+/// A value is out of the range that the specification states; from
+/// [`Command::check`](crate::Command::check).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct OutOfRange {
+    /// The name of the field in the specification, `family.field`.
+    pub field: &'static str,
+    /// The name of the member, which may be in a structure of the field.
+    pub member: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// The range: "1 to 4", "at least 0".
+    pub range: &'static str,
+}
+
+impl fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { field, member, value, range } = self;
+        write!(f, "{field}.{member}: {value} is out of range: {range}")
+    }
+}
+
 impl DecodeError {
     /// Adds the name of the field.
     #[must_use]
@@ -204,4 +227,4 @@ impl fmt::Display for EncodeError {
     }
 }
 
-error!(DecodeError DecodeErrorKind EncodeError EncodeErrorKind UnknownName);
+error!(DecodeError DecodeErrorKind EncodeError EncodeErrorKind OutOfRange UnknownName);

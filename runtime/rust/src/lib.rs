@@ -62,6 +62,8 @@ pub mod list;
 mod owned;
 pub mod packet;
 mod parser;
+#[allow(dead_code, unused_macros)] // a specification may state no ranges
+mod range;
 #[cfg(feature = "serde")]
 mod readable;
 mod slice;
@@ -89,7 +91,7 @@ pub use sets::*;
 pub use bits::Bits;
 pub use client::{Client, CommandError, Event, Reason, RequestError, Ticket};
 pub use codec::{Bool, Reader, Union, Wire, Writer};
-pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid};
+pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid, OutOfRange};
 pub use field::{
     Call, Command, Field, OneSet, RawField, Response, ResponseCheck, ResponseOf, Role, Takes,
 };

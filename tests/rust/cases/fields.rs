@@ -307,3 +307,20 @@ fn vectors_are_arrays_with_names() {
     let [w, ..]: [f32; 4] = Quatf { w: 9.0, ..Quatf::default() }.into();
     assert_eq!(w, 9.0);
 }
+
+#[test]
+fn values_are_compared_with_their_ranges() {
+    assert_eq!(tools::Settings::read(8, Mode::FAST).check(), Ok(()));
+    let error = tools::Settings::read(9, Mode::FAST).check().unwrap_err();
+    assert_eq!(error.to_string(), "tools.settings.port: 9 is out of range: 0 to 8");
+    assert_eq!(tools::Settings::read(9, Mode::FAST).into_command().check(), Err(error));
+    assert_eq!(tools::Ping::new().check(), Ok(())); // it has no values
+    let turned = |angle| {
+        let filling = tools::CircleFilling::Striped(tools::Stripes { width: 1.0, angle });
+        let circle = tools::Circle::new(Point::default(), filling);
+        tools::Choice::write(1, tools::ChoiceParameters::Circle(circle)).check()
+    };
+    assert_eq!((turned(180.0), turned(-180.0)), (Ok(()), Ok(())));
+    assert_eq!(turned(180.1).map_err(|e| (e.field, e.member)), Err(("tools.choice", "angle")));
+    assert!(turned(f32::NAN).is_err());
+}

@@ -153,6 +153,12 @@ macro_rules! vector {
             const BLANK: Self = Self { $($element: 0 as $number),* };
         }
 
+        impl $crate::range::Limited for $name {
+            fn outside(&self, bound: $crate::range::Bound) -> ::core::option::Option<f64> {
+                self.to_array().outside(bound)
+            }
+        }
+
         impl ::core::convert::From<[$number; $count]> for $name {
             #[inline]
             fn from([$($element),*]: [$number; $count]) -> Self {

@@ -204,6 +204,11 @@ union! {
     default FrameConfigRotation::Other(AidingFrameFormat(0))
 }
 
+ranges! {
+    FrameConfig
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+}
+
 constructors! {
     FrameConfig
 
@@ -238,6 +243,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> FrameConfigResponse;
     responds FrameConfigResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -274,6 +280,12 @@ record! {
     }
 }
 
+ranges! {
+    SensorFrameMap
+    sensor_id "sensor_id" in "at least 1" From 1.0;
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+}
+
 constructors! {
     SensorFrameMap
 
@@ -303,6 +315,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> SensorFrameMapResponse;
     responds SensorFrameMapResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -406,6 +419,12 @@ record! {
     }
 }
 
+ranges! {
+    EcefPosition
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    uncertainty "uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     EcefPosition
 
@@ -432,6 +451,7 @@ field! {
 
 command! {
     EcefPosition -> ();
+    checks Ranged;
 }
 
 record! {
@@ -488,6 +508,14 @@ record! {
     }
 }
 
+ranges! {
+    LlhPosition
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    latitude "latitude" in "-90 to 90" From -90.0 To 90.0;
+    longitude "longitude" in "-180 to 180" From -180.0 To 180.0;
+    uncertainty "uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     LlhPosition
 
@@ -518,6 +546,7 @@ field! {
 
 command! {
     LlhPosition -> ();
+    checks Ranged;
 }
 
 record! {
@@ -556,6 +585,12 @@ record! {
     }
 }
 
+ranges! {
+    HeightAboveEllipsoid
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    uncertainty "uncertainty" in "at least 0" From 0.0;
+}
+
 constructors! {
     HeightAboveEllipsoid
 
@@ -576,6 +611,7 @@ field! {
 
 command! {
     HeightAboveEllipsoid -> ();
+    checks Ranged;
 }
 
 record! {
@@ -613,6 +649,12 @@ record! {
     }
 }
 
+ranges! {
+    PressureOld
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    uncertainty "uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     PressureOld
 
@@ -633,6 +675,7 @@ field! {
 
 command! {
     PressureOld -> ();
+    checks Ranged;
 }
 
 record! {
@@ -677,6 +720,12 @@ record! {
     }
 }
 
+ranges! {
+    EcefVelocity
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    uncertainty "uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     EcefVelocity
 
@@ -703,6 +752,7 @@ field! {
 
 command! {
     EcefVelocity -> ();
+    checks Ranged;
 }
 
 record! {
@@ -747,6 +797,12 @@ record! {
     }
 }
 
+ranges! {
+    NedVelocity
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    uncertainty "uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     NedVelocity
 
@@ -773,6 +829,7 @@ field! {
 
 command! {
     NedVelocity -> ();
+    checks Ranged;
 }
 
 record! {
@@ -820,6 +877,12 @@ record! {
     }
 }
 
+ranges! {
+    BodyFrameVelocity
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    uncertainty "uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     BodyFrameVelocity
 
@@ -846,6 +909,7 @@ field! {
 
 command! {
     BodyFrameVelocity -> ();
+    checks Ranged;
 }
 
 record! {
@@ -886,6 +950,13 @@ record! {
     }
 }
 
+ranges! {
+    TrueHeading
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    heading "heading" in "-pi to pi" From -3.141592653589793 To 3.141592653589793;
+    uncertainty "uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     TrueHeading
 
@@ -906,6 +977,7 @@ field! {
 
 command! {
     TrueHeading -> ();
+    checks Ranged;
 }
 
 record! {
@@ -949,6 +1021,12 @@ record! {
     }
 }
 
+ranges! {
+    MagneticField
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    uncertainty "uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     MagneticField
 
@@ -975,6 +1053,7 @@ field! {
 
 command! {
     MagneticField -> ();
+    checks Ranged;
 }
 
 record! {
@@ -1014,6 +1093,12 @@ record! {
     }
 }
 
+ranges! {
+    Pressure
+    frame_id "frame_id" in "1 to 4" From 1.0 To 4.0;
+    uncertainty "uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     Pressure
 
@@ -1034,6 +1119,7 @@ field! {
 
 command! {
     Pressure -> ();
+    checks Ranged;
 }
 
 record! {

@@ -396,6 +396,13 @@ record! {
     }
 }
 
+ranges! {
+    SetInitialAttitude
+    roll "roll" in "-pi to pi" From -3.141592653589793 To 3.141592653589793;
+    pitch "pitch" in "-1.5707963267948966 to 1.5707963267948966" From -1.5707963267948966 To 1.5707963267948966;
+    heading "heading" in "-pi to pi" From -3.141592653589793 To 3.141592653589793;
+}
+
 constructors! {
     SetInitialAttitude
 
@@ -414,6 +421,7 @@ field! {
 
 command! {
     SetInitialAttitude -> ();
+    checks Ranged;
 }
 
 record! {
@@ -445,6 +453,11 @@ record! {
     }
 }
 
+ranges! {
+    SetInitialHeading
+    heading "heading" in "-pi to pi" From -3.141592653589793 To 3.141592653589793;
+}
+
 constructors! {
     SetInitialHeading
 
@@ -459,6 +472,7 @@ field! {
 
 command! {
     SetInitialHeading -> ();
+    checks Ranged;
 }
 
 record! {
@@ -487,6 +501,11 @@ record! {
     }
 }
 
+ranges! {
+    SetInitialAttitudeFromImu
+    declination "declination" in "-pi to pi" From -3.141592653589793 To 3.141592653589793;
+}
+
 constructors! {
     SetInitialAttitudeFromImu
 
@@ -501,6 +520,7 @@ field! {
 
 command! {
     SetInitialAttitudeFromImu -> ();
+    checks Ranged;
 }
 
 record! {
@@ -1041,6 +1061,15 @@ record! {
     }
 }
 
+ranges! {
+    ExternalGnssUpdate
+    tow "tow" in "at least 0, less than 604800" From 0.0 Below 604800.0;
+    latitude "latitude" in "-90 to 90" From -90.0 To 90.0;
+    longitude "longitude" in "-180 to 180" From -180.0 To 180.0;
+    position_uncertainty "position_uncertainty" in "at least 0" From 0.0;
+    velocity_uncertainty "velocity_uncertainty" in "at least 0" From 0.0;
+}
+
 constructors! {
     ExternalGnssUpdate
 
@@ -1064,6 +1093,7 @@ field! {
 
 command! {
     ExternalGnssUpdate -> ();
+    checks Ranged;
 }
 
 record! {
@@ -1106,6 +1136,12 @@ record! {
     }
 }
 
+ranges! {
+    ExternalHeadingUpdate
+    heading "heading" in "-pi to pi" From -3.141592653589793 To 3.141592653589793;
+    heading_uncertainty "heading_uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     ExternalHeadingUpdate
 
@@ -1124,6 +1160,7 @@ field! {
 
 command! {
     ExternalHeadingUpdate -> ();
+    checks Ranged;
 }
 
 record! {
@@ -1230,6 +1267,11 @@ record! {
     }
 }
 
+ranges! {
+    AutoInitializationControl
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+}
+
 constructors! {
     AutoInitializationControl
 
@@ -1259,6 +1301,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> AutoInitializationControlResponse;
     responds AutoInitializationControlResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1298,6 +1341,11 @@ record! {
     }
 }
 
+ranges! {
+    AccelNoise
+    noise "noise" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     AccelNoise
 
@@ -1327,6 +1375,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> AccelNoiseResponse;
     responds AccelNoiseResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1363,6 +1412,11 @@ record! {
     }
 }
 
+ranges! {
+    GyroNoise
+    noise "noise" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     GyroNoise
 
@@ -1392,6 +1446,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> GyroNoiseResponse;
     responds GyroNoiseResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1429,6 +1484,11 @@ record! {
     }
 }
 
+ranges! {
+    AccelBiasModel
+    noise "noise" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     AccelBiasModel
 
@@ -1458,6 +1518,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> AccelBiasModelResponse;
     responds AccelBiasModelResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1496,6 +1557,11 @@ record! {
     }
 }
 
+ranges! {
+    GyroBiasModel
+    noise "noise" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     GyroBiasModel
 
@@ -1525,6 +1591,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> GyroBiasModelResponse;
     responds GyroBiasModelResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1568,6 +1635,12 @@ record! {
     }
 }
 
+ranges! {
+    AutoZupt
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+    threshold "threshold" in "at least 0" From 0.0;
+}
+
 constructors! {
     AutoZupt
 
@@ -1597,6 +1670,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> AutoZuptResponse;
     responds AutoZuptResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1652,6 +1726,13 @@ record! {
     }
 }
 
+ranges! {
+    ExternalHeadingUpdateWithTime
+    tow "tow" in "at least 0, less than 604800" From 0.0 Below 604800.0;
+    heading "heading" in "-pi to pi" From -3.141592653589793 To 3.141592653589793;
+    heading_uncertainty "heading_uncertainty" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     ExternalHeadingUpdateWithTime
 
@@ -1672,6 +1753,7 @@ field! {
 
 command! {
     ExternalHeadingUpdateWithTime -> ();
+    checks Ranged;
 }
 
 record! {
@@ -1719,6 +1801,12 @@ record! {
     }
 }
 
+ranges! {
+    AutoAngularZupt
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+    threshold "threshold" in "at least 0" From 0.0;
+}
+
 constructors! {
     AutoAngularZupt
 
@@ -1748,6 +1836,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> AutoAngularZuptResponse;
     responds AutoAngularZuptResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1952,6 +2041,13 @@ record! {
     }
 }
 
+ranges! {
+    ReferencePosition
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+    latitude "latitude" in "-90 to 90" From -90.0 To 90.0;
+    longitude "longitude" in "-180 to 180" From -180.0 To 180.0;
+}
+
 constructors! {
     ReferencePosition
 
@@ -1986,6 +2082,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> ReferencePositionResponse;
     responds ReferencePositionResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2073,6 +2170,11 @@ record! {
     }
 }
 
+ranges! {
+    GravityNoise
+    noise "noise" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     GravityNoise
 
@@ -2102,6 +2204,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> GravityNoiseResponse;
     responds GravityNoiseResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2137,6 +2240,11 @@ record! {
     }
 }
 
+ranges! {
+    PressureAltitudeNoise
+    noise "noise" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     PressureAltitudeNoise
 
@@ -2166,6 +2274,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> PressureAltitudeNoiseResponse;
     responds PressureAltitudeNoiseResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2198,6 +2307,11 @@ record! {
     }
 }
 
+ranges! {
+    HardIronOffsetNoise
+    noise "noise" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     HardIronOffsetNoise
 
@@ -2227,6 +2341,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> HardIronOffsetNoiseResponse;
     responds HardIronOffsetNoiseResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2259,6 +2374,11 @@ record! {
     }
 }
 
+ranges! {
+    SoftIronMatrixNoise
+    noise "noise" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     SoftIronMatrixNoise
 
@@ -2288,6 +2408,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> SoftIronMatrixNoiseResponse;
     responds SoftIronMatrixNoiseResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2387,6 +2508,11 @@ record! {
     }
 }
 
+ranges! {
+    MagNoise
+    noise "noise" in "greater than 0" Above 0.0;
+}
+
 constructors! {
     MagNoise
 
@@ -2416,6 +2542,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> MagNoiseResponse;
     responds MagNoiseResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2466,6 +2593,11 @@ record! {
     }
 }
 
+ranges! {
+    MagneticDeclinationSource
+    declination "declination" in "-pi to pi" From -3.141592653589793 To 3.141592653589793;
+}
+
 constructors! {
     MagneticDeclinationSource
 
@@ -2495,6 +2627,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> MagneticDeclinationSourceResponse;
     responds MagneticDeclinationSourceResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2578,6 +2711,14 @@ record! {
     }
 }
 
+ranges! {
+    AccelMagnitudeErrorAdaptiveMeasurement
+    frequency "frequency" in "at least 0" From 0.0;
+    low_limit_uncertainty "low_limit_uncertainty" in "at least 0" From 0.0;
+    high_limit_uncertainty "high_limit_uncertainty" in "at least 0" From 0.0;
+    minimum_uncertainty "minimum_uncertainty" in "at least 0" From 0.0;
+}
+
 constructors! {
     AccelMagnitudeErrorAdaptiveMeasurement
 
@@ -2617,6 +2758,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> AccelMagnitudeErrorAdaptiveMeasurementResponse;
     responds AccelMagnitudeErrorAdaptiveMeasurementResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2709,6 +2851,14 @@ record! {
     }
 }
 
+ranges! {
+    MagMagnitudeErrorAdaptiveMeasurement
+    frequency "frequency" in "at least 0" From 0.0;
+    low_limit_uncertainty "low_limit_uncertainty" in "at least 0" From 0.0;
+    high_limit_uncertainty "high_limit_uncertainty" in "at least 0" From 0.0;
+    minimum_uncertainty "minimum_uncertainty" in "at least 0" From 0.0;
+}
+
 constructors! {
     MagMagnitudeErrorAdaptiveMeasurement
 
@@ -2746,6 +2896,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> MagMagnitudeErrorAdaptiveMeasurementResponse;
     responds MagMagnitudeErrorAdaptiveMeasurementResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2813,6 +2964,14 @@ record! {
     }
 }
 
+ranges! {
+    MagDipAngleErrorAdaptiveMeasurement
+    frequency "frequency" in "at least 0" From 0.0;
+    high_limit "high_limit" in "at least 0" From 0.0;
+    high_limit_uncertainty "high_limit_uncertainty" in "at least 0" From 0.0;
+    minimum_uncertainty "minimum_uncertainty" in "at least 0" From 0.0;
+}
+
 constructors! {
     MagDipAngleErrorAdaptiveMeasurement
 
@@ -2848,6 +3007,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> MagDipAngleErrorAdaptiveMeasurementResponse;
     responds MagDipAngleErrorAdaptiveMeasurementResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -3017,6 +3177,11 @@ record! {
     }
 }
 
+ranges! {
+    MagneticInclinationSource
+    inclination "inclination" in "-1.5707963267948966 to 1.5707963267948966" From -1.5707963267948966 To 1.5707963267948966;
+}
+
 constructors! {
     MagneticInclinationSource
 
@@ -3046,6 +3211,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> MagneticInclinationSourceResponse;
     responds MagneticInclinationSourceResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -3090,6 +3256,11 @@ record! {
     }
 }
 
+ranges! {
+    MagneticMagnitudeSource
+    magnitude "magnitude" in "at least 0" From 0.0;
+}
+
 constructors! {
     MagneticMagnitudeSource
 
@@ -3119,6 +3290,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> MagneticMagnitudeSourceResponse;
     responds MagneticMagnitudeSourceResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -3539,6 +3711,11 @@ record! {
     }
 }
 
+ranges! {
+    InitializationConfig
+    wait_for_run_command "wait_for_run_command" in "0 to 1" From 0.0 To 1.0;
+}
+
 constructors! {
     InitializationConfig
 
@@ -3578,6 +3755,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> InitializationConfigResponse;
     responds InitializationConfigResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -3687,6 +3865,11 @@ record! {
     }
 }
 
+ranges! {
+    MultiAntennaOffset
+    receiver_id "receiver_id" in "at least 1" From 1.0;
+}
+
 constructors! {
     MultiAntennaOffset
 
@@ -3716,6 +3899,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> MultiAntennaOffsetResponse;
     responds MultiAntennaOffsetResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -3916,6 +4100,12 @@ impl core::default::Default for SpeedMeasurement {
     }
 }
 
+ranges! {
+    SpeedMeasurement
+    tow "tow" in "0 to 604800" From 0.0 To 604800.0;
+    speed_uncertainty "speed_uncertainty" in "at least 0" From 0.0;
+}
+
 constructors! {
     SpeedMeasurement
 
@@ -3934,6 +4124,7 @@ field! {
 
 command! {
     SpeedMeasurement -> ();
+    checks Ranged;
 }
 
 record! {
@@ -4037,6 +4228,11 @@ record! {
     }
 }
 
+ranges! {
+    VerticalGyroConstraintControl
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+}
+
 constructors! {
     VerticalGyroConstraintControl
 
@@ -4066,6 +4262,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> VerticalGyroConstraintControlResponse;
     responds VerticalGyroConstraintControlResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -4103,6 +4300,11 @@ record! {
     }
 }
 
+ranges! {
+    WheeledVehicleConstraintControl
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+}
+
 constructors! {
     WheeledVehicleConstraintControl
 
@@ -4132,6 +4334,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> WheeledVehicleConstraintControlResponse;
     responds WheeledVehicleConstraintControlResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -4174,6 +4377,11 @@ record! {
     }
 }
 
+ranges! {
+    GnssAntennaCalibrationControl
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+}
+
 constructors! {
     GnssAntennaCalibrationControl
 
@@ -4203,6 +4411,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> GnssAntennaCalibrationControlResponse;
     responds GnssAntennaCalibrationControlResponse for READ;
+    checks Ranged;
 }
 
 record! {

@@ -40,6 +40,12 @@ view! {
     description: crate::Text<32>, at 2;
 }
 
+ranges! {
+    ReceiverInfoEntry
+    receiver_id "receiver_id" in "at least 1" From 1.0;
+    mip_data_descriptor_set "mip_data_descriptor_set" in "0x80 to 0xFE" From 128.0 To 254.0;
+}
+
 constructors! {
     ReceiverInfoEntry
 
@@ -433,6 +439,11 @@ record! {
     }
 }
 
+ranges! {
+    RtkDongleConfig
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+}
+
 constructors! {
     RtkDongleConfig
 
@@ -462,6 +473,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> RtkDongleConfigResponse;
     responds RtkDongleConfigResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -537,6 +549,11 @@ record! {
     }
 }
 
+ranges! {
+    SpartnConfig
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+}
+
 constructors! {
     SpartnConfig
 
@@ -575,6 +592,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> SpartnConfigResponse;
     responds SpartnConfigResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -602,6 +620,12 @@ record! {
     }
 }
 
+ranges! {
+    ReceiverSafeMode
+    receiver_id "receiver_id" in "at least 1" From 1.0;
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+}
+
 constructors! {
     ReceiverSafeMode
 
@@ -616,6 +640,7 @@ field! {
 
 command! {
     ReceiverSafeMode -> ();
+    checks Ranged;
 }
 
 record! {

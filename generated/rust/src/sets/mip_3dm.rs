@@ -123,6 +123,13 @@ view! {
     option_flags: ConstellationOptions, at 4;
 }
 
+ranges! {
+    ConstellationSettingsEntry
+    enable "enable" in "0 to 1" From 0.0 To 1.0;
+    reserved_channels "reserved_channels" in "0 to 32" From 0.0 To 32.0;
+    max_channels "max_channels" in "0 to 32" From 0.0 To 32.0;
+}
+
 constructors! {
     ConstellationSettingsEntry
 
@@ -861,6 +868,11 @@ record! {
     }
 }
 
+ranges! {
+    ImuMessageFormat
+    [descriptors];
+}
+
 constructors! {
     ImuMessageFormat
 
@@ -890,6 +902,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> ImuMessageFormatResponse;
     responds ImuMessageFormatResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -931,6 +944,11 @@ record! {
     }
 }
 
+ranges! {
+    GnssMessageFormat
+    [descriptors];
+}
+
 constructors! {
     GnssMessageFormat
 
@@ -960,6 +978,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> GnssMessageFormatResponse;
     responds GnssMessageFormatResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1003,6 +1022,11 @@ record! {
     }
 }
 
+ranges! {
+    FilterMessageFormat
+    [descriptors];
+}
+
 constructors! {
     FilterMessageFormat
 
@@ -1032,6 +1056,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> FilterMessageFormatResponse;
     responds FilterMessageFormatResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1175,6 +1200,11 @@ record! {
     }
 }
 
+ranges! {
+    PollData
+    descriptor_set "descriptor_set" in "0x80 to 0xFE" From 128.0 To 254.0;
+}
+
 constructors! {
     PollData
 
@@ -1194,6 +1224,7 @@ field! {
 command! {
     PollData -> ();
     silent if suppress_ack = crate::Bool(1);
+    checks Ranged;
 }
 
 record! {
@@ -1215,6 +1246,11 @@ record! {
     }
 }
 
+ranges! {
+    GetBaseRate
+    descriptor_set "descriptor_set" in "0x80 to 0xFE" From 128.0 To 254.0;
+}
+
 constructors! {
     GetBaseRate
 
@@ -1230,6 +1266,7 @@ field! {
 command! {
     GetBaseRate -> GetBaseRateResponse;
     responds GetBaseRateResponse;
+    checks Ranged;
 }
 
 record! {
@@ -1274,6 +1311,11 @@ record! {
     }
 }
 
+ranges! {
+    MessageFormat
+    [descriptors];
+}
+
 constructors! {
     MessageFormat
 
@@ -1303,6 +1345,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> MessageFormatResponse;
     responds MessageFormatResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1545,6 +1588,11 @@ record! {
     }
 }
 
+ranges! {
+    ConstellationSettings
+    [settings];
+}
+
 constructors! {
     ConstellationSettings
 
@@ -1574,6 +1622,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> ConstellationSettingsResponse;
     responds ConstellationSettingsResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1626,6 +1675,11 @@ record! {
     }
 }
 
+ranges! {
+    GnssSbasSettings
+    enable_sbas "enable_sbas" in "0 to 1" From 0.0 To 1.0;
+}
+
 constructors! {
     GnssSbasSettings
 
@@ -1659,6 +1713,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> GnssSbasSettingsResponse;
     responds GnssSbasSettingsResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -1774,6 +1829,12 @@ record! {
     }
 }
 
+ranges! {
+    GnssTimeAssistance
+    tow "tow" in "at least 0, less than 604800" From 0.0 Below 604800.0;
+    accuracy "accuracy" in "at least 0" From 0.0;
+}
+
 constructors! {
     GnssTimeAssistance
 
@@ -1798,6 +1859,7 @@ command! {
     for WRITE -> ();
     for READ -> GnssTimeAssistanceResponse;
     responds GnssTimeAssistanceResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2125,6 +2187,13 @@ union! {
     default EventTriggerConfigParameters::None
 }
 
+union_ranges! { EventTriggerConfigParameters Gpio Threshold }
+
+ranges! {
+    EventTriggerConfig
+    [parameters];
+}
+
 constructors! {
     EventTriggerConfig
 
@@ -2154,6 +2223,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> EventTriggerConfigResponse;
     responds EventTriggerConfigResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2230,6 +2300,13 @@ union! {
     default EventActionConfigParameters::None
 }
 
+union_ranges! { EventActionConfigParameters Gpio }
+
+ranges! {
+    EventActionConfig
+    [parameters];
+}
+
 constructors! {
     EventActionConfig
 
@@ -2263,6 +2340,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> EventActionConfigResponse;
     responds EventActionConfigResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -2730,6 +2808,15 @@ record! {
     }
 }
 
+ranges! {
+    ImuSignalConditioning
+    orientation_decimation "orientation_decimation" in "1 to 1000" From 1.0 To 1000.0;
+    inertial_filter_width "inertial_filter_width" in "1 to 32" From 1.0 To 32.0;
+    mag_filter_width "mag_filter_width" in "1 to 32" From 1.0 To 32.0;
+    up_compensation "up_compensation" in "1 to 1000" From 1.0 To 1000.0;
+    north_compensation "north_compensation" in "1 to 1000" From 1.0 To 1000.0;
+}
+
 constructors! {
     ImuSignalConditioning
 
@@ -2767,6 +2854,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> ImuSignalConditioningResponse;
     responds ImuSignalConditioningResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -3006,6 +3094,11 @@ record! {
     }
 }
 
+ranges! {
+    CaptureGyroBias
+    averaging_time_ms "averaging_time_ms" in "1000 to 30000" From 1000.0 To 30000.0;
+}
+
 constructors! {
     CaptureGyroBias
 
@@ -3022,6 +3115,7 @@ command! {
     CaptureGyroBias -> GyroBiasResponse;
     responds GyroBiasResponse;
     timeout 31000;
+    checks Ranged;
 }
 
 record! {
@@ -3524,6 +3618,11 @@ record! {
     }
 }
 
+ranges! {
+    GpioState
+    pin "pin" in "at least 1" From 1.0;
+}
+
 constructors! {
     GpioState
 
@@ -3544,6 +3643,7 @@ command! {
     for WRITE -> ();
     for READ -> GpioStateResponse;
     responds GpioStateResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -3587,6 +3687,11 @@ record! {
     }
 }
 
+ranges! {
+    OdometerConfig
+    uncertainty "uncertainty" in "at least 0" From 0.0;
+}
+
 constructors! {
     OdometerConfig
 
@@ -3620,6 +3725,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> OdometerConfigResponse;
     responds OdometerConfigResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -3792,6 +3898,12 @@ record! {
     }
 }
 
+ranges! {
+    ComplementaryFilter
+    pitch_roll_time_constant "pitch_roll_time_constant" in "1 to 1000" From 1.0 To 1000.0;
+    heading_time_constant "heading_time_constant" in "1 to 1000" From 1.0 To 1000.0;
+}
+
 constructors! {
     ComplementaryFilter
 
@@ -3826,6 +3938,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> ComplementaryFilterResponse;
     responds ComplementaryFilterResponse for READ;
+    checks Ranged;
 }
 
 record! {
@@ -3995,6 +4108,11 @@ record! {
     }
 }
 
+ranges! {
+    LowPassFilter
+    frequency "frequency" in "at least 0" From 0.0;
+}
+
 constructors! {
     LowPassFilter
 
@@ -4030,6 +4148,7 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> LowPassFilterResponse;
     responds LowPassFilterResponse for READ;
+    checks Ranged;
 }
 
 record! {

@@ -65,10 +65,17 @@ macro_rules! command {
         $(silent for $($mute:ident)+;)?
         $(silent if $($member:ident = $value:expr),+;)?
         $(timeout $milliseconds:literal;)?
+        $(checks $ranges:ident;)?
     ) => {
         impl $crate::Command for $name {
             type Response = $response;
             $(const TIMEOUT_MS: Option<u32> = Some($milliseconds);)?
+
+            $(
+                fn check(&self) -> Result<(), $crate::OutOfRange> {
+                    $crate::range::$ranges::check_in(self, <Self as $crate::Field>::NAME)
+                }
+            )?
 
             #[inline]
             fn expects_reply(&self) -> bool {

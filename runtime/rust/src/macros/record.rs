@@ -404,3 +404,40 @@ macro_rules! flags {
         $crate::bits::Storage::get($self.$flags.0, 0, 63)
     };
 }
+
+/// The ranges of the values of a record, and the members whose own values have ranges.
+macro_rules! ranges {
+    (
+        $name:ident
+        $($member:ident $text:literal in $range:literal $($bound:ident $limit:literal)+;)*
+        $([$part:ident];)*
+    ) => {
+        impl $crate::range::Ranged for $name {
+            fn check_in(&self, field: &'static str) -> Result<(), $crate::OutOfRange> {
+                $($(
+                    if let Some(value) =
+                        $crate::range::Limited::outside(&self.$member, $crate::range::Bound::$bound($limit))
+                    {
+                        return Err($crate::OutOfRange { field, member: $text, value, range: $range });
+                    }
+                )+)*
+                $($crate::range::Ranged::check_in(&self.$part, field)?;)*
+                Ok(())
+            }
+        }
+    };
+}
+
+/// The alternatives of a union whose values have ranges.
+macro_rules! union_ranges {
+    ($name:ident $($variant:ident)+) => {
+        impl $crate::range::Ranged for $name {
+            fn check_in(&self, field: &'static str) -> Result<(), $crate::OutOfRange> {
+                match self {
+                    $(Self::$variant(value) => value.check_in(field),)+
+                    _ => Ok(()),
+                }
+            }
+        }
+    };
+}

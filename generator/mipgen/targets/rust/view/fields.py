@@ -115,6 +115,8 @@ class Field(Record):
             yield f"silent if {self._conditions(f.silent_when)}"
         if f.timeout:
             yield f"timeout {int(f.timeout * 1000)}"
+        if self.ranges:
+            yield "checks Ranged"
 
     def _conditions(self, conditions: Iterable[m.Condition]) -> str:
         """Writes conditions on a command as members and their values: `part = types::Mode::FAST`."""

@@ -9,6 +9,7 @@ from itertools import accumulate
 from typing import TYPE_CHECKING
 
 from mipgen import model as m
+from mipgen.facts import measures
 from mipgen.lower import calls, extent, validity
 
 from .. import names
@@ -110,6 +111,12 @@ class Union:
             content = f'({crate.type_of(p, record.home)}) "{p.name}"' if p else ""
             doc = crate.docs.case(case, self.parameter, record.of)
             yield Case(doc, serde(p, False, tag), names.constant(tag), names.variant(tag), content)
+
+    @property
+    def ranged(self) -> list[str]:
+        """The alternatives whose values have ranges."""
+        cases = (c for c in self.of.cases if c.parameter and is_ranged(c.parameter))
+        return [names.variant(c.tag.name) for c in cases]
 
     @property
     def default(self) -> str:
@@ -265,6 +272,14 @@ class Record:
         types = (f"{' as ' if x.parameter.struct else ': '}{x.type}" for x in self.members)
         return [(x.name, t, offset) for x, t, offset in zip(self.members, types, offsets, strict=False)]
 
+    @property
+    def ranges(self) -> list[str]:
+        """The ranges of its values, for the macro `ranges!`; those of data serve no command."""
+        if isinstance(self.of, m.Field) and not self.is_command:
+            return []
+        lines = [line for x in self.members if (line := ranged(x))]
+        return [*lines, *(f"[{x.name}]" for x in self.members if is_ranged(x.parameter))]
+
     # ------------------------------------------------------------------ methods
 
     @property
@@ -348,6 +363,29 @@ class Struct(Record):
         """The members to which a tuple of two to four values converts; none if there are others, too."""
         (way,) = self.constructors
         return list(way.arguments) if 2 <= len(way.arguments) <= 4 and not way.values else []
+
+
+def bounds(p: m.Parameter) -> list[tuple[str, float | int]]:
+    """Returns the bounds of a value, unless they depend on the device."""
+    if any(v.minimum is not None or v.maximum is not None for v in p.variants):
+        return []
+    every = (("From", p.minimum), ("Above", p.above), ("To", p.maximum), ("Below", p.below))
+    return [(word, bound) for word, bound in every if bound is not None]
+
+
+def ranged(x: Member) -> str:
+    p = x.parameter
+    limits = " ".join(f"{word} {float(bound)!r}" for word, bound in bounds(p))
+    said = measures.limits_text(p.minimum, p.maximum, p.above, p.below, lambda n: measures.numeral(p, n))
+    return f'{x.name} "{p.name}" in "{said}" {limits}' if limits else ""
+
+
+def is_ranged(p: m.Parameter) -> bool:
+    """Is it a structure, or a union of structures, that contains values with ranges?"""
+    members = p.item.struct.parameters if p.item.struct else ()
+    return any(is_ranged(q) for q in p.alternatives) or any(
+        q.counts is None and (bounds(q) or is_ranged(q)) for q in members
+    )
 
 
 def nested(parameters: Iterable[m.Parameter]) -> Iterator[m.Parameter]:
