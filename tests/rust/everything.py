@@ -27,8 +27,8 @@ HEAD = """//! Made by everything.py.
 
 use mip_protocol::registry::{FieldInfo, Listed, ParameterInfo};
 use mip_protocol::{
-    devices, AnyField, Bool, Command, DecodeErrorKind, DescriptorSet, EncodeErrorKind, Field, List, OneSet, Packet, PacketBuilder,
-    RawField, ResponseOf, Text, VarText, View, Viewed,
+    devices, AnyField, Bool, Command, DecodeErrorKind, DescriptorSet, EncodeErrorKind, Field, List, OneSet, Packet,
+    PacketBuilder, RawField, ResponseOf, Text, VarText, View, Viewed,
 };
 
 /// A value that is encoded as these bytes, and decoded to itself.

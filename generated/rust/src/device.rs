@@ -44,9 +44,13 @@ use core::fmt;
 use crate::client::{
     after, has_passed, Client, CommandError, Event, Reason, Request, RequestError, Ticket,
 };
+use crate::error::DecodeError;
 use crate::field::Command;
-use crate::packet::{Packet, MAX_PACKET};
+use crate::packet::{FromPacket, Packet, MAX_PACKET};
 use crate::parser::Parser;
+use crate::protocol::DescriptorSet;
+use crate::time::Time;
+use crate::timed::Timed;
 
 mod all;
 #[cfg(feature = "embedded-io-async")]
@@ -73,6 +77,13 @@ pub use line_async::{AsyncLine, CommandHalf, DataHalf, TokioDevice};
 pub use standard::StdPort;
 
 /// The connection to a device, and a clock.
+#[cfg_attr(
+    any(feature = "open", feature = "core-error"), // they need a Rust that has this
+    diagnostic::on_unimplemented(
+        message = "`{Self}` is no port of a device",
+        note = "wrap what implements `Read` and `Write` in `StdPort::new`, or a driver of `embedded-io` in `EmbeddedPort::new`"
+    )
+)]
 pub trait Port {
     /// The port's error type.
     type Error;
@@ -160,6 +171,8 @@ pub enum DeviceError<E> {
     Request(RequestError),
     /// The command was sent, but rejected, or not answered in time or correctly.
     Command(CommandError),
+    /// A field of received data cannot be decoded.
+    Data(DecodeError),
     /// The port could not read or write.
     Port(E),
     /// The port is closed: no more bytes will arrive, or none are accepted.
@@ -185,6 +198,7 @@ impl<E: fmt::Display> fmt::Display for DeviceError<E> {
         match self {
             Self::Request(error) => write!(f, "not sent: {error}"),
             Self::Command(error) => error.fmt(f),
+            Self::Data(error) => error.fmt(f),
             Self::Port(error) => write!(f, "port: {error}"),
             Self::Closed => f.write_str("the port is closed"),
             Self::NoBaudRate => f.write_str("not sent: the port has no baud rate"),
@@ -496,7 +510,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// Returns the error of the closure or of the port.
     pub fn send_all<T>(
         &mut self,
-        set: u8,
+        set: DescriptorSet,
         add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
     ) -> Result<T, DeviceError<P::Error>> {
         let now_ms = self.begin()?;
@@ -653,5 +667,48 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
             }
         }
         Ok(self.core.data.pop())
+    }
+
+    /// Returns the fields `F` of the packets that [`Device::next_packet`] would return, with their
+    /// times: a field, or a tuple of fields of one packet; see [`FromPacket`]. It ends when no packet
+    /// arrives within this number of milliseconds.
+    ///
+    /// ```
+    /// # #[cfg(feature = "sensor")] mod example {
+    /// use mip_protocol::device::{Device, DeviceError, Port};
+    /// use mip_protocol::sensor::{ScaledAccel, ScaledGyro};
+    ///
+    /// fn show<P: Port>(device: &mut Device<P>) -> Result<(), DeviceError<P::Error>> {
+    ///     for found in device.fields::<(ScaledAccel, ScaledGyro)>(1000) {
+    ///         let (time, (accel, gyro)) = found?;
+    ///         println!("{time:?}: {} {}", accel.scaled_accel.x, gyro.scaled_gyro.x);
+    ///     }
+    ///     Ok(())
+    /// }
+    /// # }
+    /// ```
+    pub fn fields<F: FromPacket>(&mut self, wait_ms: u32) -> Timed<&mut Self, F> {
+        Timed::new(self, wait_ms)
+    }
+}
+
+impl<P, F, const N: usize, const Q: usize> Iterator for Timed<&mut Device<P, N, Q>, F>
+where
+    P: Port,
+    F: FromPacket,
+{
+    type Item = Result<(Option<Time>, F), DeviceError<P::Error>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            match self.source.next_packet(self.wait_ms) {
+                Ok(packet) => {
+                    if let Some(found) = self.reader.read(&packet?) {
+                        return Some(found.map_err(DeviceError::Data));
+                    }
+                }
+                Err(error) => return Some(Err(error)),
+            }
+        }
     }
 }

@@ -322,6 +322,7 @@ impl<R: Response> Response for Option<R> {
     }
 }
 
+#[doc(hidden)]
 impl<T: Field> Response for T {
     const DESCRIPTORS: &'static [u8] = &[T::DESCRIPTOR];
 

@@ -3,6 +3,8 @@
 #![cfg_attr(feature = "default", doc = include_str!("sets.md"))]
 // Doc comments link to fields of other sets, which may be disabled.
 #![cfg_attr(not(feature = "default"), allow(rustdoc::broken_intra_doc_links))]
+// It would be a tenth of the documentation, and most of it invocations of macros.
+#![doc(html_no_source)]
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]

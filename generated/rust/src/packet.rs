@@ -361,6 +361,7 @@ pub trait FromPacket: Sized {
     }
 }
 
+#[doc(hidden)]
 impl<T: Field> FromPacket for T {
     #[inline]
     fn from_packet(packet: &Packet<'_>) -> Result<Option<Self>, DecodeError> {

@@ -119,6 +119,7 @@ macro_rules! calls {
 
 macro_rules! takes {
     ($name:ident $response:ty: $($function:ident)+) => {$(
+        #[doc(hidden)]
         impl $crate::Takes<{ $crate::protocol::FunctionSelector::$function.0 }> for $name {
             type Response = $response;
         }

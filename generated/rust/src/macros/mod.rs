@@ -1,4 +1,5 @@
-//! The macros used by the generated types.
+//! The macros used by the generated types. Hidden implementations are of traits that only the crate
+//! uses: they would be a third of each page of the documentation.
 
 #![allow(unused_macros)] // few sets use all of them
 

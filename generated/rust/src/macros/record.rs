@@ -108,6 +108,7 @@ macro_rules! members {
 /// size, and its steps.
 macro_rules! wire {
     ($name:ident { $($member:ident)* } $size:expr, $fixed:expr; $([$($step:tt)*])*) => {
+        #[doc(hidden)]
         impl $crate::Wire for $name {
             const SIZE: usize = $size;
             const FIXED: bool = $fixed;
@@ -273,6 +274,7 @@ macro_rules! union {
             Other($tag),
         }
 
+        #[doc(hidden)]
         impl $crate::list::Item for $name {
             const BLANK: Self = Self::Other(<$tag as $crate::list::Item>::BLANK);
         }
@@ -295,6 +297,7 @@ macro_rules! union {
             }
         }
 
+        #[doc(hidden)]
         impl $crate::Union for $name {
             type Tag = $tag;
 
@@ -337,6 +340,8 @@ macro_rules! union {
 /// The values of a record at fixed offsets, with their types.
 macro_rules! view {
     ($name:ident $($member:ident $(: $type:ty)? $(as $part:ty)?, at $at:literal;)*) => {
+        /// A [view](crate::Packet::view) reads single values in place, without decoding the others:
+        #[doc = concat!($("`", stringify!($member), "()` "),*)]
         impl $crate::Viewed for $name {}
 
         impl<'a> $crate::View<'a, $name> {
@@ -368,6 +373,7 @@ macro_rules! viewed {
 /// Implements `Item`, so that structures can be items of lists.
 macro_rules! item {
     ($name:ident { $($member:ident)* }) => {
+        #[doc(hidden)]
         impl $crate::list::Item for $name {
             const BLANK: Self = Self { $($member: $crate::list::Item::BLANK),* };
         }
@@ -412,6 +418,7 @@ macro_rules! ranges {
         $($member:ident $text:literal in $range:literal $($bound:ident $limit:literal)+;)*
         $([$part:ident];)*
     ) => {
+        #[doc(hidden)]
         impl $crate::range::Ranged for $name {
             fn check_in(&self, field: &'static str) -> Result<(), $crate::OutOfRange> {
                 $($(
@@ -431,6 +438,7 @@ macro_rules! ranges {
 /// The alternatives of a union whose values have ranges.
 macro_rules! union_ranges {
     ($name:ident $($variant:ident)+) => {
+        #[doc(hidden)]
         impl $crate::range::Ranged for $name {
             fn check_in(&self, field: &'static str) -> Result<(), $crate::OutOfRange> {
                 match self {

@@ -78,6 +78,7 @@ macro_rules! bitfield {
         bit_sets!($name: $storage);
 
         #[cfg(feature = "serde")]
+        #[doc(hidden)]
         impl $crate::readable::Flags for $name {
             type Storage = $storage;
 
@@ -274,6 +275,7 @@ macro_rules! bit_sets {
             }
         }
 
+        #[doc(hidden)]
         impl $crate::bits::BitSet for $name {
             #[inline]
             fn part(self, first: u16, last: u16) -> Self {

@@ -44,6 +44,7 @@ macro_rules! open_enum {
         newtype!($name: $number);
 
         #[cfg(feature = "serde")]
+        #[doc(hidden)]
         impl $crate::readable::Named for $name {
             type Number = $number;
 
@@ -86,6 +87,7 @@ macro_rules! open_enum {
             }
         }
 
+        #[doc(hidden)]
         impl $crate::bits::Number for $name {
             #[inline]
             fn from_bits(bits: u64) -> Self {
@@ -149,10 +151,12 @@ macro_rules! vector {
 
         mint!($name $number: $($element)*);
 
+        #[doc(hidden)]
         impl $crate::list::Item for $name {
             const BLANK: Self = Self { $($element: 0 as $number),* };
         }
 
+        #[doc(hidden)]
         impl $crate::range::Limited for $name {
             fn outside(&self, bound: $crate::range::Bound) -> ::core::option::Option<f64> {
                 self.to_array().outside(bound)
@@ -173,6 +177,7 @@ macro_rules! vector {
             }
         }
 
+        #[doc(hidden)]
         impl $crate::Wire for $name {
             const SIZE: usize = <[$number; $count] as $crate::Wire>::SIZE;
             const FIXED: bool = true;
@@ -214,6 +219,7 @@ macro_rules! vector {
         }
 
         #[cfg(feature = "dynamic")]
+        #[doc(hidden)]
         impl $crate::dynamic::ToValue for $name {
             fn to_value(&self) -> $crate::dynamic::Value {
                 self.to_array().to_value()
@@ -221,6 +227,7 @@ macro_rules! vector {
         }
 
         #[cfg(feature = "dynamic")]
+        #[doc(hidden)]
         impl $crate::dynamic::FromValue for $name {
             fn from_value(
                 value: &$crate::dynamic::Value,
@@ -274,6 +281,7 @@ macro_rules! mint {
         }
 
         #[cfg(feature = "mint")]
+        #[doc(hidden)]
         impl mint::IntoMint for $name {
             type MintType = $other;
         }
@@ -297,10 +305,12 @@ macro_rules! newtype {
             }
         }
 
+        #[doc(hidden)]
         impl $crate::list::Item for $name {
             const BLANK: Self = Self(<$inner as $crate::list::Item>::BLANK);
         }
 
+        #[doc(hidden)]
         impl $crate::Wire for $name {
             const SIZE: usize = <$inner as $crate::Wire>::SIZE;
             const FIXED: bool = true;
@@ -322,6 +332,7 @@ macro_rules! newtype {
         }
 
         #[cfg(feature = "dynamic")]
+        #[doc(hidden)]
         impl $crate::dynamic::ToValue for $name {
             fn to_value(&self) -> $crate::dynamic::Value {
                 self.0.to_value()
@@ -329,6 +340,7 @@ macro_rules! newtype {
         }
 
         #[cfg(feature = "dynamic")]
+        #[doc(hidden)]
         impl $crate::dynamic::FromValue for $name {
             fn from_value(
                 value: &$crate::dynamic::Value,

@@ -80,6 +80,7 @@ macro_rules! registry {
             impl bounds::Sealed for $type {}
 
             #[cfg($when)]
+            #[doc(hidden)]
             impl Listed for $type {
                 #[inline]
                 fn into_any(self) -> AnyField {
@@ -104,6 +105,7 @@ macro_rules! registry {
             }
 
             #[cfg($when)]
+            #[doc(hidden)]
             impl From<$type> for AnyField {
                 #[inline]
                 fn from(field: $type) -> Self {

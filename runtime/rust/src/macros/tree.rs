@@ -2,6 +2,7 @@
 
 macro_rules! tree {
     ($name:ident { $($member:ident)* } $([$($step:tt)*])*) => {
+        #[doc(hidden)]
         impl $crate::dynamic::ToValue for $name {
             fn to_value(&self) -> $crate::dynamic::Value {
                 let Self { $($member),* } = self;
@@ -12,6 +13,7 @@ macro_rules! tree {
             }
         }
 
+        #[doc(hidden)]
         impl $crate::dynamic::FromValue for $name {
             fn from_value(
                 value: &$crate::dynamic::Value,
@@ -143,6 +145,7 @@ macro_rules! take_some {
 
 macro_rules! union_tree {
     ($name:ident $tag:ty; $($value:ident $variant:ident $($text:literal)?;)*) => {
+        #[doc(hidden)]
         impl $crate::dynamic::ToValue for $name {
             fn to_value(&self) -> $crate::dynamic::Value {
                 #[allow(unused_mut)]
@@ -155,6 +158,7 @@ macro_rules! union_tree {
             }
         }
 
+        #[doc(hidden)]
         impl $crate::dynamic::Alternative for $name {
             fn of_value(
                 tag: $tag,
