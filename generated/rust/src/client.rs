@@ -526,6 +526,21 @@ impl<const N: usize> Client<N> {
     }
 
     /// Begins a packet with commands of one descriptor set.
+    ///
+    /// ```
+    /// # #[cfg(feature = "base")] {
+    /// use mip_protocol::base::{self, GetDeviceInfo, Ping};
+    /// use mip_protocol::Client;
+    ///
+    /// let mut client = Client::new();
+    /// let mut request = client.request(base::SET);
+    /// let ping = request.add(&Ping::new()).unwrap();
+    /// let info = request.add(&GetDeviceInfo::new()).unwrap();
+    /// let packet = request.send(0);
+    /// assert_eq!(packet.fields().count(), 2);
+    /// # let _ = (ping, info);
+    /// # }
+    /// ```
     pub fn request(&mut self, set: DescriptorSet) -> Request<'_> {
         let table = self.table_mut();
         for slot in &table.slots {
@@ -538,6 +553,20 @@ impl<const N: usize> Client<N> {
     }
 
     /// Returns a packet with one command, ready to be sent.
+    ///
+    /// ```
+    /// # #[cfg(feature = "base")] {
+    /// use mip_protocol::{base::Ping, packets, Client};
+    ///
+    /// let mut client = Client::new();
+    /// let (ticket, packet) = client.send(&Ping::new(), 0).unwrap();
+    /// assert_eq!(packet.bytes(), b"\x75\x65\x01\x02\x02\x01\xE0\xC6"); // send it
+    /// for packet in packets(b"\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A") {
+    ///     client.receive(&packet);
+    /// }
+    /// assert_eq!(client.take(&ticket), Some(Ok(())));
+    /// # }
+    /// ```
     ///
     /// # Errors
     ///
@@ -601,6 +630,20 @@ impl<const N: usize> Client<N> {
     /// Noise that looks like the start of a packet delays the packets after it. Before a command
     /// times out, this returns them; handle them like any other packet. An incomplete packet is
     /// kept.
+    ///
+    /// ```
+    /// # #[cfg(feature = "base")] {
+    /// use mip_protocol::{base::Ping, Client, Parser, Reason};
+    ///
+    /// let (mut client, mut parser) = (Client::new(), Parser::new());
+    /// let (ticket, _) = client.send(&Ping::new(), 0).unwrap();
+    /// while let Some(packet) = client.poll(&mut parser, 1000) {
+    ///     client.receive(&packet); // what noise has hidden
+    /// }
+    /// let error = client.take(&ticket).unwrap().unwrap_err();
+    /// assert_eq!(error.reason, Reason::TimedOut);
+    /// # }
+    /// ```
     pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u32) -> Option<Packet<'p>> {
         self.table_mut().poll(parser, now_ms)
     }

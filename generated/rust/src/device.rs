@@ -460,6 +460,19 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// an `Option` if its function is known only at run time. If devices do not answer the command,
     /// it does not wait.
     ///
+    /// ```
+    /// # #[cfg(feature = "base")] {
+    /// use mip_protocol::base::GetDeviceInfo;
+    /// use mip_protocol::device::{Device, DeviceError, Port};
+    ///
+    /// fn name<P: Port>(device: &mut Device<P>) -> Result<(), DeviceError<P::Error>> {
+    ///     let info = device.request(&GetDeviceInfo::new())?.device_info;
+    ///     println!("{}", info.model_name);
+    ///     Ok(())
+    /// }
+    /// # }
+    /// ```
+    ///
     /// # Errors
     ///
     /// The command cannot be sent, is rejected or not answered, or the port fails.
@@ -504,6 +517,21 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ///
     /// The closure adds the commands, and returns any value, usually their tickets. If it adds
     /// none, nothing is sent. [`Device::answer`] returns the outcome of each.
+    ///
+    /// ```
+    /// # #[cfg(feature = "base")] {
+    /// use mip_protocol::base::{self, GetDeviceInfo, Ping};
+    /// use mip_protocol::device::{Device, DeviceError, Port};
+    ///
+    /// fn ask<P: Port>(device: &mut Device<P>) -> Result<(), DeviceError<P::Error>> {
+    ///     let (ping, info) = device.send_all(base::SET, |request| {
+    ///         Ok((request.add(&Ping::new())?, request.add(&GetDeviceInfo::new())?))
+    ///     })?;
+    ///     println!("{:?} {:?}", device.answer(&ping), device.answer(&info)); // each by itself
+    ///     Ok(())
+    /// }
+    /// # }
+    /// ```
     ///
     /// # Errors
     ///
@@ -643,6 +671,17 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// contains a whole packet: then it was noise, and the inner packet is returned.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
+    ///
+    /// ```
+    /// use mip_protocol::device::{Device, DeviceError, Port};
+    ///
+    /// fn show<P: Port>(device: &mut Device<P>) -> Result<(), DeviceError<P::Error>> {
+    ///     while let Some(packet) = device.next_packet(1000)? {
+    ///         println!("{}: {} fields", packet.set(), packet.fields().count());
+    ///     }
+    ///     Ok(()) // no data for a second
+    /// }
+    /// ```
     ///
     /// # Errors
     ///

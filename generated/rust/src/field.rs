@@ -33,6 +33,14 @@ pub trait Field: Wire {
 
     /// Decodes the data of a field, the bytes after its descriptor.
     ///
+    /// ```
+    /// use mip_protocol::{protocol::Acknowledge, Field};
+    ///
+    /// let reply = Acknowledge::decode(&[1, 0])?;
+    /// assert_eq!(reply.command, 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// A required value is missing, a count exceeds what follows, or a constant has the wrong
@@ -45,6 +53,14 @@ pub trait Field: Wire {
 
     /// Like [`Field::decode`], but also returns the number of bytes left over, because newer
     /// firmware may append some.
+    ///
+    /// ```
+    /// use mip_protocol::{protocol::Acknowledge, Field};
+    ///
+    /// let (_, left_over) = Acknowledge::decode_with_trailing(&[1, 0, 7])?;
+    /// assert_eq!(left_over, 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -59,6 +75,14 @@ pub trait Field: Wire {
     }
 
     /// Encodes the field's data into the front of the buffer, and returns its length.
+    ///
+    /// ```
+    /// use mip_protocol::{protocol::Acknowledge, Field};
+    ///
+    /// let mut buffer = [0; 4];
+    /// assert_eq!(Acknowledge { command: 1, code: 0.into() }.encode(&mut buffer)?, 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -178,6 +202,15 @@ impl<C, const FUNCTION: u8> Call<C, FUNCTION> {
     }
 
     /// Returns the command, whose values and function can be changed.
+    ///
+    /// ```
+    /// # #[cfg(all(feature = "mip_3dm", feature = "sensor"))] {
+    /// use mip_protocol::mip_3dm::LowPassFilter;
+    ///
+    /// let mut command = LowPassFilter::read(mip_protocol::sensor::SET, 0x04).into_command();
+    /// command.field_descriptor = Some(0x05); // the function is no longer part of the type
+    /// # }
+    /// ```
     #[must_use]
     pub fn into_command(self) -> C {
         self.0
@@ -411,6 +444,17 @@ impl<'a> RawField<'a> {
     }
 
     /// Decodes the field if it is of this type.
+    ///
+    /// ```
+    /// use mip_protocol::{protocol::Acknowledge, Packet};
+    ///
+    /// for field in &Packet::new(b"\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A")? {
+    ///     if let Some(reply) = field?.get::<Acknowledge>()? {
+    ///         assert_eq!(reply.command, 1);
+    ///     }
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///

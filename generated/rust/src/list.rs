@@ -109,6 +109,13 @@ impl<T: Item, const N: usize> List<T, N> {
 impl<T, const N: usize> List<T, N> {
     /// Appends an item. A list that has overflowed accepts none until it is cleared.
     ///
+    /// ```
+    /// let mut list = mip_protocol::List::<u8, 2>::new();
+    /// list.push(1)?;
+    /// assert_eq!(list.as_slice(), [1]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// The list is full.
@@ -130,6 +137,11 @@ impl<T, const N: usize> List<T, N> {
     }
 
     /// Was the list given more items than it can hold? If so, it holds only the first ones.
+    ///
+    /// ```
+    /// let list: mip_protocol::List<u8, 2> = [1, 2, 3].into_iter().collect();
+    /// assert!(list.overflowed() && list.len() == 2);
+    /// ```
     #[must_use]
     pub const fn overflowed(&self) -> bool {
         self.given & OVERFLOWED != 0

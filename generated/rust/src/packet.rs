@@ -28,6 +28,10 @@ const SMALL: usize = 32;
 pub(crate) const HOST: bool = cfg!(target_pointer_width = "64");
 
 /// Computes the two checksum bytes of a packet: sums over header and payload.
+///
+/// ```
+/// assert_eq!(mip_protocol::checksum(b"\x75\x65\x01\x02\x02\x01"), [0xE0, 0xC6]);
+/// ```
 #[must_use]
 #[inline]
 pub fn checksum(bytes: &[u8]) -> [u8; 2] {
@@ -197,6 +201,13 @@ pub struct Packet<'a> {
 impl<'a> Packet<'a> {
     /// Checks that bytes are exactly one packet.
     ///
+    /// ```
+    /// use mip_protocol::{Packet, PacketError};
+    ///
+    /// assert!(Packet::new(b"\x75\x65\x01\x02\x02\x01\xE0\xC6").is_ok());
+    /// assert_eq!(Packet::new(b"$GPGGA"), Err(PacketError::Sync));
+    /// ```
+    ///
     /// # Errors
     ///
     /// The sync bytes, the length or the checksum is wrong.
@@ -235,12 +246,26 @@ impl<'a> Packet<'a> {
     }
 
     /// Returns the payload: the fields, one after another.
+    ///
+    /// ```
+    /// let packet = mip_protocol::Packet::new(b"\x75\x65\x01\x02\x02\x01\xE0\xC6")?;
+    /// assert_eq!(packet.payload(), [2, 1]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn payload(&self) -> &'a [u8] {
         self.bytes.get(HEADER..self.bytes.len().saturating_sub(2)).unwrap_or_default()
     }
 
     /// Iterates over the fields.
+    ///
+    /// ```
+    /// let packet = mip_protocol::Packet::new(b"\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A")?;
+    /// for field in packet.fields() {
+    ///     assert_eq!(field?.descriptor, 0xF1);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn fields(&self) -> Fields<'a> {
         match *self.bytes {
@@ -279,6 +304,14 @@ impl<'a> Packet<'a> {
     }
 
     /// Like [`Packet::find`], but returns a view, to read values in place.
+    ///
+    /// ```
+    /// use mip_protocol::{protocol::Acknowledge, Packet};
+    ///
+    /// let packet = Packet::new(b"\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A")?;
+    /// assert_eq!(packet.view::<Acknowledge>()?.map(|reply| reply.command()), Some(1));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -528,6 +561,18 @@ impl PacketBuilder {
     ///
     /// No packet has set 0 or 0xFF, and [`Packet::new`] rejects them: a builder with such a set
     /// accepts no field, and its packet must not be sent.
+    ///
+    /// ```
+    /// # #[cfg(feature = "sensor")] {
+    /// use mip_protocol::sensor::{self, ScaledAccel};
+    /// use mip_protocol::PacketBuilder;
+    ///
+    /// let mut builder = PacketBuilder::new(sensor::SET);
+    /// builder.push(&ScaledAccel::default()).unwrap();
+    /// builder.push_raw(0xFE, &[1, 2]).unwrap(); // a field that this crate does not know
+    /// assert_eq!(builder.packet().fields().count(), 2);
+    /// # }
+    /// ```
     #[must_use]
     pub const fn new(set: DescriptorSet) -> Self {
         let [first, second] = SYNC;
@@ -561,6 +606,13 @@ impl PacketBuilder {
     ///
     /// For a field of several sets, begin the packet with [`PacketBuilder::new`], and
     /// [push](PacketBuilder::push) the field.
+    ///
+    /// ```
+    /// # #[cfg(feature = "base")] {
+    /// let packet = mip_protocol::PacketBuilder::with(&mip_protocol::base::Ping::new()).unwrap();
+    /// assert_eq!(packet.bytes(), b"\x75\x65\x01\x02\x02\x01\xE0\xC6");
+    /// # }
+    /// ```
     ///
     /// # Errors
     ///
@@ -627,6 +679,19 @@ impl PacketBuilder {
 
     /// Removes all fields, to build the next packet of the set. A loop with one builder clears a
     /// packet's memory only once.
+    ///
+    /// ```
+    /// # #[cfg(feature = "sensor")] {
+    /// use mip_protocol::{sensor, PacketBuilder};
+    ///
+    /// let mut builder = PacketBuilder::new(sensor::SET);
+    /// for x in [1.0, 2.0] {
+    ///     builder.clear();
+    ///     builder.push(&sensor::ScaledAccel::new([x, 0.0, -1.0])).unwrap();
+    ///     println!("{:02x?}", builder.bytes());
+    /// }
+    /// # }
+    /// ```
     #[inline]
     pub fn clear(&mut self) {
         let [_, _, set, payload, ..] = &mut self.bytes;

@@ -229,6 +229,13 @@ impl Parser {
     /// Discards the pending candidate, for example at the end of a file.
     ///
     /// Packets within it are not lost: call this until it returns `None`.
+    ///
+    /// ```
+    /// let mut parser = mip_protocol::Parser::new();
+    /// let mut bytes = &b"\x75\x65\x80\xFF\x75\x65\x01\x02\x02\x01\xE0\xC6"[..];
+    /// assert_eq!(parser.next(&mut bytes), None); // the first header may be that of a long packet
+    /// assert!(parser.flush().is_some());
+    /// ```
     pub fn flush(&mut self) -> Option<Packet<'_>> {
         while !self.holds() {
             if self.length == 0 {

@@ -145,6 +145,14 @@ impl Packet<'_> {
     /// one with the lowest descriptor counts. How flags are read if that depends on the device is
     /// recognized from the flags that are set; to combine them for all packets of a log or to name
     /// the device, use [`Times`].
+    ///
+    /// ```
+    /// use mip_protocol::{packets, Clock};
+    ///
+    /// for packet in packets(b"\x75\x65\x01\x02\x02\x01\xE0\xC6") {
+    ///     assert_eq!(Clock::ALL.iter().find_map(|clock| packet.time(*clock)), None);
+    /// }
+    /// ```
     #[must_use]
     pub fn time(&self, clock: Clock) -> Option<i64> {
         Times::new().read(self, clock)
@@ -338,6 +346,11 @@ impl Utc {
     }
 
     /// Returns year, month and day.
+    ///
+    /// ```
+    /// let time = mip_protocol::Utc::from_unix_nanoseconds(951_782_400_000_000_000);
+    /// assert_eq!((time.date(), time.time_of_day()), ((2000, 2, 29), (0, 0, 0, 0)));
+    /// ```
     #[must_use]
     pub fn date(self) -> (i32, u8, u8) {
         // Years begin in March, so that the leap day is the last one; an era has 400 years.

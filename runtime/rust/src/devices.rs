@@ -185,6 +185,13 @@ impl Profile {
 
     /// Returns the device with this model number; `None` if it is unknown, for example because the
     /// device is newer than this crate.
+    ///
+    /// ```
+    /// use mip_protocol::devices::{model_number, Profile};
+    ///
+    /// let number = model_number("6286-9960").unwrap(); // as in the device information
+    /// println!("{:?}", Profile::by_model(number).map(|device| device.title));
+    /// ```
     #[must_use]
     pub fn by_model(number: u16) -> Option<&'static Self> {
         ALL.iter().copied().find(|device| device.model_number == Some(number))
@@ -226,6 +233,16 @@ impl Profile {
 
     /// Returns the reason to believe that the device supports a field in packets of this set, or
     /// does not; also of a set of which it supports no field.
+    ///
+    /// ```
+    /// use mip_protocol::devices::Profile;
+    ///
+    /// # if Profile::find("3DM-CV7-AHRS").is_none() { return }
+    /// let device = Profile::find("3DM-CV7-AHRS").unwrap();
+    /// if let Some(evidence) = device.evidence(0x80.into(), 0x04) {
+    ///     println!("{:?}: {}", evidence.answer, evidence.why);
+    /// }
+    /// ```
     #[must_use]
     pub fn evidence(&self, set: DescriptorSet, descriptor: u8) -> Option<&'static Evidence> {
         let field = self.stated(set, descriptor).map(|field| field.evidence);
@@ -236,6 +253,16 @@ impl Profile {
 
     /// Does the device support this field, certainly or as is believed, in any set in which it occurs? For
     /// a single set, use [`Profile::support`].
+    ///
+    /// ```
+    /// # #[cfg(feature = "sensor")] {
+    /// use mip_protocol::devices::Profile;
+    ///
+    /// # if Profile::find("3DM-CV7-AHRS").is_none() { return }
+    /// let device = Profile::find("3DM-CV7-AHRS").unwrap();
+    /// assert!(device.has::<mip_protocol::sensor::ScaledAccel>());
+    /// # }
+    /// ```
     #[must_use]
     pub fn has<T: crate::Field>(&self) -> bool {
         let found = |set: &DescriptorSet| self.support(*set, T::DESCRIPTOR);
@@ -250,12 +277,28 @@ impl Profile {
     }
 
     /// Returns the base rate of a descriptor set in Hz; 0 if data is sent as it arrives.
+    ///
+    /// ```
+    /// use mip_protocol::devices::Profile;
+    ///
+    /// # if Profile::find("3DM-CV7-AHRS").is_none() { return }
+    /// let device = Profile::find("3DM-CV7-AHRS").unwrap();
+    /// println!("{:?} Hz", device.base_rate(0x80.into()));
+    /// ```
     #[must_use]
     pub fn base_rate(&self, set: DescriptorSet) -> Option<f64> {
         self.base_rates.iter().find(|rate| rate.set == set).map(|rate| rate.hertz)
     }
 
     /// Returns the limit with this name.
+    ///
+    /// ```
+    /// use mip_protocol::devices::Profile;
+    ///
+    /// # if Profile::find("3DM-CV7-AHRS").is_none() { return }
+    /// let device = Profile::find("3DM-CV7-AHRS").unwrap();
+    /// println!("{:?}", device.limit("event_triggers"));
+    /// ```
     #[must_use]
     pub fn limit(&self, name: &str) -> Option<f64> {
         self.limits.iter().find(|limit| limit.name == name).map(|limit| limit.value)

@@ -48,6 +48,16 @@ struct Occurrence {
 
 impl FieldInfo {
     /// Finds the field with this name, which may be its name in one of its sets: `set.field`.
+    ///
+    /// ```
+    /// # #[cfg(feature = "sensor")] {
+    /// use mip_protocol::registry::FieldInfo;
+    ///
+    /// let info = FieldInfo::by_name("sensor.scaled_accel").unwrap();
+    /// assert_eq!((info.sets[0].0, info.descriptor), (0x80, 0x04));
+    /// assert_eq!(info.parameters()[0].units, ["g"]);
+    /// # }
+    /// ```
     #[must_use]
     pub fn by_name(name: &str) -> Option<&'static Self> {
         let called = |info: &&Self| {
@@ -341,6 +351,17 @@ impl AnyField {
 
     /// Decodes a field, and counts the bytes left over, because newer firmware may append some;
     /// returns `None` if the field is unknown.
+    ///
+    /// ```
+    /// use mip_protocol::{AnyField, Packet};
+    ///
+    /// for field in &Packet::new(b"\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A")? {
+    ///     if let Some(found) = &AnyField::decode_with_trailing(&field?)? {
+    ///         assert_eq!((found.set.0, found.left_over), (1, 0));
+    ///     }
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -65,6 +65,18 @@ impl<const N: usize, const Q: usize> Device<Line, N, Q> {
     /// The command that was waiting remains unanswered. The device may have restarted; then it
     /// sends nothing until you call `stream` again.
     ///
+    /// ```no_run
+    /// # fn example() -> Result<(), Box<dyn std::error::Error>> {
+    /// use mip_protocol::device::{Device, DeviceError, Line};
+    /// use std::time::Duration;
+    ///
+    /// let mut device = Device::new(Line::open("/dev/ttyACM0")?);
+    /// if let Err(DeviceError::Port(_)) = device.next_packet(1000) {
+    ///     device.reopen(Duration::from_secs(30))?; // it was unplugged
+    /// }
+    /// # Ok(()) }
+    /// ```
+    ///
     /// # Errors
     ///
     /// The port cannot be opened.
@@ -135,6 +147,15 @@ impl Line {
 
     /// Copies all bytes that are received from now on, for example to a file, which is then a log:
     /// `device.port_mut().record(File::create("log.bin")?)`. An error there is one of the port.
+    ///
+    /// ```no_run
+    /// # fn example() -> Result<(), Box<dyn std::error::Error>> {
+    /// use mip_protocol::device::{Device, Line};
+    ///
+    /// let mut device = Device::new(Line::open("192.168.1.20:9000")?);
+    /// device.port_mut().record(std::fs::File::create("log.bin")?);
+    /// # Ok(()) }
+    /// ```
     pub fn record(&mut self, to: impl Write + Send + 'static) {
         self.record = Some(Box::new(to));
     }

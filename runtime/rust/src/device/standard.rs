@@ -22,6 +22,16 @@ pub struct StdPort<T> {
 
 impl<T> StdPort<T> {
     /// Creates a port, for example from one of the crate `serialport`.
+    ///
+    /// ```no_run
+    /// use mip_protocol::device::{Device, StdPort};
+    ///
+    /// let stream = std::net::TcpStream::connect("192.168.1.20:9000")?;
+    /// stream.set_read_timeout(Some(std::time::Duration::from_millis(10)))?;
+    /// let device = Device::new(StdPort::new(stream));
+    /// # let _ = device;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn new(io: T) -> Self {
         Self { io, start: Instant::now() }
