@@ -24,7 +24,7 @@ int main(int argc, char **argv) {
     }
     mip::device<> device(line.port);
     mip_base_get_device_info_response info;
-    const mip::result<> found = mip_device_connect(&device.c(), mip_line_set_baud, &info);
+    const mip::result<> found = device.connect(info, mip_line_set_baud);
     if (!found) {
         std::cerr << "connect: " << found << '\n';
     }

@@ -20,7 +20,8 @@ static void on_field(void *user, const struct mip_field *received, uint32_t arri
     /* 2. the other lines of the page */
     struct mip_sensor_scaled_accel value;
     if (mip_sensor_scaled_accel_decode(&value, &field) == MIP_OK) {
-        /* value.scaled_accel */
+        printf("%g %g %g\n", (double)value.scaled_accel[0], (double)value.scaled_accel[1],
+               (double)value.scaled_accel[2]);
     }
     /* end of 2 */
 }

@@ -17,7 +17,8 @@ static void on_field(const mip::field &field, std::uint32_t arrived) {
     std::cout << arrived << " ms: " << +field.size << " bytes" << std::endl;
     // 2. the other lines of the page
     if (const auto value = field.as<mip::sensor::scaled_accel>()) {
-        // value->scaled_accel
+        std::cout << value->scaled_accel[0] << ' ' << value->scaled_accel[1] << ' '
+                  << value->scaled_accel[2] << '\n';
     }
     // end of 2
 }
@@ -33,9 +34,9 @@ int main(int argc, char **argv) {
     device.on_other(on_field);
     mip_base_get_device_info_response info;
     mip_rate rates[] = {{DESCRIPTOR, 1, 0}}; // 1 Hz
-    mip::result<> result = mip_device_connect(&device.c(), mip_line_set_baud, &info);
+    mip::result<> result = device.connect(info, mip_line_set_baud);
     if (result) {
-        result = mip_device_stream(&device.c(), SET, MIP_ARRAY(rates));
+        result = device.stream(SET, rates);
     }
     if (!result) {
         std::cerr << result << '\n';

@@ -203,16 +203,16 @@ def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
         includes |= set(needs)
         takes, begin, end, given = "void", "", "done = true;", [""]
         if f.role == m.COMMAND:
-            body += '\nif (!mip_succeeded(result)) { printf("%s\\n", mip_result_reason(result)); return; }'
+            body += "\nif (!mip_succeeded(result)) { puts(mip_result_reason(result)); return; }"
             texts = ", ".join(f'"{reply(manual, p).hex()}"' for p in ready(manual, f))
             calls.append(f'static const char *const a_{len(calls)}[] = {{{texts}, ""}}; answers = a_{len(calls)};')
         else:
-            members = re.findall(r"value\.\w+", re.findall(r"/\*(.*)\*/", body)[0])
-            body = re.sub(r"/\*.*\*/", "".join(f"(void){x}; " for x in members) + "done = true;", body)
+            body = body.replace("printf(", "done = true; printf(")
             takes, begin, end = "const char *hex", DATA, 'if (!done) { printf("%s refused\\n", name); }'
             given = [f'"{p.hex()}"' for p in (sample(manual, f), *broken(manual, f))]
             calls.append("")
         name = f"f_{len(functions)}"
+        body = body.replace("printf(", "fprintf(stderr, ")
         functions.append(f"static void {name}({takes}) {{ {begin}\n{body}\n{end} }}\n")
         run_ = " ".join(f'done = false; {name}({x}); if (done) printf("%s done\\n", name);' for x in given)
         calls[-1] = f'{{ name = "{f.full_name}"; {calls[-1]} {run_} }}'
@@ -261,6 +261,7 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
         includes |= set(needs)
         name, what = f"f_{len(functions)}", f'"{f.full_name}"'
         if f.role == m.COMMAND:
+            body = body.replace("std::cout", "std::cerr")
             for result in re.findall(r"const auto (result|answer) =", body):
                 body += f'\nif (!{result}) {{ printf("%s\\n", {result}.reason().data()); return; }}'
             packets = ready(manual, f)
@@ -268,10 +269,7 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
             functions.append(f"static void {name}() {{ auto &device = device_cpp;\n{body}\ndone = true; }}\n")
             given = [f'static const char *const a[] = {{{texts}, ""}}; answers = a; {name}();']
         else:
-            members = re.findall(r"value->\w+(?:\(\))?", body)
-            body = re.sub(
-                r"// (?:value->|it holds).*", " ".join(f"(void){x};" for x in members) + " done = true;", body
-            )
+            body = body.replace("std::cout", "done = true; std::cerr")
             body += '\nif (!done) { printf("%s refused\\n", name); }'
             functions.append(f"static void {name}(const mip::field &field) {{\n{body}\n}}\n")
             given = [
@@ -295,8 +293,20 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
         run(need("cc"), "-std=c99", "-O0", f"-I{generated}/c/src", "-c", x, "-o", tmp_path / f"{x.stem}.o")
     head = re.sub(r"static bool take.*", "", C_HEAD, flags=re.S)
     source = tmp_path / "programs.cpp"
-    source.write_text("\n".join([*sorted(includes), head, CPP_HEAD, *functions, *main]), "utf-8")
-    flags = ["-std=c++20", "-O0", "-Wall", "-Wpedantic", "-Werror", "-Wno-unused", f"-I{generated}/c/src"]
+    parts = [*sorted(includes), "#include <iostream>", head, CPP_HEAD, *functions, *main]
+    source.write_text("\n".join(parts), "utf-8")
+    flags = [
+        "-std=c++17",
+        "-pedantic-errors",
+        "-O0",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-Wno-unused",
+        f"-I{generated}/c/src",
+    ]
+    if generated == SPECS["real"][1]:
+        run(need("clang++"), *flags, "-fsyntax-only", source)
     run(need("g++"), *flags, source, *sorted(tmp_path.glob("*.o")), "-o", tmp_path / "programs")
     check(manual, run(tmp_path / "programs"))
 

@@ -203,14 +203,19 @@ def test_other_values_compile(spec: str, tmp_path: Path) -> None:
     found = programs(spec, chosen, tmp_path)
     includes = f"-I{SPECS[spec][1]}/c/src"
     for language, ending, device in (("c", "c", "struct mip_device *device"), ("cpp", "cpp", "mip::device<> &device")):
-        heads, functions = {f'#include "mip/device.{"h" if language == "c" else "hpp"}"'}, []
+        ends = ("h", "stdio.h") if language == "c" else ("hpp", "iostream")
+        heads, functions = {f'#include "mip/device.{ends[0]}"', f"#include <{ends[1]}>"}, []
         for i, texts in enumerate(found.values()):
             head, _, body = texts[language].partition("\n")
             heads.add(head)
             functions.append(f"void f_{i}({device});\nvoid f_{i}({device}) {{{body}\n}}")
         source = tmp_path / f"programs.{ending}"
         source.write_text("\n".join([*sorted(heads), *functions]), "utf-8")
-        flags = ["-std=c99", "-Wno-unused-variable"] if language == "c" else ["-std=c++20", "-Wno-unused"]
+        flags = (
+            ["-std=c99", "-Wno-unused-variable"]
+            if language == "c"
+            else ["-std=c++17", "-pedantic-errors", "-Wno-unused"]
+        )
         command = [
             need("cc" if language == "c" else "g++"),
             *flags,

@@ -1,4 +1,5 @@
 // What C++ adds, used as a program would.
+#include "mip/connect.h"
 #include "mip/mip.hpp"
 #include "mip/ostream.hpp"
 #include "mip/profiles.h"
@@ -79,6 +80,8 @@ void spans() {
     }
     CHECK(sum == 6 && all.size() == 3 && all[2] == 3 && !all.empty());
     CHECK(mip::detail::count(std::vector<char>(300)) == 255);
+    const float fixed[3] = {1, 2, 3};
+    CHECK(mip::span(fixed).size() == 3 && mip::span(fixed).end()[-1] == 3);
     const char name[4] = {'a', 'b', 0, 'c'};
     const char full[2] = {'a', 'b'};
     CHECK(mip::text(name) == "ab" && mip::text(full) == "ab");
@@ -278,6 +281,12 @@ void handlers() {
     };
     device.on<fix_info>(mip::gnss_2_set, std::ref(large));
     device.on_other([&counter](const mip::field &) { counter.others++; });
+    int begun = 0, ended = 0;
+    const auto observer = [&](const mip::packet &packet, bool ends) {
+        CHECK(packet.bytes == device.current().bytes && packet.begin() != packet.end());
+        (ends ? ended : begun)++;
+    };
+    device.observe(observer);
 
     port.coming.assign(ACCEL, ACCEL + sizeof(ACCEL));
     for (const std::uint8_t set : {mip::gnss_1_set, mip::gnss_2_set}) {
@@ -287,7 +296,7 @@ void handlers() {
         port.coming.insert(port.coming.end(), packet.bytes, packet.bytes + packet.size);
     }
     CHECK(device.poll() && counter.values == 2 && counter.others == 1 && counter.arrived == 100);
-    CHECK(device.current().size == 0);
+    CHECK(device.current().size == 0 && begun == 3 && ended == 3);
     CHECK(!device.poll()); // the port is gone
 
     Port another;
@@ -297,6 +306,27 @@ void handlers() {
     CHECK(small.poll());
     small.on_other([](const mip::field &) {});
     CHECK(!small.poll()); // there is no room for a second one
+}
+
+void connecting() {
+    using namespace mip::mip_3dm;
+    const auto ok = mip::ack_code::ok;
+    Port port;
+    mip::device device(port);
+    mip::base::get_device_info_response given = {}, info;
+    given.device_info.firmware_version = 1042;
+    get_base_rate_response base = {};
+    base.rate = 1000;
+    port.answers = {answer(0x01, 0x01, ok), answer(0x01, 0x02, ok), answer(0x01, 0x03, ok, given),
+                    answer(0x0C, 0x0E, ok, base), answer(0x0C, 0x0F, ok), answer(0x0C, 0x11, ok),
+                    answer(0x01, 0x06, ok), answer(0x0C, 0x0E, ok, base)};
+    CHECK(device.connect(info) && info.device_info.firmware_version == 1042);
+    std::vector<mip_rate> rates = {{mip::descriptor<scaled_accel>, 100, 0}};
+    CHECK(device.stream(mip::sensor_set, rates) && rates[0].nearest == 100);
+    mip_rate odd[] = {{mip::descriptor<scaled_accel>, 300, 0}};
+    CHECK(device.stream(mip::sensor_set, odd).outcome() == mip::outcome::no_such_rate);
+    rates.resize(300);
+    CHECK(device.stream(mip::sensor_set, rates).error() == MIP_ERROR_COUNT);
 }
 
 void client_without_a_port() {
@@ -378,6 +408,7 @@ int main() {
     layouts_of_one_descriptor();
     calls();
     handlers();
+    connecting();
     client_without_a_port();
     return 0;
 }

@@ -18,10 +18,9 @@ int main(int argc, char **argv) {
     }
     mip::device<> device(line.port);
     device.on<mip::sensor::scaled_accel>([&fields](const mip::sensor::scaled_accel &) { fields++; });
-    mip_base_get_device_info_response info;
+    mip::base::get_device_info_response info;
     mip_rate rates[] = {{MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, 100, 0}};
-    if (!mip_succeeded(mip_device_connect(&device.c(), nullptr, &info)) ||
-        !mip_succeeded(mip_device_stream(&device.c(), MIP_SENSOR_SET, MIP_ARRAY(rates)))) {
+    if (!device.connect(info) || !device.stream(mip::sensor_set, rates)) {
         return std::fprintf(stderr, "it does not start\n");
     }
     while (reopened < wanted) {

@@ -7,7 +7,6 @@ import {
     brackets,
     cannot,
     flagsOf,
-    isUnion,
     laidOut,
     numberText,
     operationOf,
@@ -21,18 +20,12 @@ import { hexLiteral } from "../words.mjs";
 export function cProgram(names, field, calls) {
     const header = `${names.package}/${names.table.headers[field.name.split(".")[0]]}`;
     if (!calls) {
-        const held = field.parameters.filter((one) => one.constant === undefined && (!isUnion(one) || one.cases?.some((x) => x.parameter)));
-        const read =
-            held
-                .slice(0, 3)
-                .map((one) => `value.${names.member(one.name)}`)
-                .join(", ") + (held.length > 3 ? " …" : "");
         const type = names.type(field);
         return [
             `#include "${header}.h"`,
             `struct ${type} value;`,
             `if (${type}_decode(&value, &field) == ${names.package.toUpperCase()}_OK) {`,
-            `    /* ${read || "it has no values"} */`,
+            printed(names, field, "value."),
             ...(field.occurrences?.length > 1 ? ["    /* field.descriptor_set is the set of its packet */"] : []),
             "}",
         ].join("\n");
@@ -40,8 +33,45 @@ export function cProgram(names, field, calls) {
     const lines = [`#include "${header}_commands.h"`];
     calls.forEach((values, i) => {
         lines.push(...cCall(names, field, values, i ? "result = " : `struct ${names.package}_result result = `));
+        const { response } = wayOf(names, field, values);
+        if (response) lines.push("if (mip_succeeded(result)) {", printed(names, names.protocol.field(response), "response."), "}");
     });
     return lines.join("\n");
+}
+
+/** The first numbers and texts of a record, except those that may be absent, each with its type. */
+export function numbers(names, record, path, member = ({ name }) => names.member(name)) {
+    const { protocol } = names;
+    const inside = (op, at, fills) => {
+        switch (op.kind) {
+            case "struct":
+                return numbers(names, protocol.type(op.struct), `${at}.`);
+            case "array":
+                if (fills) return [[at.endsWith("()") ? `${at}.size()` : `${at}_count`, protocol.scalar("u8")]];
+                return Array.from({ length: op.count ?? 0 }, (_, i) => inside(op.item, `${at}[${i}]`)).flat();
+            case "bits":
+                return [[`${at}.bytes[0]`, protocol.scalar("u8")]];
+            case "switch":
+                return [];
+        }
+        return [[at, protocol.scalar(op.kind === "text" ? "char" : op.scalar)]];
+    };
+    return record.parameters
+        .filter(({ constant, optional }) => constant === undefined && !optional)
+        .flatMap((one) => inside(operationOf(record, one.name), path + member(one), one.length === "rest"))
+        .slice(0, 3);
+}
+
+/** The statement that prints the first values of a record. */
+function printed(names, record, path) {
+    const shown = numbers(names, record, path).map(([at, { kind, size }]) => {
+        if (kind === "float") return size === 8 ? ["%.10g", at] : ["%g", `(double)${at}`];
+        return kind === "char" ? ["%s", at] : ["%lld", `(long long)${at}`];
+    });
+    if (!shown.length) shown.push(["%s", `"${record.name.split(".").at(-1)}"`]);
+    const text = `"${shown.map(([conversion]) => conversion).join(" ")}\\n"`;
+    const call = laidOut(brackets("printf(", [text, ...shown.map(([, argument]) => argument)], ");", { comma: "" }), 92);
+    return call.replace(/^/gm, "    ");
 }
 
 /** The function that calls a command with these values, and decodes its response. */
@@ -114,7 +144,7 @@ export function cType(names, { type }) {
     return table.scalars[known.scalar] ?? `struct ${names.type(known)}`;
 }
 
-export function cUnion(names, parameter, op, value) {
+function cUnion(names, parameter, op, value) {
     const found = alternativeOf(op, value);
     if (!found) return brackets("{", ["0"], "}");
     const { operation } = found;
@@ -122,16 +152,16 @@ export function cUnion(names, parameter, op, value) {
     return brackets("{", [after(`.${names.member(operation.member)} = `, cValue(names, inner, operation, found.value))], "}");
 }
 
-export function cRecord(names, record, values) {
+function cRecord(names, record, values) {
     const held = record.parameters
         .filter((parameter) => parameter.constant === undefined && Object.hasOwn(values, parameter.name))
         .map((parameter) => [parameter, operationOf(record, parameter.name), values[parameter.name]])
-        .filter(([, op, value]) => op.kind !== "switch" || alternativeOf(op, value)) // {0} would lack braces inside
+        .filter(([, op, value]) => names.positional || op.kind !== "switch" || alternativeOf(op, value)) // {0} would lack braces inside
         .map(([parameter, op, value]) => {
             const text = op.kind === "switch" ? cUnion(names, parameter, op, value) : cValue(names, parameter, op, value);
-            return after(`.${names.member(parameter.name)} = `, text);
+            return names.positional ? text : after(`.${names.member(parameter.name)} = `, text);
         });
-    return brackets("{", held.length ? held : ["0"], "}");
+    return brackets("{", held.length || names.positional ? held : ["0"], "}");
 }
 
 export function cValue(names, parameter, op, value) {

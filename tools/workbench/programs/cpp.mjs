@@ -1,33 +1,44 @@
 // Programs in C++, whose structures and numbers are written as in C.
 
 import { enumValue, parameterOf } from "mip-protocol/tools";
-import { cRecord, cString, cType, cUnion, cValue, wayOf } from "./c.mjs";
-import { after, brackets, flagsOf, isDerived, isUnion, laidOut, Names, operationOf, refuseOptional, statement } from "./common.mjs";
+import { cString, cType, cValue, numbers, wayOf } from "./c.mjs";
+import { after, alternativeOf, brackets, flagsOf, isDerived, laidOut, Names, operationOf, refuseOptional, statement } from "./common.mjs";
 import { hexLiteral } from "../words.mjs";
 
 export function cppProgram(names, field, calls) {
     const c = new Names(names.protocol, "c");
+    c.positional = true; // C++17 has no designated initializers
     const header = `${names.package}/${c.table.headers[field.name.split(".")[0]]}`;
     if (!calls) return reading(names, c, field, header);
     const lines = [`#include "${header}_commands.hpp"`];
     calls.forEach((values, i) => {
         const name = i ? "answer" : "result";
         lines.push(...call(names, c, field, values, `const auto ${name} = `));
+        const { response } = wayOf(c, field, values);
+        if (response) lines.push(`if (${name}) {`, printed(names, c, names.protocol.field(response), `${name}->`), "}");
     });
     return lines.join("\n");
 }
 
 function reading(names, c, field, header) {
-    const held = field.parameters.filter((one) => !isDerived(one) && (!isUnion(one) || one.cases?.some((x) => x.parameter)));
-    const members = held.map((one) => `value->${isCalled(names, one) ? `${names.member(one.name)}()` : c.member(one.name)}`);
-    const read = members.slice(0, 3).join(", ") + (members.length > 3 ? " …" : "");
     return [
         `#include "${header}.hpp"`,
         `if (const auto value = field.as<${names.type(field)}>()) {`,
-        `    // ${read || "it has no values"}`,
+        printed(names, c, field, "value->"),
         ...(field.occurrences?.length > 1 ? ["    // field.descriptor_set is the set of its packet"] : []),
         "}",
     ].join("\n");
+}
+
+/** The statement that prints the first values of data or a response. */
+function printed(names, c, field, path) {
+    const member = (one) => (isCalled(names, one) ? `${names.member(one.name)}()` : c.member(one.name));
+    const shown = numbers(c, field, path, member).map(([at, { kind, size }]) => {
+        return size === 1 && kind !== "char" && !at.endsWith(")") ? `+${at}` : at;
+    });
+    if (!shown.length) shown.push(`"${field.name.split(".").at(-1)}"`);
+    const line = `    std::cout << ${shown.join(" << ' ' << ")} << '\\n';`;
+    return line.length <= 96 ? line : line.replaceAll(" << ' '", "\n              << ' '");
 }
 
 /** Does it have a function in place of a member, as it may be absent, has names, or varies in size? */
@@ -43,8 +54,8 @@ function call(names, c, field, values, result) {
     refuseOptional(names.protocol, field, values);
     const way = wayOf(c, field, values);
     if (way.whole) {
-        const command = after(`const ${c.type(field)} command = `, cRecord(c, field, values));
-        return [statement(command), brackets(`${result}device.call(`, ["command"], ");", { comma: "" })].map((line) => laidOut(line, 96));
+        const before = [`${c.type(field)} command = {}`, ...assigned(c, field, values, "command.")].map(statement);
+        return [...before, brackets(`${result}device.call(`, ["command"], ");", { comma: "" })].map((line) => laidOut(line, 96));
     }
     const before = [];
     const given = [];
@@ -58,10 +69,31 @@ function call(names, c, field, values, result) {
     return [...before.map(statement), asked].map((line) => laidOut(line, 96));
 }
 
+/** The assignments of the numbers of a record, or of a value. */
+function assigned(c, record, values, path) {
+    const held = record.parameters.filter(({ constant, name }) => constant === undefined && Object.hasOwn(values, name));
+    return held.flatMap((one) => assignments(c, one, operationOf(record, one.name), values[one.name], path + c.member(one.name)));
+}
+
+function assignments(c, parameter, op, value, path) {
+    if (op.kind === "struct") return assigned(c, c.protocol.type(op.struct), value, `${path}.`);
+    if (op.kind === "array") return value.flatMap((one, i) => assignments(c, parameter, op.item, one, `${path}[${i}]`));
+    if (op.kind !== "switch") return [after(`${path} = `, cValue(c, parameter, op, value))];
+    const found = alternativeOf(op, value);
+    if (!found) return [];
+    const { parameter: inner } = parameter.cases.find((one) => one.parameter?.name === found.operation.member);
+    return assignments(c, inner, found.operation, found.value, `${path}.${c.member(inner.name)}`);
+}
+
 /** The declarations before a command, and its member. */
 function argument(names, c, field, parameter, value) {
     const op = operationOf(field, parameter.name);
-    if (op.kind === "switch") return [[], cUnion(c, parameter, op, value)];
+    if (op.kind === "switch") {
+        if (!alternativeOf(op, value)) return [[], "{}"];
+        const name = names.member(parameter.name);
+        const declared = `${c.type(field)}_${parameter.name} ${name} = {}`; // an initializer would set its first member
+        return [[declared, ...assignments(c, parameter, op, value, name)], name];
+    }
     if (op.kind === "text") return [[], cString(value)];
     if (op.kind === "array" && !value.length) return [[], "{}"];
     if (op.kind === "array" && typeof parameter.length === "string") {

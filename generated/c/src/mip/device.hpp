@@ -295,6 +295,34 @@ template <std::size_t Handlers = 8> class device {
             });
     }
 
+    /**
+     * Observes packets: `handler(const packet &of, bool ends)` is called before the fields of each
+     * packet are handled, and after that, with `ends` true. It must stay at its address, and the
+     * same restrictions apply as to other handlers.
+     */
+    template <class Handler> void observe(Handler &handler) {
+        static_assert(std::is_invocable_v<Handler &, const packet &, bool>,
+                      "an observer takes the packet, and whether it ends");
+        observer_.packet = [](void *user, const mip_device *from, bool ends) {
+            (*static_cast<Handler *>(user))(packet(*from->packet), ends);
+        };
+        observer_.user = const_cast<void *>(static_cast<const void *>(&handler));
+        device_.observer = &observer_;
+    }
+
+    /** Finds the device and its baud rate, sets it to idle, and reads its device information into
+     * `identity`. Include mip/connect.h: see mip_device_connect. */
+    template <class Identity>
+    result<> connect(Identity &identity,
+                     bool (*set_baud)(void *user, std::uint32_t baud) = nullptr) {
+        return mip_device_connect(&device_, set_baud, &identity);
+    }
+    /** Starts the data of a set at rates in Hz: an array of mip_rate, or a container of them.
+     * Include mip/connect.h: see mip_device_stream. */
+    template <class Rates> result<> stream(std::uint8_t descriptor_set, Rates &rates) {
+        return mip_device_stream(&device_, descriptor_set, detail::count(rates), std::data(rates));
+    }
+
     /** Reads once, and calls the handlers of the fields that are now complete. Returns false if the
      * port is lost, if a handler calls it, or if there were too many handlers. */
     bool poll() {
@@ -371,6 +399,7 @@ template <std::size_t Handlers = 8> class device {
     }
 
     mip_device device_;
+    mip_observer observer_ = {};
     mip_handler entries_[Handlers];
     room captured_[Handlers];
     bool full_ = false;

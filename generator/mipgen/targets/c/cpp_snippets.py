@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from mipgen import model as m
@@ -10,12 +10,11 @@ from mipgen.emit.wrapping import Brackets, Expression, after, laid_out
 from mipgen.facts import literals
 from mipgen.facts.literals import Literal
 from mipgen.facts.sample_values import GivenValues, SampleValues
-from mipgen.lower.memory import stored
 
 from . import snippets
 from .cpp import accessors, command_name, namespace, qualified, word
 from .literals import string
-from .names import c_type, field_name, member, module
+from .names import c_type, field_name, member, module, union_name
 
 
 @dataclass(frozen=True)
@@ -28,6 +27,8 @@ class Programs:
         for i, form in enumerate(self.samples.shown(f)):
             name = "answer" if i else "result"
             lines += _call(f, form, self.samples, f"const auto {name} = ")
+            if response := snippets.call_of(f, form, self.samples).response:
+                lines += [f"if ({name}) {{", _printed(response, f"{name}->"), "}"]
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
@@ -38,20 +39,28 @@ class Programs:
 
     def data(self, f: m.Field) -> str:
         """Composes the lines that read a data field of a packet."""
-        called = {a.name for a in accessors(f)}
-        counted = {p.counter for p in stored(f) if p.counter}
-        parameters = [p for p in stored(f) if p.name not in counted]
-        names = [
-            f"value->{word(p.name)}()" if word(p.name) in called else f"value->{member(p.name)}" for p in parameters
-        ]
-        read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
         return "\n".join([
             f'#include "mip/{module(f.family)}.hpp"',
             f"if (const auto value = field.as<{qualified(f)}>()) {{",
-            f"    // {read or 'it has no values'}",
+            _printed(f, "value->"),
             *(["    // field.descriptor_set is the set of its packet"] if len(f.occurrences) > 1 else []),
             "}",
         ])  # fmt: skip
+
+
+def _printed(f: m.Field, path: str) -> str:
+    """Writes the statement that prints the first values of data or a response."""
+    called = {a.name for a in accessors(f)}
+
+    def name(p: m.Parameter) -> str:
+        return f"{word(p.name)}()" if word(p.name) in called else member(p.name)
+
+    shown = [
+        f"+{at}" if scalar.size == 1 and scalar.kind != "char" and not at.endswith(")") else at
+        for at, scalar in snippets.numbers(f, path, name)
+    ] or [string(f.name)]
+    line = "    std::cout << " + " << ' ' << ".join(shown) + " << '\\n';"
+    return line if len(line) <= 96 else line.replace(" << ' '", "\n              << ' '")
 
 
 def _call(f: m.Field, form: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
@@ -60,7 +69,8 @@ def _call(f: m.Field, form: m.Call, samples: SampleValues, result: str, width: i
     call = snippets.call_of(f, form, samples)
     before: list[Expression] = []
     if call.whole:  # all of it is reserved
-        before.append(after(f"const {field_name(f)} command = ", snippets.initializer(values)))
+        before.append(f"{field_name(f)} command = {{}}")
+        before += (line for k, x in values.items() for line in _assignments(f"command.{member(k)}", x))
         called = Brackets(f"{result}device.call(", ["command"], ");", comma="")
         return [laid_out(line, width) for line in (*(snippets.statement(x) for x in before), called)]
     counted = {p.counter for p in call.parameters if p.counter}
@@ -68,7 +78,7 @@ def _call(f: m.Field, form: m.Call, samples: SampleValues, result: str, width: i
     for p in call.parameters:
         if p.name in counted:
             continue
-        declared, value = _argument(p, values[p.name])
+        declared, value = _argument(p, f, values[p.name])
         before += declared
         arguments.append(value)
     command = f"mip::{namespace(f.family)}::{command_name(f, call)}"
@@ -76,9 +86,14 @@ def _call(f: m.Field, form: m.Call, samples: SampleValues, result: str, width: i
     return [laid_out(line, width) for line in (*(snippets.statement(x) for x in before), called)]
 
 
-def _argument(p: m.Parameter, x: Literal) -> tuple[list[Expression], Expression]:
+def _argument(p: m.Parameter, f: m.Field, x: Literal) -> tuple[list[Expression], Expression]:
     """Writes the declarations that a member of a command needs, and the member's value."""
     match x:
+        case literals.Alternative(value=None):
+            return [], "{}"
+        case literals.Alternative():
+            declared = f"{union_name(p, f)} {word(p.name)} = {{}}"  # an initializer would set its first member
+            return [declared, *_assignments(word(p.name), x)], word(p.name)
         case literals.Choice(value=None):
             return [], f"static_cast<{qualified(x.type)}>({x.number.value})"
         case literals.Choice(value=m.EnumValue() as named):
@@ -93,7 +108,33 @@ def _argument(p: m.Parameter, x: Literal) -> tuple[list[Expression], Expression]
             assert p.element is not None
             element = qualified(p.element) if isinstance(p.element, m.Struct) else c_type(p.element)
             inner = f"[{len(first.items)}]" if isinstance(first, literals.Items) else ""
-            return [after(f"const {element} {word(p.name)}[]{inner} = ", snippets.literal(x))], word(p.name)
+            return [after(f"const {element} {word(p.name)}[]{inner} = ", _literal(x))], word(p.name)
         case literals.Items(items=()):
             return [], "{}"
-    return [], snippets.literal(x)
+    return [], _literal(x)
+
+
+def _literal(x: Literal) -> Expression:
+    """Writes a value by position: C++17 has no designated initializers."""
+    match x:
+        case literals.Structure():
+            return Brackets("{", [*map(_literal, x.members.values())], "}")
+        case literals.Items():
+            return Brackets("{", [*map(_literal, x.items)], "}")
+    return snippets.literal(x)
+
+
+def _assignments(path: str, x: Literal) -> Iterator[Expression]:
+    """Writes the assignments of the numbers of a value."""
+    match x:
+        case literals.Structure():
+            for name, value in x.members.items():
+                yield from _assignments(f"{path}.{member(name)}", value)
+        case literals.Items():
+            for i, value in enumerate(x.items):
+                yield from _assignments(f"{path}[{i}]", value)
+        case literals.Alternative():
+            if x.case and x.case.parameter and x.value:
+                yield from _assignments(f"{path}.{member(x.case.parameter.name)}", x.value)
+        case _:
+            yield after(f"{path} = ", snippets.literal(x))

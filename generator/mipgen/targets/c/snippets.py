@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 from mipgen import model as m
 from mipgen.emit.wrapping import Brackets, Expression, after, laid_out
@@ -27,6 +28,8 @@ class Programs:
         lines = [f'#include "mip/{module(f.family)}_commands.h"']
         for i, form in enumerate(self.samples.shown(f)):
             lines += _call(f, form, self.samples, "result = " if i else "struct mip_result result = ")
+            if response := call_of(f, form, self.samples).response:
+                lines += ["if (mip_succeeded(result)) {", printed(response, "response."), "}"]
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
@@ -37,16 +40,49 @@ class Programs:
 
     def data(self, f: m.Field) -> str:
         """Composes the lines that read a data field of a packet; a complete program handles errors."""
-        names = [f"value.{member(p.name)}" for p in stored(f)]
-        read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
         return "\n".join([
             f'#include "mip/{module(f.family)}.h"',
             f"struct {field_name(f)} value;",
             f"if ({field_name(f)}_decode(&value, &field) == MIP_OK) {{",
-            f"    /* {read or 'it has no values'} */",
+            printed(f, "value."),
             *(["    /* field.descriptor_set is the set of its packet */"] if len(f.occurrences) > 1 else []),
             "}",
         ])  # fmt: skip
+
+
+def numbers(
+    record: m.Record, path: str, name: Callable[[m.Parameter], str] = lambda p: member(p.name)
+) -> Iterator[tuple[str, m.Scalar]]:
+    """Yields the first numbers and texts of a structure, except those that may be absent, each with its type."""
+    return islice((x for p in stored(record) if not p.optional for x in _numbers(p, path + name(p))), 3)
+
+
+def _numbers(p: m.Parameter, path: str) -> Iterator[tuple[str, m.Scalar]]:
+    if p.struct:
+        yield from numbers(p.struct, f"{path}.")
+    elif p.kind == "array" and p.fills:
+        yield f"{path}.size()" if path.endswith("()") else f"{path}_count", m.SCALARS["u8"]
+    elif p.kind == "array" and p.count:
+        yield from (x for i in range(p.count) for x in _numbers(p.item, f"{path}[{i}]"))
+    elif p.kind == "bits":
+        yield f"{path}.bytes[0]", p.scalar
+    elif p.kind in ("scalar", "counter", "text"):
+        yield path, p.scalar
+
+
+def printed(record: m.Record, path: str) -> str:
+    """Writes the statement that prints the first values of a structure."""
+    shown = [(at, *_format(scalar)) for at, scalar in numbers(record, path)] or [(record.name, "%s", '"{}"')]
+    text = " ".join(conversion for _, conversion, _ in shown)
+    arguments = [f'"{text}\\n"', *(argument.format(at) for at, _, argument in shown)]
+    return "\n".join(f"    {x}" for x in laid_out(Brackets("printf(", arguments, ");", comma=""), 92).split("\n"))
+
+
+def _format(scalar: m.Scalar) -> tuple[str, str]:
+    """Returns the conversion of `printf` for a number or a text, and its argument."""
+    if scalar.kind == "float":
+        return ("%.10g", "{}") if scalar.size == 8 else ("%g", "(double){}")
+    return ("%s", "{}") if scalar.kind == "char" else ("%lld", "(long long){}")
 
 
 def sequence(

@@ -154,7 +154,7 @@ namespace detail {
 /** Returns the number of elements in C's type. A larger number than that holds is too large for any
  * array. */
 template <class Items> constexpr std::uint8_t count(const Items &items) {
-    return static_cast<std::uint8_t>(items.size() < 0xFF ? items.size() : 0xFF);
+    return static_cast<std::uint8_t>(std::size(items) < 0xFF ? std::size(items) : 0xFF);
 }
 
 template <class E, class Names, class = void> struct has_names : std::false_type {};
