@@ -1784,7 +1784,7 @@ export default {
 {"field":"system_data.gpio_state","for_each":"","values":[{"path":"states","quantity":"gpio.states"}]},
 {"field":"system_data.gpio_analog_value","for_each":"","values":[{"path":"gpio_id","number":1},{"path":"value","quantity":"gpio.voltage"}]},
 {"field":"displacement.get_calibration_response","for_each":"","values":[{"path":"slope","number":0.0005},{"path":"offset","number":-3.884}]},
-{"field":"displacement.output_rate_response","for_each":"","values":[{"path":"rate","number":100}]},
+{"field":"displacement.output_rate_response","for_each":"","values":[{"path":"rate","number":10}]},
 {"field":"displacement_data.displacement_raw","for_each":"","values":[{"path":"counts","number":32768}]},
 {"field":"displacement_data.displacement","for_each":"","values":[{"path":"displacement","number":12.5}]}
 ],

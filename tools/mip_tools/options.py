@@ -87,7 +87,12 @@ def bits_per_second(text: str, more: str = "") -> int:
 
 def line_of(options: argparse.Namespace, name: str) -> Line:
     """Returns a port and how the command uses it."""
-    return Line(name, options.baud, options.command, getattr(options, "timeout", None))
+    timeout, reopen = getattr(options, "timeout", None), getattr(options, "reopen", False)
+    return Line(name, options.baud, options.command, timeout, reopen)
+
+
+def add_reopen(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--reopen", action="store_true", help="open a lost port again, and report the gap")
 
 
 def add_timeout(parser: argparse.ArgumentParser) -> None:

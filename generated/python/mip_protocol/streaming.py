@@ -65,7 +65,8 @@ def steps(
             raise refused from None
     decimations = {kind: decimation(base, rate) for kind, rate in rates.items()}
     nearest = {kind: base / by for kind, by in decimations.items()}
-    missing = {kind: rate for kind, rate in rates.items() if rate not in (0, nearest[kind])}
+    # 333.33 Hz is accepted for 1000 Hz / 3.
+    missing = {k: r for k, r in rates.items() if r and abs(r - nearest[k]) > 1e-4 * r}
     if missing and base:
         raise NoSuchRate(base, missing, nearest)
     fastest = min(decimations.values(), default=1)

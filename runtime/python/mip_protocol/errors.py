@@ -77,7 +77,7 @@ class NoSuchRate(MipError):
     def __init__(
         self, base: int, wanted: Mapping[type[Field], float], nearest: Mapping[type[Field], float]
     ) -> None:
-        asked = [f"{k.NAME} at {w:g} Hz (nearest: {nearest[k]!r})" for k, w in wanted.items()]
+        asked = [f"{k.NAME} at {w:g} Hz (nearest: {nearest[k]:.5g})" for k, w in wanted.items()]
         super().__init__("rate", f"{', '.join(asked)}; the base rate is {base} Hz")
         self.args = (base, wanted, nearest)
         self.nearest = dict(nearest)

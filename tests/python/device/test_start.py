@@ -50,11 +50,12 @@ def test_what_a_rate_changes() -> None:
             device.stream({sensor.ScaledGyro: 70, sensor.ScaledMag: 10})
         nearest = caught.value.nearest
         assert nearest[sensor.ScaledMag] == 10 and 71 < nearest[sensor.ScaledGyro] < 72
-        assert "sensor.scaled_gyro at 70 Hz (nearest: 71.4" in str(caught.value)
+        assert "sensor.scaled_gyro at 70 Hz (nearest: 71.429" in str(caught.value)
         assert "scaled_mag" not in str(caught.value)
         device.clear()
         assert next(a for a in device if a.packet.set == 0x80).find(sensor.ScaledAccel)  # nothing has changed
         assert device.stream({sensor.ScaledGyro: nearest[sensor.ScaledGyro]})  # the rate in the error
+        assert device.stream({sensor.ScaledGyro: 71.43})  # as it is read there
 
 
 def test_with_asyncio() -> None:

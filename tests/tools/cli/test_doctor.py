@@ -25,7 +25,7 @@ from mip_tools.columns import read_log
 from mip_tools.doctor import findings, stream
 from mip_tools.doctor.events import Event, merged_events
 from mip_tools.doctor.examined import Examined
-from mip_tools.doctor.port import why_not_open
+from mip_tools.doctor.port import Patient, why_not_open
 from mip_tools.doctor.values import _Channel
 from mip_tools.logs import report
 from mip_tools.simulator import VirtualDevice
@@ -509,3 +509,12 @@ def test_what_is_no_device(sends: bytes, cause: str) -> None:
 def test_a_port_that_cannot_be_opened(error: Exception, cause: str) -> None:
     found = why_not_open("COM9", error)
     assert found.cause == cause and found.remedy
+
+
+@pytest.mark.parametrize(("size", "text"), [(9_000, None), (11_000, "95% of"), (11_600, "100% of"), (80_000, None)])
+def test_a_line_is_full_only_if_its_rate_limits_it(size: int, text: str | None) -> None:
+    """A USB port has any rate, and carries more."""
+    patient = Patient("port", 115200)
+    patient.data = bytes(size)
+    patient.line(1)
+    assert [f.text.startswith(str(text)) for f in patient.findings] == [True] * (text is not None)

@@ -19,6 +19,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from threading import Thread
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -26,9 +27,11 @@ from mip_protocol import Parser, base, mip_3dm, registry, types
 from mip_protocol.field import Command, Structure
 from mip_protocol.parameter import Parameter
 from mip_tools.columns import read_log
+from mip_tools.commands import ports
 from mip_tools.names import typed
 from mip_tools.ports import connection
 from program import DEVICE, ENVIRONMENT, PATIENCE, command, log, mip, on_a_full_disk, run, running, simulated, until
+from serial.tools import list_ports
 
 
 @pytest.fixture(scope="module")
@@ -86,6 +89,35 @@ def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
     ) and error == f"mip send: {where} did not answer base.ping; check the port and --baud\n"
     code, _, error = mip("send", where, "base.ping")
     assert code == 1 and error == f"mip send: {where} cannot be opened: Connection refused\n"
+
+
+def test_ports_and_their_devices(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    code, out, error = mip("ports", place, "127.0.0.1:9")
+    head, device, nothing = out.splitlines()
+    assert (code, error) == (0, "") and head.split() == ["port", "model", "serial", "number", "firmware"]
+    assert re.fullmatch(rf"{place} +3DM-CV7-GNSS/INS +\S+ +\d\.\d\.\d\d", device)
+    assert nothing.endswith("Connection refused")
+
+    def port(name: str, vendor: int | None, serial: str | None = None, location: str = "") -> SimpleNamespace:
+        return SimpleNamespace(device=name, vid=vendor, serial_number=serial, location=location, description="a port")
+
+    known = [
+        port("b", 0x199B, "1", "1-1:1.2"),
+        port("c", 0x1234, "1"),
+        port("a", 0x199B, "1", "1-1:1.0"),
+        port("d", None),
+    ]
+    monkeypatch.setattr(list_ports, "comports", lambda: known)
+    rows = [line.split("  ")[0] + line.rsplit("  ", 1)[1] for line in mip("ports")[1].splitlines()[1:]]
+    assert sorted(rows) == ["aNo such file or directory", "bNo such file or directory", "cnot asked", "dnot asked"]
+    assert [(one.name, one.role) for one in ports._system()] == [
+        ("d", ""),
+        ("c", ""),
+        ("a", "main"),
+        ("b", "auxiliary"),
+    ]
+    monkeypatch.setattr(list_ports, "comports", list)
+    assert mip("ports")[:2] == (1, "")
 
 
 def test_a_serial_port_needs_an_extra() -> None:

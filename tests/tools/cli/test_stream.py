@@ -9,6 +9,7 @@ import re
 import signal
 import socket
 import subprocess
+import threading
 import time
 from collections.abc import Iterator
 from datetime import datetime, timedelta, timezone
@@ -113,6 +114,39 @@ def test_which_field_a_device_rejects(device: str, words: list[str], error: str)
     name, *more = words
     with simulated(device=device) as found:
         assert mip(name, found, *more) == (3, "", f"mip {name}: {error}\n")
+
+
+def test_a_set_at_a_rate_of_its_own() -> None:
+    """It has no message format, so its fields cannot be started."""
+    with simulated(device="demod-dc") as place:
+        code, out, error = mip("stream", place, "displacement_data.displacement@100", "--packets", "3")
+        assert code == 0 and [one["displacement"] for one in lines(out)] == [12.5] * 3
+        assert error.startswith("mip stream: DEMOD-DC sends displacement_data at a rate of its own\n")
+
+
+@pytest.mark.parametrize("name", ["record", "stream"])
+def test_a_lost_port_is_opened_again(name: str, tmp_path: Path) -> None:
+    """The time without it is reported, and nothing that arrived is lost, not even a part of a packet."""
+    data, output = log(0.5), tmp_path / "output"
+    server = socket.create_server(("127.0.0.1", 0))
+    place = "{0[0]}:{0[1]}".format(server.getsockname())
+
+    def serve() -> None:
+        for part in (data[:77], data[77:1000], data[1000:]):
+            client, _ = server.accept()
+            with client:
+                client.sendall(part)
+
+    threading.Thread(target=serve, daemon=True).start()
+    with server:
+        words = (name, place, "--reopen", "--device", "3dm-cv7-gnss-ins", "-o", output, "--duration", "3")
+        code, _, error = mip(*words)
+    lost = rf"mip {name}: {place} was lost for \d\.\d s, until [\d:]+\n"
+    assert code == 0 and re.match(f"({lost}){{2}}", error), error
+    if name == "record":
+        assert output.read_bytes() == data
+    else:
+        assert len(lines(output.read_text())) == len(lines(mip("stream", "-", data=data)[1]))
 
 
 def test_a_log_has_no_rates(tmp_path: Path) -> None:

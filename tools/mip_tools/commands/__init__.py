@@ -14,6 +14,7 @@ from ..errors import Misuse
 COMMANDS = {
     "dump": "show packets with names, values and units",
     "info": "show what is in a log: types, rates, gaps, damage",
+    "ports": "list the serial ports and the devices at them",
     "doctor": "find out what is wrong with a device or a log, and why",
     "export": "write csv, jsonl, npz, parquet, arrow, mcap or ros2",
     "fleet": "write many logs as one Parquet data set, in parallel",

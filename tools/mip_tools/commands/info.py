@@ -14,7 +14,7 @@ from ..logs.recognize import MOST, recognized
 from ..options import add_device
 from ..text import show
 from ..text.clocks import dated, stamp
-from ..text.numbers import count_text, readable
+from ..text.numbers import count_text, hertz, readable
 
 if TYPE_CHECKING:
     from ..columns.intervals import Place
@@ -157,7 +157,7 @@ def _at(clock: str, place: Place) -> str:
 
 def hz(rate: float | None) -> str:
     """Formats a rate; `-` if it is unknown."""
-    return "-" if rate is None else f"{rate:.4g}"
+    return "-" if rate is None else hertz(rate)
 
 
 def duration(seconds: float) -> str:

@@ -7,7 +7,7 @@ import argparse
 from ..devices.known import KnownDevice
 from ..errors import Failure
 from ..files import outputs, signals
-from ..options import add_baud, add_device, add_timeout, line_of, positive, seconds
+from ..options import add_baud, add_device, add_reopen, add_timeout, line_of, positive, seconds
 from ..ports import connection
 from ..ports.recording import Recording
 from ..text.numbers import readable
@@ -35,6 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--packets", type=positive, metavar="N", help="stop after N packets")
     add("--force", action="store_true", help="replace an older recording, if anything is received")
     add_device(parser, "the device, which is not asked then; `mip simulate --list` lists them")
+    add_reopen(parser)
     add_timeout(parser)
     add_baud(parser)
 

@@ -21,6 +21,7 @@ from ..options import (
     Rates,
     add_baud,
     add_device,
+    add_reopen,
     add_rows,
     add_timeout,
     hertz,
@@ -66,6 +67,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--packets", type=positive, metavar="N", help="stop after N packets")
     add_rows(parser)
     add_device(parser)
+    add_reopen(parser)
     add_timeout(parser)
     add_baud(parser)
 
@@ -132,7 +134,8 @@ def _arriving(options: argparse.Namespace, rates: Rates, at_port: bool, sender: 
     def begin(device: Any) -> bool:
         sender.ask(device)
         if rates:
-            start(device, rates, options.time)
+            for text in start(device, rates, options.time, sender.id):
+                print(f"mip stream: {text}", file=sys.stderr)
         return not rates
 
     return connection.port_pieces(line_of(options, options.input), options.duration, begin)

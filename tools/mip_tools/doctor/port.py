@@ -15,6 +15,7 @@ from ..names.occurrence import Occurrence
 from ..ports.connection import why_not
 from ..ports.silence import resume_command
 from ..text import show
+from ..text.numbers import hertz
 from .examined import Examined
 from .findings import Finding
 
@@ -22,6 +23,8 @@ from .findings import Finding
 _BITS = 10
 #: The share of the baud rate above which a line counts as full.
 FULL = 0.9
+#: The share of the baud rate, measured, that no line carries that is limited by it.
+_IMPOSSIBLE = 1.1
 #: The share of a requested rate that counts as reaching it.
 _REACHED = 0.95
 
@@ -103,12 +106,12 @@ class Patient:
             self._find("no device", "nothing arrives and nothing answers", f"wrong port, or no power{more}")
 
     def line(self, seconds: float) -> None:
-        """Adds a finding if the line is full."""
+        """Adds a finding if the line is full. USB and others that carry more than their rate are not limited by it."""
         if self._baud is None or not self.data:
             return
         used = len(self.data) * _BITS / (self._baud * seconds)
-        if used > FULL:
-            text = f"{used:.0%} of {self._baud} Bd are used"
+        if FULL < used < _IMPOSSIBLE:
+            text = f"{min(used, 1):.0%} of {self._baud} Bd are used"
             self._find("line is full", text, "raise the baud rate, or send less: `mip bandwidth`")
 
     def rates(self, wanted: Mapping[Occurrence, float], examined: Examined) -> None:
@@ -123,12 +126,12 @@ class Patient:
                 remedy = f"the base rate of {show.set_name(occurrence.set)} is {base:g} Hz; no higher rate is possible"
             elif base and abs(base / rate - round(base / rate)) > 1e-9:
                 near = base / max(round(base / rate), 1)
-                remedy = f"rates are {base:g} Hz divided by whole numbers; the nearest is {near:g} Hz"
+                remedy = f"rates are {base:g} Hz divided by whole numbers; the nearest is {hertz(near)} Hz"
             elif any(e.cause == "overload" for e in examined.events) or any(
                 f.cause == "line is full" for f in self.findings
             ):
                 remedy = "the line cannot carry it: `mip bandwidth`"
-            self._find("rate not reached", f"{occurrence.name}: {real:.4g} Hz instead of {rate:g} Hz", remedy)
+            self._find("rate not reached", f"{occurrence.name}: {hertz(real)} Hz instead of {rate:g} Hz", remedy)
 
 
 def why_not_open(name: str, error: BaseException) -> Finding:

@@ -7,6 +7,7 @@ from html import escape
 
 from ..text import show
 from ..text.clocks import stamp
+from ..text.numbers import hertz
 from .examined import Examined
 from .findings import Finding, event_line
 
@@ -56,7 +57,7 @@ def _body(name: str, examined: Examined, findings: Sequence[Finding]) -> Iterato
         yield from _timeline(examined)
     yield "<h2>Rates</h2><table><tr><th>field</th><th>Hz</th></tr>"
     for key, rate in sorted(examined.rates.items()):
-        yield f"<tr><td>{escape(show.set_name(key[0]))}: {escape(examined.names[key])}</td><td>{rate:.4g}</td></tr>"
+        yield f"<tr><td>{escape(show.set_name(key[0]))}: {escape(examined.names[key])}</td><td>{hertz(rate)}</td></tr>"
     yield "</table>"
 
 

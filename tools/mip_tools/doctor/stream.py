@@ -19,6 +19,7 @@ from ..logs import inputs, recognize
 from ..logs.report import Kind
 from ..text.clocks import dated
 from ..text.decoding import name_of
+from ..text.numbers import hertz
 from .events import Event, merged_events
 from .examined import Examined, Key
 from .flags import Flags
@@ -307,7 +308,7 @@ class Examination:
         return event
 
     def _changed(self, key: Key, change: Change) -> Event:
-        text = f"{self.result.names[key]}: {SECOND / change.old:.4g} Hz became {SECOND / change.new:.4g} Hz"
+        text = f"{self.result.names[key]}: {hertz(SECOND / change.old)} Hz became {hertz(SECOND / change.new)} Hz"
         return Event("changed format", change.at.begin, change.at.end, None, sets={key[0]}, details=[text])
 
     def _started_and_stopped(self) -> None:

@@ -17,6 +17,7 @@ from ..ports import connection
 from ..ports.silence import Line
 from ..text import show
 from ..text.decoding import DecodedField, decoded_field, name_of, raw_fields
+from ..text.numbers import hertz
 from ..text.references import references
 
 #: Seconds after which a value is old.
@@ -51,7 +52,7 @@ class Shown(NamedTuple):
     @property
     def hertz(self) -> str:
         """The rate as text."""
-        return "" if self.rate is None else f"{self.rate:.4g} Hz"
+        return "" if self.rate is None else f"{hertz(self.rate)} Hz"
 
     @property
     def old(self) -> str:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import queue
+import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
 from .. import binding
@@ -58,7 +60,7 @@ def received_bytes(line: Line, seconds: float | None = None, begin: Begin | None
     """Yields the bytes received at a port as they arrive, until the time is over, and empty bytes during a pause.
 
     `begin` is called with the device as soon as the port is open; if it returns False, data from before are dropped.
-    Raises Lost when the port closes, after all received bytes.
+    When the port closes, after all received bytes, it is opened again if `line` says so; else, raises Lost.
     """
     came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     with opened(line, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
@@ -75,9 +77,29 @@ def received_bytes(line: Line, seconds: float | None = None, begin: Begin | None
             try:
                 yield came.get(timeout=0 if closed else left)
             except queue.Empty:
-                if closed:
+                if closed and not line.reopen:
                     raise Lost(f"{line.name} was closed") from None
+                if closed and not _back(device, line, begin, end):
+                    return
                 yield b""
+
+
+def _back(device: DeviceAtPort, line: Line, begin: Begin | None, end: float | None) -> bool:
+    """Waits until a lost port is open again and `begin` has succeeded; False if the time is over before."""
+    lost = time.monotonic()
+    while end is None or time.monotonic() < end:
+        try:
+            if device.closed:
+                device.reopen(_TURN)
+            if begin is not None:
+                begin(device)
+        except (OSError, MipError, Failure):
+            time.sleep(_TURN)
+            continue
+        gap, now = time.monotonic() - lost, datetime.now()
+        print(f"mip {line.command}: {line.name} was lost for {gap:.1f} s, until {now:%H:%M:%S}", file=sys.stderr)
+        return True
+    return False
 
 
 def port_pieces(

@@ -26,6 +26,7 @@ class Line(NamedTuple):
     baud: int | None  # None: the rate is looked for
     command: str  # of `mip`, for its messages
     timeout: float | None = None  # seconds without data
+    reopen: bool = False  # if the port is lost
 
 
 class Silence:
@@ -35,7 +36,7 @@ class Silence:
         """`say` is called with the report, which otherwise goes to standard error."""
         self._line = line
         self._say = say or self._print
-        self._heard = self._understood = time.monotonic()
+        self._heard = self._understood = self._checked = time.monotonic()
         self._reported = False
         self._bytes = b""  # since the last packet
 
@@ -53,6 +54,9 @@ class Silence:
     def check(self) -> None:
         """Reports a silence on standard error. Raises Failure after the time-out."""
         now = time.monotonic()
+        if now - self._checked > PATIENCE:  # the port was not open
+            self._heard = self._understood = now
+        self._checked = now
         spent = now - self._understood
         limit = self._line.timeout
         if limit is not None and spent >= limit:

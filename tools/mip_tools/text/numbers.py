@@ -13,6 +13,15 @@ def spent(seconds: float) -> str:
     return f"{hours}:{minutes:02}:{rest:02} h" if hours else f"{minutes}:{rest:02} min"
 
 
+def hertz(rate: float) -> str:
+    """Formats a rate in Hz with five digits.
+
+    >>> hertz(1000 / 3), hertz(177412), hertz(100)
+    ('333.33', '177410', '100')
+    """
+    return f"{float(f'{rate:.5g}'):.10g}"
+
+
 def readable(size: float) -> str:
     """Formats a number of bytes with a unit: `12 kB`."""
     for unit in ("B", "kB", "MB", "GB"):

@@ -58,7 +58,10 @@ def streams(device: DeviceState, begin: int) -> list[Stream]:
     """Makes the streams that the settings define, starting at `begin`."""
     streams = []
     for set_number in sorted(data_sets(device.profile)):
-        pairs = [(d, x) for x, d in of_set(device, set_number) if device.sends(set_number, x)]
+        chosen = of_set(device, set_number)
+        if not chosen and _keeper(device, set_number) is None:  # the device sends all, at its own rate
+            chosen = [(x, 1) for s, x in sorted(device.field_keys) if s == set_number]
+        pairs = [(d, x) for x, d in chosen if device.sends(set_number, x)]
         items = [(d, device.encoder(set_number, x)) for d, x in pairs]
         if items and enabled(device, set_number):
             streams.append(_stream(device, set_number, items, partial(device.send_fields, set_number), begin))
