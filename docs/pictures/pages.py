@@ -19,9 +19,18 @@ PICTURES: dict[str, tuple[str, int, int]] = {
     "home": ("index.html", 1400, 900),
     "field": (FIELD, 1400, 900),
     "guide": (GUIDE, 1400, 900),
-    "inspector": ("tools/inspector.html", 1400, 900),
     "builder": ("tools/builder.html#3dm.message_format", 1400, 900),
     "bandwidth": ("tools/bandwidth.html#3dm-cv7-gnss-ins", 1400, 900),
+    **{
+        f"{name}-{width}{shade}": (address, width, height)
+        for name, address in (
+            ("inspector", "tools/inspector.html"),
+            ("finder", "tools/finder.html#accel"),
+            ("live", "tools/live.html"),
+        )
+        for width, height in ((390, 900), (1400, 900), (1920, 1000))
+        for shade in ("", "-dark")
+    },
     "home-390": ("index.html", 390, 900),
     "field-390": (FIELD, 390, 900),
     "field-1920": (FIELD, 1920, 1000),

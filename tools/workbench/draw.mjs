@@ -203,7 +203,7 @@ export function drawAttitude(canvas, rotation) {
     if (!held) return;
     const { context, width, height, colour, text } = held;
     const size = Math.min(width * 0.26, height * 0.27);
-    const [cosine, sine] = [Math.cos(0.5), Math.sin(0.5)]; // how far the view looks down
+    const [cosine, sine] = [Math.cos(0.65), Math.sin(0.65)]; // how far the view looks down
     /** North, east, down -> the position on the canvas, and the depth. */
     const seen = ([n, e, d]) => {
         const depth = n * cosine - -d * sine;
@@ -224,6 +224,11 @@ export function drawAttitude(canvas, rotation) {
     context.stroke();
     context.textAlign = "center";
     context.textBaseline = "middle";
+    context.fillStyle = text;
+    for (const [letter, point] of Object.entries({ N: [1.7, 0, 0.7], E: [0, 1.7, 0.7], S: [-1.7, 0, 0.7], W: [0, -1.7, 0.7] })) {
+        const { x, y } = seen(point);
+        context.fillText(letter, x, y);
+    }
     const turned = ([x, y, z]) => rotation.map((row) => row[0] * x + row[1] * y + row[2] * z);
     const faces = FACES.map(({ points, colour: name }) => {
         const placed = points.map(turned);
@@ -236,10 +241,5 @@ export function drawAttitude(canvas, rotation) {
         context.fill();
         context.strokeStyle = text;
         context.stroke();
-    }
-    context.fillStyle = text;
-    for (const [letter, point] of Object.entries({ N: [1.7, 0, 0.7], E: [0, 1.7, 0.7], S: [-1.7, 0, 0.7], W: [0, -1.7, 0.7] })) {
-        const { x, y } = seen(point);
-        context.fillText(letter, x, y);
     }
 }

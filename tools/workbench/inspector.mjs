@@ -57,7 +57,12 @@ export function inspector(root, protocol, options = {}) {
             ),
         ),
         input,
-        element("p", {}, element("label", { for: "mip-device" }, "Values as on "), device.control, " ", log.chooser),
+        element(
+            "p",
+            { class: "mip-controls" },
+            element("span", {}, element("label", { for: "mip-device" }, "Values as on"), device.control),
+            log.chooser,
+        ),
         log.output,
         output,
     );

@@ -18,7 +18,7 @@ const LISTED = 50;
 export function logPanel(protocol, { show, device, opened }) {
     const output = element("div", { class: "mip-log", role: "status" });
     const file = element("input", { type: "file", id: "mip-file", class: "mip-file" });
-    const chooser = element("span", { class: "mip-chooser" }, element("label", { for: "mip-file" }, "Log or recording "), file);
+    const chooser = element("span", { class: "mip-chooser" }, element("label", { for: "mip-file" }, "Log or recording"), file);
     let reading = 0; // the latest file
     const open = async (chosen) => {
         const mine = ++reading;
@@ -87,7 +87,7 @@ function logReport(protocol, file, found, show, device, close) {
                     .join("\n"),
             ),
             " ",
-            element("button", { type: "button", onclick: close }, "Close the log"),
+            element("button", { type: "button", class: "mip-copy", onclick: close }, "Close the log"),
         ),
         ...timeReport(protocol, found),
         found.fields.length > 0 &&
