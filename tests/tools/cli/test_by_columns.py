@@ -13,6 +13,7 @@ from mip_protocol import PacketBuilder, filter_data, timestamps
 from mip_protocol.text import shortest
 from mip_tools.columns import intervals, read_log, text, timeline, times
 from mip_tools.columns import packets as columns_packets
+from mip_tools.columns.stamps import NONE
 from mip_tools.commands import cut, dump, info
 from mip_tools.formats import messages
 from mip_tools.formats.json_messages import encoded
@@ -274,7 +275,13 @@ def test_messages(
             for kind, time, own, number, value in found
             if kind in some and (invalid == "keep" or messages.all_valid(value, log.device))
         ]
-        assert list(messages.Messages(some, selection, clock, invalid, messages.Json(named)).of_log(log)) == wanted
+        batches = messages.Messages(some, selection, clock, invalid, messages.Json(named)).of_log(log)
+        made = [
+            (b.kinds[kind], None if time == NONE else time, own, number, data)
+            for b in batches
+            for kind, time, own, number, data in zip(*(a.tolist() for a in b[1:5]), b.data)
+        ]
+        assert made == wanted
 
 
 def plainly(pieces: list[Any], selection: Selection, clock: str | None) -> Iterator[tuple[Any, ...]]:

@@ -4,6 +4,7 @@ exports."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,13 @@ def texts(arrow: Any, items: Sequence[str], mask: Array | None = None) -> Any:
     np.cumsum([len(item) for item in data], out=ends[1:])
     buffers = [_there(arrow, mask), arrow.py_buffer(ends), arrow.py_buffer(b"".join(data))]
     return arrow.Array.from_buffers(arrow.string(), len(data), buffers)
+
+
+def items(array: Any) -> list[bytes]:
+    """Returns the bytes of each text of an array without missing ones: `to_pylist` takes several times as long."""
+    _, ends, data = array.buffers()
+    places, whole = np.frombuffer(ends, np.int32)[: len(array) + 1].tolist(), bytes(memoryview(data))
+    return [whole[begin:end] for begin, end in pairwise(places)]
 
 
 def joined(arrow: Any, *cells: Any) -> Any:

@@ -97,8 +97,8 @@ def packets_and_offsets(runs: list[Run], packets: int) -> tuple[Array, Array]:
 
 def in_order(
     field_runs: Iterable[Run], made: Callable[[int, int, list[Run]], tuple[Array, Array, list[T]]]
-) -> tuple[Array, list[T]]:
-    """Sorts rows into the order of the log. Returns their packets, and the rows.
+) -> tuple[Array, list[T], Array]:
+    """Sorts rows into the order of the log. Returns their packets, the rows, and their order.
 
     `made` is called once for each set and descriptor, with their runs. It returns the packets of its rows, their
     offsets in the payloads, which determine the order within a packet, and the rows.
@@ -115,7 +115,7 @@ def in_order(
         rows += more
     packet = np.concatenate(packets)
     order = np.lexsort((np.concatenate(offsets), packet))
-    return packet[order], [rows[row] for row in order.tolist()]
+    return packet[order], [rows[row] for row in order.tolist()], order
 
 
 def _filled(run: Run, value: int | Array) -> Array:

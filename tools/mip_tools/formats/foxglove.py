@@ -15,7 +15,7 @@ from typing import Any
 from ..errors import Failure, Misuse
 from ..files.pages import FOXGLOVE, host_is_known, listening, origin_is_allowed
 from ..names.occurrence import Occurrence
-from .json_messages import Message, Topic, timed
+from .json_messages import Batch, Topic, timed
 
 #: The WebSocket subprotocols that clients request.
 PROTOCOLS = ["foxglove.websocket.v1", "foxglove.sdk.v1"]
@@ -170,12 +170,14 @@ def serving(server: Server, place: str, origins: Sequence[str] = FOXGLOVE) -> It
 
 
 def serve(
-    server: Server, messages: Iterable[Message], clock: str | None, topic_of: Callable[[Occurrence], Topic]
+    server: Server, messages: Iterable[Batch], clock: str | None, topic_of: Callable[[Occurrence], Topic]
 ) -> None:
     """Serves messages until they end. Without a clock, they have the time of the host."""
     channels: dict[Occurrence, int] = {}
-    for message, moment in timed(messages, clock is None):
-        if message.kind not in channels:
-            channels[message.kind] = server.channel(topic_of(message.kind))
-        if server.wanted(channels[message.kind]):
-            server.send(channels[message.kind], moment, message.data)
+    for batch, moments in timed(messages, clock is None):
+        for number, moment, data in zip(batch.kind.tolist(), moments.tolist(), batch.data):
+            kind = batch.kinds[number]
+            if kind not in channels:
+                channels[kind] = server.channel(topic_of(kind))
+            if server.wanted(channels[kind]):
+                server.send(channels[kind], moment, data)

@@ -6,7 +6,7 @@ import argparse
 import json
 import time
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..binding import Described, Field, Parameter, Structure, info
 from ..errors import Failure, Misuse
@@ -15,6 +15,7 @@ from ..text import values
 from ..text.clocks import dated
 
 if TYPE_CHECKING:
+    from ..columns.scan import Array
     from ..columns.timeline import Clocks
 
 #: The maximum number of messages that wait for the first time in a log.
@@ -31,24 +32,15 @@ TIMES = {
 }
 
 
-class Message(NamedTuple):
-    """A field as a message."""
+class Batch(NamedTuple):
+    """Fields as messages, in their order: an item of each list or array for each message."""
 
-    kind: Occurrence
-    time: int | None
-    own: bool  # does its packet have the time?
-    packet: int
-    data: Any  # as JSON or CDR
-
-
-class _Timed(Protocol):
-    """A sample or a message."""
-
-    @property
-    def time(self) -> int | None: ...
-
-
-T = TypeVar("T", bound=_Timed)
+    kinds: list[Occurrence]  # all of them, once
+    kind: Array  # the number of the kind in this list
+    time: Array  # in ns; NONE if it is not known
+    own: Array  # does the packet have the time?
+    packet: Array
+    data: list[Any]  # as JSON or CDR
 
 
 def clock_of(clocks: Clocks, options: argparse.Namespace) -> str:
@@ -87,24 +79,29 @@ def clock_meaning(clock: str | None) -> str:
     return TIMES["host" if clock is None else "dated" if dated(clock) else "undated"].format(clock)
 
 
-def timed(samples: Iterable[T], by_host: bool) -> Iterator[tuple[T, int]]:
-    """Yields each sample with its time in ns, or else the last known one, or else the first. Raises Failure if no
-    sample has a time."""
-    last: int | None = None
-    waiting: list[T] = []
-    for sample in samples:
-        moment = time.time_ns() if by_host else sample.time
-        if moment is not None and not waiting:  # as nearly always
-            last = max(moment, 0)
-            yield sample, last
+def timed(batches: Iterable[Batch], by_host: bool) -> Iterator[tuple[Batch, Array]]:
+    """Yields messages with their times in ns, or else the last known one, or else the first. Raises Failure if too many
+    messages have none."""
+    import numpy as np
+
+    from ..columns.stamps import NONE
+
+    last: Array = np.zeros(0, np.int64)  # the last known time
+    waiting: list[Batch] = []
+    for batch in batches:
+        moments = np.full(len(batch.data), time.time_ns()) if by_host else batch.time
+        known = np.flatnonzero(moments != NONE)
+        waiting.append(batch)
+        if not len(last) and not len(known):
+            if sum(len(each.data) for each in waiting) > HELD:
+                raise Failure(f"the first {HELD} fields have no time; use --time clock, or jsonl")
             continue
-        last = last if moment is None else max(moment, 0)
-        waiting.append(sample)
-        if last is not None:
-            yield from ((waited, max(last if waited.time is None else waited.time, 0)) for waited in waiting)
-            waiting.clear()
-        elif len(waiting) > HELD:
-            raise Failure(f"the first {HELD} fields have no time; use --time clock, or jsonl")
+        times = np.maximum(np.concatenate((last if len(last) else moments[known[:1]], moments[known])), 0)
+        for earlier in waiting[:-1]:
+            yield earlier, np.full(len(earlier.data), times[0])
+        yield batch, times[np.searchsorted(known, np.arange(len(moments)), side="right")]
+        waiting.clear()
+        last = times[-1:]
 
 
 # --------------------------------------------------------------------------- messages and schemas

@@ -17,7 +17,7 @@ from ..logs.scan import Piece
 from ..names.occurrence import Occurrence
 from ..names.selection import Selection
 from ..text.clocks import dated
-from .json_messages import Message, Topic
+from .json_messages import Batch, Topic
 from .mcap_file import write_mcap
 from .row_times import Time, shown_clocks
 
@@ -63,7 +63,7 @@ def stream_messages(
     selection: Selection,
     flush: Callable[[], object] = lambda: None,
     device: str | KnownDevice | None = None,
-) -> tuple[Iterator[Message], str | None, Callable[[Occurrence], Topic]]:
+) -> tuple[Iterator[Batch], str | None, Callable[[Occurrence], Topic]]:
     """Returns the fields of a stream as messages, the clock of their times, and what makes the topic of a field."""
     inputs.need_numpy()
     from .messages import Json, Messages
@@ -75,7 +75,7 @@ def stream_messages(
     form = Json(options.named)
     made = Messages(None, selection, clock, options.invalid, form)
 
-    def messages_of_logs() -> Iterator[Message]:
+    def messages_of_logs() -> Iterator[Batch]:
         number = 0
         for log in chain([] if first is None else [first], logs):
             yield from made.of_log(log, number)

@@ -8,13 +8,16 @@ from collections import Counter
 from collections.abc import Callable, Iterable
 from importlib import import_module
 from itertools import chain
-from typing import IO, Any
+from typing import IO, TYPE_CHECKING, Any
 
 from .. import __version__
 from ..binding import MissingExtra
 from ..errors import Failure
 from ..names.occurrence import Occurrence
-from .json_messages import Message, Topic, clock_meaning, timed
+from .json_messages import Batch, Topic, clock_meaning, timed
+
+if TYPE_CHECKING:
+    from ..columns.scan import Array
 
 _MAGIC = b"\x89MCAP0\r\n"
 #: Bytes of messages that are compressed together.
@@ -34,7 +37,7 @@ def require(form: str) -> Any:
 
 def write_mcap(
     out: IO[bytes],
-    messages: Iterable[Message],
+    messages: Iterable[Batch],
     clock: str | None,
     topic_of: Callable[[Occurrence], Topic],
     live: bool = False,
@@ -43,16 +46,19 @@ def write_mcap(
 
     `topic_of` makes the topic of a field. `live`: without a clock, messages have the time of the host.
     """
+    import numpy as np
+
     meaning = clock_meaning(clock)
     file = _File(out, {"clock": clock or "host", "time": meaning})
     channels: dict[Occurrence, int] = {}
     try:
-        for message, moment in timed(messages, live and clock is None):
-            kind = message.kind
-            if kind not in channels:
-                about = {"descriptor": f"0x{kind.set:02X},0x{kind.kind.DESCRIPTOR:02X}", "time": meaning}
-                channels[kind] = file.channel(topic_of(kind), about)
-            file.add(channels[kind], moment, message.packet & 0xFFFFFFFF, message.data)
+        for batch, moments in timed(messages, live and clock is None):
+            for kind in (batch.kinds[number] for number in dict.fromkeys(batch.kind.tolist())):
+                if kind not in channels:
+                    about = {"descriptor": f"0x{kind.set:02X},0x{kind.kind.DESCRIPTOR:02X}", "time": meaning}
+                    channels[kind] = file.channel(topic_of(kind), about)
+            numbers = np.array([channels.get(kind, 0) for kind in batch.kinds], np.int64)[batch.kind]
+            file.add(numbers, moments, batch.packet, batch.data)
     finally:
         file.finish()
 
@@ -69,7 +75,7 @@ class _File:
         self._channels: list[Any] = []
         self._chunks: list[Any] = []
         self._new = b""  # records of channels that precede the next messages
-        self._waiting: list[tuple[int, int, int, bytes]] = []
+        self._waiting: list[tuple[Array, list[bytes]]] = []  # heads and contents of messages
         self._waiting_size = 0
         self._counts: Counter[int] = Counter()
         self._write(_MAGIC, self._encoded(self._records.Header(profile="", library=f"mip-tools {__version__}")))
@@ -102,12 +108,23 @@ class _File:
         self._new += self._encoded(schema, channel)
         return number
 
-    def add(self, channel: int, moment: int, sequence: int, data: bytes) -> None:
-        """Adds a message."""
-        self._waiting.append((channel, sequence, moment, data))
-        self._waiting_size += len(data) + _HEAD_SIZE
-        if self._waiting_size > _CHUNK:
-            self._flush()
+    def add(self, channels: Array, moments: Array, packets: Array, data: list[bytes]) -> None:
+        """Adds messages."""
+        import numpy as np
+
+        heads = np.zeros(len(data), _HEAD)
+        heads["opcode"], heads["channel"], heads["sequence"] = 5, channels, packets & 0xFFFFFFFF
+        heads["logged"] = heads["sent"] = moments
+        heads["size"] = np.fromiter(map(len, data), np.int64, len(data)) + _HEAD_SIZE - 9
+        ends, begin = np.cumsum(heads["size"].astype(np.int64) + 9), 0
+        while begin < len(data):
+            before = int(ends[begin - 1]) if begin else 0
+            stop = int(np.searchsorted(ends, before + _CHUNK - self._waiting_size, side="right")) + 1
+            self._waiting.append((heads[begin:stop], data[begin:stop]))
+            self._waiting_size += int(ends[min(stop, len(data)) - 1]) - before
+            begin = stop
+            if self._waiting_size > _CHUNK:
+                self._flush()
 
     def _flush(self) -> None:
         """Writes a chunk of the waiting messages, with an index for each channel."""
@@ -117,13 +134,10 @@ class _File:
 
         from ..columns.distinct import distinct
 
-        channels, sequences, times, data = zip(*self._waiting)
-        heads = np.zeros(len(data), _HEAD)
-        heads["opcode"], heads["channel"], heads["sequence"] = 5, channels, sequences
-        heads["logged"] = heads["sent"] = times
-        heads["size"] = np.fromiter(map(len, data), np.int64, len(data)) + _HEAD_SIZE - 9
+        heads = np.concatenate([some for some, _ in self._waiting])
+        data = chain.from_iterable(some for _, some in self._waiting)
         content = self._new + b"".join(chain.from_iterable(zip(heads.view(f"V{_HEAD_SIZE}").tolist(), data)))
-        index = np.empty((len(data), 2), "<u8")
+        index = np.empty((len(heads), 2), "<u8")
         index[:, 0] = heads["logged"]
         index[:, 1] = len(self._new) + np.cumsum(heads["size"] + 9) - heads["size"] - 9
         packed = import_module("zstandard").compress(content)
@@ -144,6 +158,7 @@ class _File:
         for number in distinct(heads["channel"]).tolist():
             entries = index[heads["channel"] == number].tobytes()
             offsets[number] = self._size
+            self._counts[number] += len(entries) // 16
             self._write(struct.pack("<BQHI", 7, 6 + len(entries), number, len(entries)), entries)
         self._chunks.append(
             self._records.ChunkIndex(
@@ -158,7 +173,6 @@ class _File:
                 uncompressed_size=len(content),
             )
         )
-        self._counts.update(channels)
         self._new, self._waiting, self._waiting_size = b"", [], 0
 
     def finish(self) -> None:

@@ -19,14 +19,15 @@ from ..names.occurrence import Occurrence, occurrence_in
 from ..names.selection import Selection
 from ..text import row_texts
 from ..text.decoding import decoded_field
-from .json_messages import SEPARATORS, Message, Topic, encoded
+from .json_messages import SEPARATORS, Batch, Topic, encoded
 
 #: Bytes of a log whose messages are in memory at the same time.
 PART = 1 << 20
 
-#: Rows of fields: their packets, the offsets of their data in the payloads, and the values made from them.
-_Rows = tuple[Array, Array, list[tuple[Occurrence, Any]]]
-_NOTHING: _Rows = (np.zeros(0, np.int64), np.zeros(0, np.int64), [])
+#: Rows of fields: their packets, the offsets of their data in the payloads, their kinds, or the one of all, and the
+#: values made from them.
+_Rows = tuple[Array, Array, list[Occurrence], list[Any]]
+_NOTHING: _Rows = (np.zeros(0, np.int64), np.zeros(0, np.int64), [], [])
 
 
 def survey_messages(log: Log, selection: Selection) -> tuple[list[Occurrence], timeline.Clocks]:
@@ -73,7 +74,7 @@ class Json:
         texts = row_texts.json_object(column, kind.kind, self.device, self._named, SEPARATORS)
         if texts is None:
             return None
-        messages = [text.encode() for text in row_texts.formatted_rows(*texts, len(column))]
+        messages = row_texts.formatted_rows(*texts, len(column))
         odd = np.zeros(len(column), bool)
         for name in column:
             if column[name].dtype.kind == "f":  # NaN and infinity, which JSON does not have, are left out
@@ -97,7 +98,7 @@ class Messages:
         self._kinds, self._selection, self._clock = None if kinds is None else set(kinds), selection, clock
         self._drops, self._form = invalid == "drop", form
 
-    def of_log(self, log: Log, first: int = 0) -> Iterator[Message]:
+    def of_log(self, log: Log, first: int = 0) -> Iterator[Batch]:
         """Yields the messages of a log, in the order of the fields. Its first packet has the number `first`."""
         for part, number in self.parts(log, first):
             yield from self.of_part(part, number)
@@ -112,11 +113,11 @@ class Messages:
             progress.at(part.end)
         progress.clear()
 
-    def of_part(self, part: Log, first: int) -> Iterator[Message]:
+    def of_part(self, part: Log, first: int) -> Iterator[Batch]:
         """Yields the messages of a part of a log, whose first packet has this number."""
         self._form.device = part.device
         for piece in part.pieces():
-            yield from self._of_piece(part, piece, first + piece.number)
+            yield self._of_piece(part, piece, first + piece.number)
 
     def kept(self, column: Column[Any]) -> Array:
         """Returns which rows of a column are kept: all, or those whose values are valid."""
@@ -126,22 +127,21 @@ class Messages:
                 there &= column.valid(name).reshape(len(column), -1).all(axis=1)
         return there
 
-    def _of_piece(self, part: Log, piece: Piece, first: int) -> Iterator[Message]:
-        """Yields the messages of a piece whose first packet has the number `first`."""
+    def _of_piece(self, part: Log, piece: Piece, first: int) -> Batch:
+        """Makes the messages of a piece whose first packet has the number `first`."""
+        kinds: dict[Occurrence, int] = {}
+        columns: list[tuple[Array, Array, Array]] = [(np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, bool))]
 
-        def made(number: int, descriptor: int, runs: list[walk.Run]) -> tuple[Array, Array, list[Message]]:
-            packet, offset, rows = self._rows(part, piece, number, descriptor, runs)
-            moments, own = self._times(part, piece, number, packet)
-            messages = [
-                Message(kind, None if moment == NONE else moment, own, number, data)
-                for (kind, data), moment, own, number in zip(
-                    rows, moments.tolist(), own.tolist(), (packet + first).tolist()
-                )
-            ]
-            return packet, offset, messages
+        def made(number: int, descriptor: int, runs: list[walk.Run]) -> tuple[Array, Array, list[Any]]:
+            packet, offset, own, data = self._rows(part, piece, number, descriptor, runs)
+            which = np.array([kinds.setdefault(kind, len(kinds)) for kind in own], np.int64)
+            columns.append((np.broadcast_to(which, len(data)), *self._times(part, piece, number, packet)))
+            return packet, offset, data
 
         wanted = [run for run in piece.runs or () if self._selection.has(run.set, run.descriptor)]
-        yield from walk.in_order(wanted, made)[1]
+        packet, data, order = walk.in_order(wanted, made)
+        kind, time, own = (np.concatenate(each)[order] for each in zip(*columns))
+        return Batch(list(kinds), kind, time, own, packet + first, data)
 
     def _times(self, part: Log, piece: Piece, number: int, packet: Array) -> tuple[Array, Array]:
         """Returns the times of packets of a set, and whether each is in the packet itself."""
@@ -171,7 +171,8 @@ class Messages:
             if pair and self._has(pair[0]) and self._keeps(part, pair[1])
         ]
         left = [row for row, *_ in kept]
-        return packet[left], offset[left], [(kind, self._form.field(field, kind)) for _, kind, field in kept]
+        data = [self._form.field(field, kind) for _, kind, field in kept]
+        return packet[left], offset[left], [kind for _, kind, _ in kept], data
 
     def _has(self, kind: Occurrence) -> bool:
         return self._kinds is None or kind in self._kinds
@@ -196,7 +197,9 @@ class Messages:
         if messages is None:
             return None
         kept = self.kept(column)
-        return packet[kept], offset[kept], [(kind, messages[row]) for row in np.flatnonzero(kept).tolist()]
+        if kept.all():
+            return packet, offset, [kind], list(messages)
+        return packet[kept], offset[kept], [kind], [messages[row] for row in np.flatnonzero(kept).tolist()]
 
 
 def _decoded(piece: Piece, descriptor: int, packet: Array, offset: Array) -> Iterator[tuple[Occurrence, Field] | None]:

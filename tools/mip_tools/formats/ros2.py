@@ -14,6 +14,7 @@ from typing import Any
 from ..binding import SECOND, Field
 from ..columns import Log
 from ..columns.column import Column
+from ..columns.stamps import NONE
 from ..errors import Failure, Misuse
 from ..logs import inputs
 from ..logs.assumed import print_assumptions
@@ -22,7 +23,7 @@ from ..names.selection import Selection
 from ..ros import cdr, standard
 from ..ros.types import Types
 from ..text import clocks
-from .json_messages import Message, clock_of, timed
+from .json_messages import Batch, clock_of, timed
 from .messages import Messages, Objects, survey_messages
 
 #: The frame of messages in the axes of the device.
@@ -97,7 +98,7 @@ class Job:
                     topics[topic] = bag.add_connection(topic, kind, typestore=types.store)
                 bag.write(topics[topic], moment, cdr.stamped(message, moment))
 
-            def messages() -> Iterator[Message]:
+            def messages() -> Iterator[Batch]:
                 for part, first in made.parts(log):
                     chosen = (part, self.types, made.kept, self._clock)
                     for each in converter.messages(standard.message_fields(*chosen), standard.attitudes(*chosen)):
@@ -105,15 +106,20 @@ class Job:
                             waiting.setdefault(packet, []).append((each.topic, each.type, message))
                     yield from made.of_part(part, first)
 
-            for packet, group in groupby(timed(messages(), False), lambda sample: sample[0].packet):
-                for sample, moment in group:
-                    self._check(packet, moment)
-                    if sample.data is not None:
-                        write(*own[sample.kind], moment, sample.data)
-                for topic, kind, message in waiting.pop(packet, ()):
-                    write(topic, kind, moment, message)
-                if sample.own and sample.time is not None and clocks.dated(self._clock):
-                    write("/time_reference", REFERENCE, moment, self._reference(types, sample.time))
+            for batch, moments in timed(messages(), False):
+                has_time = batch.own & (batch.time != NONE)
+                rows = zip(*(each.tolist() for each in (batch.packet, batch.kind, moments, has_time, batch.time)))
+                for packet, group in groupby(zip(rows, batch.data), lambda row: row[0][0]):
+                    several = list(group)
+                    for (_, number, moment, *_), data in several:
+                        self._check(packet, moment)
+                        if data is not None:
+                            write(*own[batch.kinds[number]], moment, data)
+                    for topic, kind, message in waiting.pop(packet, ()):
+                        write(topic, kind, moment, message)
+                    (_, _, moment, timed_itself, time), _ = several[-1]
+                    if timed_itself and clocks.dated(self._clock):
+                        write("/time_reference", REFERENCE, moment, self._reference(types, time))
         if not topics:
             raise Failure(f"{self._options.file} has no data for standard messages; add --messages, for mip_msgs")
 

@@ -55,7 +55,7 @@ class Lines:
             values += arguments
         is_vector = len(parts) == 1 and parts[0].startswith("(")
         template = name + (parts[0] if is_vector else f"({', '.join(parts)})")
-        return row_texts.formatted_rows(template, values, len(column))
+        return [text.decode() for text in row_texts.formatted_rows(template, values, len(column))]
 
     def texts(self, p: Parameter, column: Column[Any]) -> row_texts.Texts | None:
         """Returns the format of a parameter and its values; filled in, they are what `Parameter.format` returns."""
@@ -96,7 +96,7 @@ class Objects:
         if made is None:
             return None
         head = f'{{"field": {json.dumps(kind.name_in(number))}, "values": '
-        return row_texts.formatted_rows(f"{head}{made[0]}}}", made[1], len(column))
+        return [text.decode() for text in row_texts.formatted_rows(f"{head}{made[0]}}}", made[1], len(column))]
 
 
 def object_lines(log: Log, selection: Selection, form: Lines | Objects) -> Iterator[tuple[int, list[str]]]:
@@ -114,7 +114,7 @@ def _lines(log: Log, piece: Piece, selection: Selection, form: Lines | Objects) 
         covered += np.bincount(run.packet, minlength=len(covered)) * (run.length + 2)
         if selection.has(run.set, run.descriptor):
             runs.append(run)
-    where, texts = walk.in_order(runs, lambda *alike: _fields(log, piece, form, *alike))
+    where, texts, _ = walk.in_order(runs, lambda *alike: _fields(log, piece, form, *alike))
     counts = np.bincount(where, minlength=len(piece.at))
     ends = np.cumsum(counts)
     shown = counts > 0 if not selection.everything else np.ones(len(piece.at), bool)

@@ -24,17 +24,16 @@ Texts = tuple[str, list[Array]]
 _MANY = 4096
 
 
-def formatted_rows(template: str, values: list[Array], count: int) -> list[str]:
+def formatted_rows(template: str, values: list[Array], count: int) -> list[bytes]:
     """Formats each row; with pyarrow, several times as fast."""
     if not values:
-        return [template % ()] * count
+        return [(template % ()).encode()] * count
     pa = pyarrow() if count >= _MANY else None
     if pa is None:
-        return list(map(template.__mod__, zip(*map(_items, values))))
+        return [text.encode() for text in map(template.__mod__, zip(*map(_items, values)))]
     first, *others = (between.replace("%%", "%") for between in re.split("%[rds]", template))
     cells = [each for value, after in zip(values, others) for each in (_cells(pa, value), after)]
-    texts: list[str] = buffers.joined(pa, first, *cells).to_pylist()
-    return texts
+    return buffers.items(buffers.joined(pa, first, *cells))
 
 
 def _items(values: Array) -> list[Any]:
@@ -82,7 +81,8 @@ def _json(p: Parameter, column: Column[Any], names_: bool, separators: tuple[str
     single, arguments = singles(values)
     if single == "%r" and not np.isfinite(values).all():
         single = "%s"
-        arguments = [np.where(np.isfinite(each), formatted_rows("%r", [each], len(each)), "null") for each in arguments]
+        texts = [[text.decode() for text in formatted_rows("%r", [each], len(each))] for each in arguments]
+        arguments = [np.where(np.isfinite(each), own, "null") for each, own in zip(arguments, texts)]
     if not p.elements:
         return single, arguments
     between, after = separators

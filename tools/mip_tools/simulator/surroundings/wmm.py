@@ -23,9 +23,9 @@ def models() -> dict[int, Coefficients]:
     by_epoch: dict[int, Coefficients] = {}
     with Path(__file__).with_name("wmm.csv").open(encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
-            key, values = (int(row["n"]), int(row["m"])), [float(row[x]) for x in ("g", "h", "dg", "dh")]
-            g, h, dg, dh = values
-            by_epoch.setdefault(int(row["epoch"]), {})[key] = g, h, dg, dh
+            for epoch in (name[1:] for name in row if name.startswith("g")):
+                g, h, dg, dh = (float(row[x + epoch]) for x in ("g", "h", "dg", "dh"))
+                by_epoch.setdefault(int(epoch), {})[int(row["n"]), int(row["m"])] = g, h, dg, dh
     return by_epoch
 
 
