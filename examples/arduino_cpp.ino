@@ -1,8 +1,8 @@
 // For 32-bit boards: starts the accelerations of a device at Serial1, and prints the one along x, in g, to Serial.
 #include <mip.h>
-#include <mip/3dm_commands.hpp>
-#include <mip/base_commands.hpp>
-#include <mip/sensor.hpp>
+#include <mip/cpp/3dm_commands.hpp>
+#include <mip/cpp/base_commands.hpp>
+#include <mip/cpp/sensor.hpp>
 
 struct Port {
     std::optional<size_t> read(mip::span<uint8_t> room) {

@@ -1,5 +1,5 @@
-#include "mip/3dm_commands.hpp"
-#include "mip/sensor.hpp"
+#include "mip/cpp/3dm_commands.hpp"
+#include "mip/cpp/sensor.hpp"
 
 bool run(Port &port) { // your own class with read, write and now: see examples/node.cpp
     mip::device device(port);

@@ -1,4 +1,4 @@
-#include "mip/aiding_commands.hpp"
+#include "mip/cpp/aiding_commands.hpp"
 
 // Reads an aiding frame, moves it, and writes it back with everything else as it was.
 template <class Device> bool move_frame(Device &device, std::uint8_t id, float x) {

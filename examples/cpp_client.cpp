@@ -1,6 +1,6 @@
-#include "mip/3dm_commands.hpp"
-#include "mip/client.hpp"
-#include "mip/sensor.hpp"
+#include "mip/cpp/3dm_commands.hpp"
+#include "mip/cpp/client.hpp"
+#include "mip/cpp/sensor.hpp"
 
 // Your own event loop: the client does not read, write or wait, and your program provides the time.
 bool set_pps_source(mip::client &client, mip::mip_3dm::pps_source source) {

@@ -1,5 +1,5 @@
-#include "mip/filter_data.hpp"
-#include "mip/sensor.hpp"
+#include "mip/cpp/filter_data.hpp"
+#include "mip/cpp/sensor.hpp"
 
 // All packets of a log in memory. For a stream that arrives in pieces, use mip::parser.
 void read(mip::bytes log) {

@@ -1,7 +1,7 @@
-#include "mip/3dm_commands.hpp"
-#include "mip/base_commands.hpp"
+#include "mip/cpp/3dm_commands.hpp"
+#include "mip/cpp/base_commands.hpp"
 #include "mip/line.h"
-#include "mip/sensor.hpp"
+#include "mip/cpp/sensor.hpp"
 
 #include <cstdio>
 

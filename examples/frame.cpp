@@ -1,9 +1,9 @@
 // Opens a device, and sends a command of the reference.
 #include "mip/connect.h"
-#include "mip/device.hpp"
+#include "mip/cpp/device.hpp"
 #include "mip/line.h"
 // 1. the line of the page that begins with #include
-#include "mip/base_commands.hpp"
+#include "mip/cpp/base_commands.hpp"
 
 #include <iostream>
 

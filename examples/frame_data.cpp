@@ -1,9 +1,9 @@
 // Opens a device, streams a data field of the reference once per second, and reads it.
 #include "mip/connect.h"
-#include "mip/device.hpp"
+#include "mip/cpp/device.hpp"
 #include "mip/line.h"
 // 1. the line of the page that begins with #include
-#include "mip/sensor.hpp"
+#include "mip/cpp/sensor.hpp"
 
 #include <iostream>
 

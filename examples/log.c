@@ -1,7 +1,7 @@
 /* Reads a log: prints filter positions as CSV, and the number of fields of each kind. */
 #include "mip/filter_data.h"
-#include "mip/print.h"
-#include "mip/registry.h"
+#include "mip/extra/print.h"
+#include "mip/extra/registry.h"
 
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 // A node in the style of ROS: reads a device at a TCP port, and publishes its data as messages.
-#include "mip/3dm_commands.hpp"
-#include "mip/base_commands.hpp"
-#include "mip/sensor.hpp"
+#include "mip/cpp/3dm_commands.hpp"
+#include "mip/cpp/base_commands.hpp"
+#include "mip/cpp/sensor.hpp"
 
 #include <chrono>
 #include <cstdio>

@@ -31,13 +31,19 @@ def folder(spec: str) -> Path:
 
 
 def sources(spec: str) -> list[str]:
-    return [str(p) for p in sorted((folder(spec) / "src/mip").glob("*.c"))]
+    return [str(p) for p in sorted((folder(spec) / "src/mip").glob("*/*.c"))]
 
 
 def pages(spec: str) -> str:
     """The README and the pages beside it."""
     paths = [folder(spec) / "README.md", *sorted((folder(spec) / "docs").glob("*.md"))]
     return "\n".join(path.read_text("utf-8") for path in paths)
+
+
+def headers(made: Path, end: str = ".h") -> list[str]:
+    """The headers that programs include, without those that only the sources of the core need."""
+    paths = sorted(p.relative_to(made / "src").as_posix() for p in (made / "src/mip").rglob(f"*{end}"))
+    return [path for path in paths if "/core/" not in path]
 
 
 def include(spec: str) -> str:
@@ -52,7 +58,7 @@ def run(*command: str | Path, **environment: str) -> str:
 
 def stamp(spec: str, *command: str) -> str:
     digest = hashlib.sha256(" ".join(command).encode())
-    for path in sorted((folder(spec) / "src/mip").iterdir()):
+    for path in sorted(p for p in (folder(spec) / "src/mip").rglob("*") if p.is_file()):
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()
 
@@ -81,7 +87,7 @@ def archive(spec: str, compiler: str, *flags: str) -> Path:
 def small_parser(spec: str, compiler: str, *flags: str) -> Path:
     """The parser that 64-bit machines do not have by default; linked before the library, it is used instead."""
     made = BUILD / f"c/small-parser-{hashlib.sha256(' '.join([spec, compiler, *flags]).encode()).hexdigest()[:16]}.o"
-    source = folder(spec) / "src/mip/parser_small.c"
+    source = folder(spec) / "src/mip/core/parser_small.c"
     with locked(made):
         run(need(compiler), *WARNINGS, *flags, "-DMIP_PARSER_SMALL", include(spec), "-c", source, "-o", made)
     return made

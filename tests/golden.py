@@ -26,7 +26,7 @@ SPEC = ROOT / "tests/invented/spec"
 OUTPUT = ROOT / "build/invented"
 GOLDEN = ROOT / "tests/invented/golden"
 KEPT_WHOLE = {
-    "c/src/mip/measurements.c",
+    "c/src/mip/sets/measurements.c",
     "javascript/measurements.mjs",
     "markdown/docs/fields/measurements/arrays.md",
     "python/mip_protocol/mip_3d.py",

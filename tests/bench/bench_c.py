@@ -46,8 +46,13 @@ OUTSIDE = ("memcpy", "memmove", "memset", "memchr", "strcmp", "__aeabi_uldivmod"
 LINK = ["-nostdlib", "-Wl,--gc-sections", *(f"-Wl,--defsym={f}=0" for f in OUTSIDE)]
 
 #: Optional parts: a header, and a function that links its tables.
-OPTIONAL = (("device", "mip_device_call"), ("registry", "mip_registry_find"), ("profiles", "mip_profile_find"),
-            ("reflect", "mip_reflect"), ("print", "mip_print_packet"))  # fmt: skip
+OPTIONAL = (
+    ("device", "mip_device_call"),
+    ("extra/registry", "mip_registry_find"),
+    ("extra/profiles", "mip_profile_find"),
+    ("extra/reflect", "mip_reflect"),
+    ("extra/print", "mip_print_packet"),
+)
 STATES = '#include "mip/core.h"\nstruct mip_parser mip_parser;\n'
 
 Row = list[str]
@@ -61,7 +66,7 @@ def run(*command: str | Path) -> str:
 
 
 def library() -> list[str]:
-    return [str(p) for p in sorted((SOURCES / "mip").glob("*.c"))]
+    return [str(p) for p in sorted((SOURCES / "mip").glob("*/*.c"))]
 
 
 def version(compiler: str) -> str:
@@ -155,8 +160,8 @@ def sizes() -> list[Row]:
         ["state of the parser, in RAM", f"{state('mip_parser')} B"],
         ["decode and encode all layouts, for each", f"{table:.1f} B"],
         ["of that, shared by all: the table reader", f"{linked('reader', ['mip_decode', 'mip_encode'])} B"],
-        ["names of one enumeration, the acknowledge codes", f"{linked('names', ['mip_ack_code_name'])} B"],
-        *([f"optional, all of `{name}.h`", f"{linked(name, [s]) / 1000:.0f} kB"] for name, s in OPTIONAL),
+        ["names of the acknowledge codes", f"{linked('names', ['mip_ack_code_name'])} B"],
+        *([f"optional, all of `{name}.h`", f"{linked(s, [s]) / 1000:.0f} kB"] for name, s in OPTIONAL),
     ]
 
 
@@ -183,17 +188,17 @@ def by_source() -> str:
     BUILD.mkdir(parents=True, exist_ok=True)
     rows, totals = [], [0, 0]
     for name in PARTS:
-        sizes, stack = [], 0
+        (source,), sizes, stack = (SOURCES / "mip").glob(f"*/{name}.c"), [], 0
         for level in ("-O2", "-Os"):
             made = BUILD / f"{name}{level}.o"
             flags = [flag for flag in ARM if flag != "-Os"]
             choice = [f"-DMIP_{name.upper()}"] if name.startswith("parser_") else []
             run("arm-none-eabi-gcc", *flags, level, *choice, "-fstack-usage", f"-I{SOURCES}", "-c",
-                SOURCES / f"mip/{name}.c", "-o", made)  # fmt: skip
+                source, "-o", made)  # fmt: skip
             code, data = run("arm-none-eabi-size", made).splitlines()[1].split()[:2]
             sizes.append(int(code) + int(data))
             stack = max(int(line.split("\t")[1]) for line in made.with_suffix(".su").read_text("utf-8").splitlines())
-        most, function = complexity((SOURCES / f"mip/{name}.c").read_text("utf-8"))
+        most, function = complexity(source.read_text("utf-8"))
         if name != "parser_fast":
             totals = [a + b for a, b in zip(totals, sizes, strict=True)]
         decisions = str(most) if most <= 10 else f"{most} (`{function}`)"

@@ -7,7 +7,7 @@
 #include "mip/shared_inline.h"
 #include "rounds.h"
 #ifndef BOARD
-#include "mip/registry.h"
+#include "mip/extra/registry.h"
 #endif
 
 enum { CHUNK = 4096,

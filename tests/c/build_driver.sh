@@ -21,11 +21,11 @@ if [ "${MIP_SANITIZE:-0}" = 1 ]; then
 fi
 
 # Identifies everything that the program is made of, so that nothing is built twice.
-stamp=$(cat "$here/driver/driver.c" "$generated"/src/mip/* | cksum)
+stamp=$(cat "$here/driver/driver.c" "$generated"/src/mip/*.h "$generated"/src/mip/*/* | cksum)
 stamp="$CC $flags $generated $stamp"
 if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ]; then
     # shellcheck disable=SC2086
-    "$CC" $flags -I"$generated/src" "$here/driver/driver.c" ${MIP_LIBRARY:-"$generated"/src/mip/*.c} -o "$program"
+    "$CC" $flags -I"$generated/src" "$here/driver/driver.c" ${MIP_LIBRARY:-"$generated"/src/mip/*/*.c} -o "$program"
     printf '%s\n' "$stamp" >"$program.stamp"
 fi
 echo "${PYTHON:-python3} $here/driver/driver.py $program"

@@ -12,7 +12,20 @@ from typing import Any
 
 import difficult_sets
 import pytest
-from c_build import FIRMWARE, HERE, SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, include, pages, run
+from c_build import (
+    FIRMWARE,
+    HERE,
+    SANITIZE,
+    SANITIZED,
+    WARNINGS,
+    archive,
+    compiled,
+    folder,
+    headers,
+    include,
+    pages,
+    run,
+)
 from mipgen import cli
 from mipgen import model as m
 from mipgen.facts import describe
@@ -34,7 +47,8 @@ def written(path: Path, of: m.Model, checks: list[str], before: str = "") -> Pat
 
     A compiler takes much longer for one long function than for many.
     """
-    headers = [*(names.module(x.name) for x in of.families), "protocol", "registry", "reflect", "names", "profiles"]
+    headers = [*(names.module(x.name) for x in of.families), "protocol"]
+    headers += [f"extra/{name}" for name in ("registry", "reflect", "names", "profiles")]
     headers += [f"{names.module(x.name)}_inline" for x in of.families if any(map(direct.is_direct, x.fields))]
     headers.append("protocol_inline")
     includes = "".join(f'#include "mip/{name}.h"\n' for name in headers)
@@ -63,21 +77,21 @@ def unsanitized(tmp: Path, compiler: str, spec: str, source: Path) -> Path:
 @small("headers of the real C library, one by one")
 @pytest.mark.parametrize("compiler", ["cc", CPP])
 def test_each_header_stands_alone(compiler: str, spec: str, tmp_path: Path) -> None:
-    for header in sorted((folder(spec) / "src/mip").glob("*.h")):
+    for header in (folder(spec) / "src/mip").rglob("*.h"):
         program = tmp_path / f"{header.stem}.{'cpp' if compiler == 'g++' else 'c'}"
-        program.write_text(f'#include "mip/{header.name}"\n#include "mip/{header.name}"\nint unused;\n')
+        line = f'#include "{header.relative_to(folder(spec) / "src").as_posix()}"\n'
+        program.write_text(f"{line}{line}int unused;\n")
     run(need(compiler), *WARNINGS, include(spec), "-fsyntax-only", *tmp_path.iterdir())
 
 
 @both
 @pytest.mark.parametrize("compiler", ["cc", CPP])
 def test_all_headers_at_once(compiler: str, spec: str, tmp_path: Path) -> None:
-    """mip/mip.h includes all but those that only the sources need, and compiles as C99 and as C++11."""
-    inner = {"checksum.h", "export.h", "mip.h", "parser.h", "program.h"}
-    wanted = {p.name for p in (folder(spec) / "src/mip").glob("*.h")} - inner
+    """mip/mip.h includes all but those in folders, and compiles as C99 and as C++11; the others compile with it."""
+    wanted = {p.name for p in (folder(spec) / "src/mip").glob("*.h")} - {"mip.h"}
     assert set(re.findall('#include "mip/(.*)"', (folder(spec) / "src/mip/mip.h").read_text("utf-8"))) == wanted
     program = tmp_path / f"all.{'cpp' if compiler == 'g++' else 'c'}"
-    program.write_text('#include "mip/mip.h"\nint unused;\n')
+    program.write_text("".join(f'#include "{h}"\n' for h in ["mip/mip.h", *headers(folder(spec))]) + "int unused;\n")
     language = "-std=c++11" if compiler == "g++" else "-std=c99"
     run(need(compiler), language, *WARNINGS, include(spec), "-fsyntax-only", program)
 
@@ -85,7 +99,7 @@ def test_all_headers_at_once(compiler: str, spec: str, tmp_path: Path) -> None:
 @both
 def test_only_the_promised_headers(spec: str) -> None:
     allowed = {"<stdbool.h>", "<stddef.h>", "<stdint.h>", "<string.h>"}
-    for path in [*folder(spec).glob("src/mip/*.h"), *folder(spec).glob("src/mip/*.c")]:
+    for path in folder(spec).rglob("src/mip/**/*.[ch]"):
         text = path.read_text("utf-8")
         if path.name == "export.h":  # the only place for attributes, for each compiler that has them
             text = text.replace("__attribute__", "")
@@ -112,9 +126,8 @@ def test_names_of_the_core_are_taken() -> None:
     """Every macro, type, constant and function of the headers that are the same for all specifications, as the compiler
     lists them, and every name that a program finds in the namespace of C++."""
     source = folder("real") / "src"
-    inner = {"checksum.h", "export.h", "parser.h", "program.h"}
-    headers = [f"mip/{p.name}" for p in sorted((ROOT / "runtime/c/src/mip").glob("*.h")) if p.name not in inner]
-    text = run(need("cc"), "-std=c99", "-E", "-dD", f"-I{source}", *(f"-include{name}" for name in headers), "-x", "c",
+    include = [f"-include{name}" for name in headers(ROOT / "runtime/c")]
+    text = run(need("cc"), "-std=c99", "-E", "-dD", f"-I{source}", *include, "-x", "c",
                "/dev/null")  # fmt: skip
     parts = re.split(r"^# \d+ ", text, flags=re.M)
     own = [p.partition("\n")[2] for p in parts if re.match(rf'"{source}/mip/(?!types|protocol)', p)]
@@ -618,7 +631,7 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
 def long_names(folder: Path) -> set[str]:
     """The identifiers that are the same in the characters that C99 compares."""
     found = set()
-    for path in sorted((folder / "src/mip").glob("*.[ch]")):
+    for path in sorted((folder / "src/mip").rglob("*.[ch]")):
         code = re.sub(r'/\*.*?\*/|"(?:\\.|[^"\\])*"', "", path.read_text("utf-8"), flags=re.S)
         found |= set(re.findall(rf"\b[A-Za-z_]\w{{{names.GRAMMAR.longest},}}", code))
     begins = Counter(name[: names.GRAMMAR.longest] for name in found)
@@ -683,7 +696,7 @@ def test_awkward_names_and_rare_shapes(compiler: str, tmp_path: Path) -> None:
     checks = [direct_check(of.field(f"rare.{name}"), of) for name in ("state_old", "state_new")]
     headers = "".join(f'#include "mip/{p.name}"\n' for p in sorted((where / "src/mip").glob("*_commands.h")))
     program = written(tmp_path / "rare.c", of, [*checks, *RARE_CHECKS], headers + RANDOM_FIELD)
-    sources = [program, *sorted((where / "src/mip").glob("*.c"))]
+    sources = [program, *sorted((where / "src/mip").glob("*/*.c"))]
     if compiler == "g++":
         run(need("g++"), "-std=c++11", "-x", "c++", *WARNINGS, f"-I{where}/src", "-fsyntax-only", *sources[1:])
     else:

@@ -81,8 +81,9 @@ def declared(statement: str) -> str:
 @cache
 def comments(spec: str) -> dict[str, str]:
     found: dict[str, str] = {}
-    for path in sorted((SPECS[spec][1] / "c/src/mip").glob("*.h")):
-        if not (ROOT / "runtime/c/src/mip" / path.name).exists():
+    source = SPECS[spec][1] / "c/src"
+    for path in sorted(source.rglob("*.h")):
+        if not (ROOT / "runtime/c/src" / path.relative_to(source)).exists():
             found |= documented(path.read_text("utf-8"))
     return found
 

@@ -23,7 +23,9 @@ OBJECTS = """far i386 interface linux near nil pascal small st_atime sun unix AD
     GetObject DrawText GetCurrentTime Yield _A _B _C _L _N _P _S _U _X _Y"""
 
 
-@pytest.mark.parametrize(("compiler", "header"), [("cc", "mip.h"), pytest.param("g++", "mip.hpp", marks=uses("g++"))])
+@pytest.mark.parametrize(
+    ("compiler", "header"), [("cc", "mip.h"), pytest.param("g++", "cpp/mip.hpp", marks=uses("g++"))]
+)
 def test_headers_do_not_use_names_of_macros(compiler: str, header: str, tmp_path: Path) -> None:
     functions, objects = FUNCTIONS.split(), OBJECTS.split()
     assert len(functions) + len(objects) >= 130

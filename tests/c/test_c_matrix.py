@@ -21,6 +21,7 @@ from c_build import (
     archive,
     compiled,
     folder,
+    headers,
     include,
     pages,
     run,
@@ -150,7 +151,7 @@ int main(void) {{
 
 def test_the_parser_is_chosen_by_macros(tmp_path: Path) -> None:
     """Whichever the compiler's options: the default depends on the machine only, and both at once are an error."""
-    made, source = tmp_path / "parser.o", folder("invented") / "src/mip"
+    made, source = tmp_path / "parser.o", folder("invented") / "src/mip/core"
     chosen = {"": "fast", "-Os": "fast", "-DMIP_PARSER_FAST": "fast", "-DMIP_PARSER_SMALL": "small"}
     for options, parser in chosen.items():
         for name in ("small", "fast"):
@@ -253,9 +254,9 @@ def test_every_warning_of_clang(spec: str, tmp_path: Path) -> None:
     shown = pages(spec)
     assert all(f"`-W{name}`" in shown for name in ACCEPTED)
     flags = ["-Weverything", "-Werror", "-Wno-unknown-warning-option", *(f"-Wno-{name}" for name in ACCEPTED)]
-    headers = tmp_path / "headers.c"  # also those that no source includes
-    headers.write_text('#include "mip/mip.h"\n')
-    run(need("clang"), "-std=c99", "-fsyntax-only", *flags, include(spec), *sources(spec), headers)
+    program = tmp_path / "headers.c"  # also those that no source includes
+    program.write_text("".join(f'#include "{header}"\n' for header in headers(folder(spec))))
+    run(need("clang"), "-std=c99", "-fsyntax-only", *flags, include(spec), *sources(spec), program)
 
 
 # --------------------------------------------------------------------------- checksum
@@ -268,7 +269,7 @@ FORMS = ["PLAIN", "WORDS"]
 @compilers
 def test_every_form_of_the_checksum(compiler: str, form: str, tmp_path: Path) -> None:
     flags = ["-std=c99", "-O2", f"-DMIP_CHECKSUM=MIP_CHECKSUM_{form}"]
-    source = folder("invented") / "src/mip/core.c"
+    source = folder("invented") / "src/mip/core/core.c"
     run(need(compiler), *WARNINGS, *flags, include("invented"), HERE / "unit/checksum.c", source,
         "-o", tmp_path / "checksum")  # fmt: skip
     run(tmp_path / "checksum")

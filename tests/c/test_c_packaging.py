@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from c_build import HERE, folder, pages, run, sources
+from c_build import HERE, folder, headers, pages, run, sources
 from support import ROOT, SPECS, model, need, packaging
 
 pytestmark = packaging
@@ -70,7 +70,7 @@ def meson(*arguments: str | Path) -> str:
 
 def add_unmarked(library: Path) -> None:
     """A function that MIP_API does not mark; there may be none."""
-    with (library / "src/mip/core.c").open("a") as file:
+    with (library / "src/mip/core/core.c").open("a") as file:
         file.write("\nint mip_unmarked(void);\nint mip_unmarked(void) { return 0; }\n")
 
 
@@ -81,9 +81,8 @@ def exported(library: Path) -> set[str]:
 
 def marked(where: Path) -> set[str]:
     """The functions and tables that headers mark with MIP_API, in macros too."""
-    headers = sorted((folder("real") / "src/mip").glob("*.h"))
     program = where / "headers.c"
-    program.write_text("".join(f'#include "mip/{header.name}"\n' for header in headers))
+    program.write_text("".join(f'#include "{header}"\n' for header in headers(folder("real"))))
     windows = ("-D_WIN32", "-DMIP_SHARED")  # for a MIP_API that the preprocessor leaves recognizable
     text = run(need("cc"), "-E", "-P", f"-I{folder('real')}/src", *windows, program)
     return set(re.findall(r"__declspec\(dllimport\)[^;({]*?\b(mip_\w+)\s*[(\[;]", text))
@@ -103,11 +102,11 @@ def test_folder_alone_builds(project: Path) -> None:
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_every_list_names_every_source(spec: str) -> None:
     lists = {"cmake/sources.cmake": r"^  \${MIP_FOLDER}/(src/\S+\.c)$", "meson.build": r"^  '(src/\S+\.c)',$"}
-    wanted = sorted(f"src/mip/{Path(source).name}" for source in sources(spec))
+    wanted = [Path(source).relative_to(folder(spec)).as_posix() for source in sources(spec)]
     for name, line in lists.items():
         assert re.findall(line, (folder(spec) / name).read_text("utf-8"), re.M) == wanted
-    headers = sorted(f"src/mip/{path.name}" for path in (folder(spec) / "src/mip").glob("*.h*"))
-    assert re.findall(r"^  '(src/\S+\.h(?:pp)?)',$", (folder(spec) / "meson.build").read_text("utf-8"), re.M) == headers
+    listed = re.findall(r"^    '(src/\S+\.h(?:pp)?)',$", (folder(spec) / "meson.build").read_text("utf-8"), re.M)
+    assert sorted(listed) == sorted(str(p.relative_to(folder(spec))) for p in folder(spec).rglob("src/mip/**/*.h*"))
 
 
 @pytest.mark.parametrize(
@@ -124,7 +123,7 @@ def test_every_list_names_every_source(spec: str) -> None:
 )
 def test_what_marks_an_export(defines: str, expected: str, tmp_path: Path) -> None:
     program = tmp_path / "program.c"
-    program.write_text('#include "mip/export.h"\nMIP_API;\n')
+    program.write_text('#include "mip/core/export.h"\nMIP_API;\n')
     done = run(need("cc"), "-E", "-P", f"-I{folder('real')}/src", *defines.split(), program)
     assert done.strip().removesuffix(";").strip() == expected
 
@@ -242,8 +241,9 @@ def test_meson_installed(project: Path, tmp_path: Path) -> None:
     meson("setup", tmp_path / "build", project / "mip", *options)
     meson("install", "-C", tmp_path / "build")
     shutil.rmtree(project / "mip")
-    headers = {str(p.relative_to(prefix)) for p in (prefix / "include").rglob("*.h")}
-    assert headers == {f"include/mip/{p.name}" for p in (folder("real") / "src/mip").glob("*.h")}
+    installed = {p.relative_to(prefix).as_posix() for p in (prefix / "include").rglob("*.h")}
+    source = folder("real") / "src"
+    assert installed == {f"include/{p.relative_to(source).as_posix()}" for p in source.rglob("mip/**/*.h")}
     moved = prefix.rename(tmp_path / "moved")
     (project / "meson.build").write_text("project('user', 'c')\n" + shown("Meson", "meson")[0])
     meson("setup", tmp_path / "user", project, f"--pkg-config-path={moved}/lib/pkgconfig")
@@ -346,7 +346,7 @@ def test_arduino(project: Path, tmp_path: Path) -> None:
     )  # fmt: skip
     assert re.search(r"Sketch uses \d+ bytes", done)
     assert (build / "sketch.ino.hex").is_file()
-    assert {p.name.removesuffix(".o") for p in (build / "libraries/mip/mip").glob("*.o")} == {
+    assert {p.name.removesuffix(".o") for p in (build / "libraries/mip/mip").rglob("*.o")} == {
         Path(source).name for source in sources("real")
     }
 

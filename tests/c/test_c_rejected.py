@@ -11,8 +11,8 @@ from support import ROOT
 PROGRAM = """
 #include "check.h"
 #include "mip/connect.h"
-#include "mip/profiles.h"
-#include "mip/rejected.h"
+#include "mip/extra/profiles.h"
+#include "mip/extra/rejected.h"
 
 static size_t octets(const char *text, uint8_t *bytes) {
     const size_t size = text[0] == '-' ? 0 : strlen(text) / 2;

@@ -29,10 +29,10 @@ for name in decode encode packet_check parser_next parser_flush; do
 done
 
 # Identifies everything that the program is made of, so that nothing is built twice.
-stamp=$(cat "$0" "$here"/driver/* "$here/../c/driver/driver.c" "$generated"/src/mip/* | cksum)
+stamp=$(cat "$0" "$here"/driver/* "$here/../c/driver/driver.c" "$generated"/src/mip/*.h "$generated"/src/mip/*/* | cksum)
 stamp="$CC $CXX $warnings $generated $MIP_EVERY $MIP_SEED $stamp"
 if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ]; then
-    sed -n 's/^MIP_LAYOUT(\([a-z0-9_]*\),.*/\1/p' "$generated"/src/mip/*.hpp |
+    sed -n 's/^MIP_LAYOUT(\([a-z0-9_]*\),.*/\1/p' "$generated"/src/mip/cpp/*.hpp |
         awk -v n="$MIP_EVERY" -v seed="$MIP_SEED" '{ print "LAYOUT(" $1 ", " ((NR + seed) % n == 0 ? "true" : "false") ")" }' \
             >"$build/layouts.inc"
     cd "$build"
@@ -43,7 +43,7 @@ if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ];
     if [ -z "${MIP_LIBRARY:-}" ]; then
         mkdir -p library
         # shellcheck disable=SC2086
-        (cd library && "$CC" -std=c99 $warnings -I"$generated/src" -c "$generated"/src/mip/*.c)
+        (cd library && "$CC" -std=c99 $warnings -I"$generated/src" -c "$generated"/src/mip/*/*.c)
         MIP_LIBRARY=$(echo library/*.o)
     fi
     # shellcheck disable=SC2086

@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from c_build import SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
+from c_build import SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, headers, include, run
 from mipgen.lower import codec
 from support import PATIENCE, ROOT, SPECS, heavy, model, need, packaging, simulated, small, uses
 
@@ -48,19 +48,19 @@ def built(tmp: Path, source: Path, *flags: str) -> Path:
 @small("all headers of C++")
 def test_all_headers_compile(spec: str, compiler: str, standard: str, tmp_path: Path) -> None:
     program = tmp_path / "all.cpp"
-    program.write_text('#include "mip/mip.hpp"\n')
+    program.write_text('#include "mip/cpp/mip.hpp"\n')
     assert (done := checked(program, compiler, standard, *BARE, spec=spec)).returncode == 0, done.stderr
 
 
 @heavy("each header alone")
 @both
 def test_each_header_compiles_alone(spec: str, tmp_path: Path) -> None:
-    headers = sorted((folder(spec) / "src/mip").glob("*.hpp"))
-    assert len(headers) > 5
-    for path in headers:
-        program = tmp_path / f"{path.stem}.cpp"
-        program.write_text(f'#include "mip/{path.name}"\n')
-        flags = [] if path.name == "ostream.hpp" else BARE
+    names = headers(folder(spec), ".hpp")
+    assert len(names) > 5
+    for name in names:
+        program = tmp_path / f"{Path(name).stem}.cpp"
+        program.write_text(f'#include "{name}"\n')
+        flags = [] if name.endswith("ostream.hpp") else BARE
         assert (done := checked(program, "g++", "-std=c++17", *flags, spec=spec)).returncode == 0, done.stderr
 
 
@@ -77,13 +77,13 @@ MISUSE = {
 
 def test_what_must_not_compile(tmp_path: Path) -> None:
     program = tmp_path / "misuse.cpp"
-    program.write_text('#include "mip/mip.hpp"\n' + "\n".join(MISUSE))
+    program.write_text('#include "mip/cpp/mip.hpp"\n' + "\n".join(MISUSE))
     done = checked(program, "g++", "-std=c++17")
     assert done.returncode != 0
     for line, (code, message) in enumerate(MISUSE.items(), 2):
         assert f"misuse.cpp:{line}:" in done.stderr and message in done.stderr, f"{code}\n{done.stderr}"
     assert len(re.findall(r"misuse.cpp:\d+:.*nodiscard", done.stderr)) == 2
-    program.write_text('#include "mip/mip.hpp"\n')
+    program.write_text('#include "mip/cpp/mip.hpp"\n')
     assert "needs C++17" in checked(program, "g++", "-std=c++14").stderr
 
 
@@ -204,7 +204,7 @@ def test_cmake(how: str, tmp_path: Path) -> None:
         f"{found}\ntarget_link_libraries(main mip::mip_cpp)\n"
     )
     (project / "main.cpp").write_text(
-        '#include "mip/mip.hpp"\nint main() { return mip::field(mip_field{}).is<mip::acknowledge>(); }\n'
+        '#include "mip/cpp/mip.hpp"\nint main() { return mip::field(mip_field{}).is<mip::acknowledge>(); }\n'
     )
     run(need("cmake"), "-S", project, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}", *fast)
     run(need("cmake"), "--build", tmp_path / "build", "--target", "main")
@@ -236,7 +236,7 @@ def test_firmware_is_hardly_larger_than_in_c(tmp_path: Path) -> None:
 
 def test_the_driver_is_built_from_every_layout() -> None:
     """So that none is left out of the conformance suite."""
-    headers = (folder("real") / "src/mip").glob("*.hpp")
-    listed = re.findall(r"^MIP_LAYOUT\((\w+),", "".join(p.read_text("utf-8") for p in headers), re.M)
+    paths = (folder("real") / "src/mip").rglob("*.hpp")
+    listed = re.findall(r"^MIP_LAYOUT\((\w+),", "".join(p.read_text("utf-8") for p in paths), re.M)
     assert len(listed) == len(set(listed)) == len(model("real").fields) + 1
     assert (ROOT / "tests/cpp/build_driver.sh").is_file()

@@ -183,7 +183,7 @@ def test_symbols_of_c(spec: str) -> None:
     """The index has the symbols of the headers, without those of sets; some are declared by macros."""
     manual, source = manual_of(spec), SPECS[spec][1] / "c/src/mip"
     modules = [re.sub(r"\W", "_", x.name) for x in manual.model.families]
-    headers = ["types.h", "protocol.h", "names.h", *(f"{name}.h" for name in modules)]
+    headers = ["types.h", "protocol.h", "extra/names.h", *(f"{name}.h" for name in modules)]
     further = [f"{name}_{end}.h" for name in (*modules, "protocol") for end in ("commands", "inline")]
     headers += [name for name in further if (source / name).exists()]
     declared = {
@@ -210,7 +210,7 @@ def test_symbols_of_cpp(spec: str, tmp_path: Path) -> None:
         uses.append(f"static_assert(sizeof({name}) > 0);")
         uses += [f"static_assert(sizeof({f'{name}{{}}.{x}' if x.endswith('()') else x}) > 0);" for x in others]
     program = tmp_path / "symbols.cpp"
-    program.write_text('#include "mip/mip.hpp"\n' + "\n".join(uses) + "\n")
+    program.write_text('#include "mip/cpp/mip.hpp"\n' + "\n".join(uses) + "\n")
     source = SPECS[spec][1] / "c/src"
     done = subprocess.run(
         [need("g++"), "-std=c++17", "-fsyntax-only", f"-I{source}", program], capture_output=True, text=True

@@ -232,7 +232,7 @@ def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
         "\n".join([*sorted(includes), C_HEAD, *functions, "int main(void) {", begin_, *calls, "return 0; }"]), "utf-8"
     )
     flags = ["-std=c99", "-O0", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
-    library = sorted((generated / "c/src/mip").glob("*.c"))
+    library = sorted((generated / "c/src/mip").glob("*/*.c"))
     run(need("cc"), *flags, f"-I{generated}/c/src", source, *library, "-o", tmp_path / "programs")
     check(manual, run(tmp_path / "programs"))
 
@@ -255,7 +255,7 @@ static mip::device<> device_cpp(port_);
 @needs_cpp
 @small
 def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> None:
-    includes, functions, calls = {'#include "mip/device.hpp"'}, [], []
+    includes, functions, calls = {'#include "mip/cpp/device.hpp"'}, [], []
     for f in asked(manual):
         needs, body = program(manual, f, "cpp")
         includes |= set(needs)
@@ -289,7 +289,7 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
             f'if ({play[0]}(device_cpp)) printf("%s done\\n", name); }}'
         )
     main = ["int main() {", "uint8_t buffer[MIP_MAX_PACKET];", *calls, "return 0; }"]
-    for x in sorted((generated / "c/src/mip").glob("*.c")):
+    for x in sorted((generated / "c/src/mip").glob("*/*.c")):
         run(need("cc"), "-std=c99", "-O0", f"-I{generated}/c/src", "-c", x, "-o", tmp_path / f"{x.stem}.o")
     head = re.sub(r"static bool take.*", "", C_HEAD, flags=re.S)
     source = tmp_path / "programs.cpp"

@@ -99,17 +99,17 @@ def test_a_target_may_have_modules_and_files_beside_it(folder: Path) -> None:
 def test_templates_and_runtime_of_ours_are_replaced_and_joined(tmp_path: Path) -> None:
     folder = tmp_path / "targets"
     write(folder / "c/README.md.j2", "C of {{ model.protocol.name }}\n")
-    write(folder / "c/runtime/src/mip/error.c", "int   error;\n")
+    write(folder / "c/runtime/src/mip/core/error.c", "int   error;\n")
     write(folder / "c/runtime/Makefile", "all:\n")
     assert cli.main(["generate", "--spec", str(SPEC), "--out", str(tmp_path / "plain"), "--target", "c"]) == 0
     assert generate(folder, "--target", "c") == 0
     plain, there = tree(tmp_path / "plain/c"), tree(tmp_path / "out/c")
     assert {path for path in there if there[path] != plain.get(path)} == {
-        "Makefile", "README.md", "src/mip/error.c", ".manifest"
+        "Makefile", "README.md", "src/mip/core/error.c", ".manifest"
     }  # fmt: skip
     assert plain.keys() == there.keys() - {"Makefile"}
     assert made(folder, "c/README.md") == "C of MIP\n"
-    assert made(folder, "c/src/mip/error.c") == "int error;\n"
+    assert made(folder, "c/src/mip/core/error.c") == "int error;\n"
 
 
 def test_a_file_of_the_runtime_that_a_template_includes_is_replaced(tmp_path: Path) -> None:

@@ -59,14 +59,14 @@ static inline void mip_put_24(uint8_t *to, uint32_t value) {
 
 /** Reads a 32-bit big-endian integer. */"""),
     ],
-    "runtime/c/src/mip/program.h": [
+    "runtime/c/src/mip/core/program.h": [
         ("/** Doubles. */", """/** The kind of three-byte numbers, in four bytes of memory. */
 #define MIP_KIND_24 2
 /** Numbers of 24 bits. */
 #define MIP_24_BITS(count, place) MIP_NUMBERS(MIP_KIND_24, count), place
 /** Doubles. */"""),
     ],
-    "runtime/c/src/mip/codec.c": [
+    "runtime/c/src/mip/core/codec.c": [
         ("#ifdef __OPTIMIZE_SIZE__\n", """/** Reads or writes numbers of 24 bits. */
 static uint8_t *move_24(uint8_t *wire, uint8_t *memory, size_t count, bool writing) {
     for (; count > 0; count--) {
@@ -95,14 +95,16 @@ static uint8_t *move_24(uint8_t *wire, uint8_t *memory, size_t count, bool writi
     }
     if (sizeof(double) < 8 && step <"""),
     ],
-    "runtime/c/src/mip/program.c": [
+    "runtime/c/src/mip/core/program.c": [
         ("MIP_NUMBERS(MIP_KIND_DOUBLE, 0)", "MIP_NUMBERS(MIP_KIND_24, 0)"),
         ("take(s, n << (kind & 3))", "take(s, kind == MIP_KIND_24 ? 3 * n : n << (kind & 3))"),
     ],
-    "runtime/c/src/mip/reflect.h": [
+    "runtime/c/src/mip/extra/reflect.h": [
         ("#define MIP_SCALAR_CHAR 11\n", "#define MIP_SCALAR_CHAR 11\n/** 24 bits. */\n#define MIP_SCALAR_U24 12\n"),
     ],
-    "runtime/c/src/mip/print.c": [("    case MIP_SCALAR_U32:", "    case MIP_SCALAR_U24:\n    case MIP_SCALAR_U32:")],
+    "runtime/c/src/mip/extra/print.c": [
+        ("    case MIP_SCALAR_U32:", "    case MIP_SCALAR_U24:\n    case MIP_SCALAR_U32:"),
+    ],
     # The primitive of Rust: a type.
     "runtime/rust/src/lib.rs": [("pub use codec::{Bool,", "pub use codec::{Bool, U24,")],
     "runtime/rust/src/codec.rs": [
@@ -270,7 +272,7 @@ def run(folder: Path, *command: str) -> str:
 @pytest.mark.parametrize("flags", [["-O2"], ["-Os"]], ids="".join)
 def test_c_has_a_further_scalar(flags: list[str], made: Path, tmp_path: Path) -> None:
     (tmp_path / "main.c").write_text(IN_C, "utf-8")
-    sources = [str(path) for path in sorted((made / "c/src/mip").glob("*.c"))]
+    sources = [str(path) for path in sorted((made / "c/src/mip").glob("*/*.c"))]
     command = [need("cc"), "-std=c99", "-Wall", "-Wextra", "-Werror", *flags, f"-I{made / 'c/src'}", *sources]
     run(tmp_path, *command, "main.c", "-o", "main")
     assert run(tmp_path, "./main").split() == SAID

@@ -203,8 +203,8 @@ def test_other_values_compile(spec: str, tmp_path: Path) -> None:
     found = programs(spec, chosen, tmp_path)
     includes = f"-I{SPECS[spec][1]}/c/src"
     for language, ending, device in (("c", "c", "struct mip_device *device"), ("cpp", "cpp", "mip::device<> &device")):
-        ends = ("h", "stdio.h") if language == "c" else ("hpp", "iostream")
-        heads, functions = {f'#include "mip/device.{ends[0]}"', f"#include <{ends[1]}>"}, []
+        ends = ("device.h", "stdio.h") if language == "c" else ("cpp/device.hpp", "iostream")
+        heads, functions = {f'#include "mip/{ends[0]}"', f"#include <{ends[1]}>"}, []
         for i, texts in enumerate(found.values()):
             head, _, body = texts[language].partition("\n")
             heads.add(head)

@@ -11,6 +11,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from c_build import headers
 from mipgen import model as m
 from mipgen.emit import build, discovery, output, render
 from mipgen.read.problems import SpecError
@@ -166,12 +167,10 @@ def run(*command: str | Path, cwd: Path | None = None) -> None:
 
 
 def compile_c(made: Path) -> None:
-    for source in sorted((made / "src/mip").glob("*.c")):
+    for source in sorted((made / "src/mip").glob("*/*.c")):
         run(need("cc"), "-std=c99", "-fsyntax-only", f"-I{made}/src", source)
     for name, end, compiler in (("all.c", ".h", ["cc", "-std=c99"]), ("all.cpp", ".hpp", ["g++", "-std=c++17"])):
-        inner = {"checksum.h", "export.h", "parser.h", "program.h"}
-        headers = sorted(p.name for p in (made / "src/mip").glob(f"*{end}") if p.name not in inner)
-        (made / name).write_text("".join(f'#include "mip/{h}"\n' for h in headers) + "int unused;\n")
+        (made / name).write_text("".join(f'#include "{h}"\n' for h in headers(made, end)) + "int unused;\n")
         run(need(compiler[0]), *compiler[1:], "-fsyntax-only", f"-I{made}/src", made / name)
 
 

@@ -11,7 +11,7 @@
 
 static bool any_walk_next(struct mip_walk *walk, struct mip_field *field);
 #define mip_walk_next any_walk_next
-#include "mip/client.c"
+#include "mip/core/client.c"
 
 #define REQUESTS 3
 #define RESPONSES 2

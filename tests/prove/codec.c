@@ -123,7 +123,7 @@ static void set_begins(size_t *at) {
     *at = up_to(codec.more_sets);
     __CPROVER_assume(*at > 0);
 }
-#include "mip/codec.c"
+#include "mip/core/codec.c"
 #undef for
 #undef do
 

@@ -4,7 +4,7 @@
  */
 #include "any.h"
 
-#include "mip/checksum.h"
+#include "mip/core/checksum.h"
 
 #ifdef ANY_CHECKSUM
 /* The checksum has a proof of its own: here it is any number, and its bytes must be readable. */
@@ -14,7 +14,7 @@ static uint16_t any_sum(const uint8_t *bytes, size_t size) {
 }
 #define mip_sum any_sum
 #endif
-#include "mip/core.c"
+#include "mip/core/core.c"
 
 /* The method that is compiled returns the sums that the protocol defines. */
 void checksum(void) {

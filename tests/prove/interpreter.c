@@ -71,7 +71,7 @@ static size_t times, n, i, cases, size, left;
                 ? byte_begins(&i, sizeof(__func__) == sizeof("run") ? n * size : size)                        \
                 : (void)0,                                                                                    \
             true)
-#include "mip/program.c"
+#include "mip/core/program.c"
 #undef for
 
 /* ----------------------------------------------------------------------------------- what may be */

@@ -9,8 +9,8 @@
  */
 #include "any.h"
 
-#include "mip/checksum.h"
-#include "mip/parser.h"
+#include "mip/core/checksum.h"
+#include "mip/core/parser.h"
 
 struct content {
     uint8_t bytes[MIP_MAX_PACKET];
@@ -265,9 +265,9 @@ static size_t any_goal(const uint8_t *bytes, size_t count, struct mip_packet *to
 #define NEXT_parser any_call_of(parser
 #endif
 #define mip_sum any_sum
-#include "mip/parser.c"
-#include "mip/parser_fast.c"
-#include "mip/parser_small.c"
+#include "mip/core/parser.c"
+#include "mip/core/parser_fast.c"
+#include "mip/core/parser_small.c"
 #undef for
 #undef while
 #undef copy

@@ -1,5 +1,5 @@
 /* Are the codecs of the library well-formed? Prints those that are not, and the number of those that are. */
-#include "mip/registry.h"
+#include "mip/extra/registry.h"
 
 #include "steps.h"
 

@@ -138,9 +138,13 @@ def prover() -> str | None:
 
 def key(proof: Proof, sources: Path, cbmc: str) -> str:
     digest = hashlib.sha256(repr((proof.function, proof.options, version(cbmc))).encode())
-    for path in (*harness(HERE / proof.harness), *(sources / "mip" / name for name in proof.sources)):
+    for path in (*harness(HERE / proof.harness), *(of_library(name, sources) for name in proof.sources)):
         digest.update(without_comments(path.read_text("utf-8")).encode())
     return digest.hexdigest()[:24]
+
+
+def of_library(name: str, sources: Path = SOURCES) -> Path:
+    return next((sources / "mip").rglob(name))
 
 
 def harness(path: Path) -> Iterator[Path]:
@@ -248,7 +252,7 @@ def planted(number: int, cbmc: str) -> Result:
     proof = next(p for p in core() if p.name == name)
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(SOURCES, folder, dirs_exist_ok=True)
-        path = Path(folder) / "mip" / file
+        path = of_library(file, Path(folder))
         text = path.read_text("utf-8")
         if text.count(old) < 1:
             sys.exit(f"{file} no longer contains {old!r}: mend PLANTS")

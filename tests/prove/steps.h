@@ -3,7 +3,7 @@
  * field, the structure and the program. codec.c and interpreter.c prove this; programs.c looks whether the codecs of a
  * library are well-formed.
  */
-#include "mip/program.h"
+#include "mip/core/program.h"
 
 #ifndef PRODUCT
 #define PRODUCT(count, each) ((count) * (each))

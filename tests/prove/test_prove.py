@@ -34,7 +34,7 @@ def test_planted_bugs_are_seen() -> None:
 def test_what_is_planted_is_there() -> None:
     names = {p.name for p in proofs.core()}
     for file, old, _, name in proofs.PLANTS:
-        assert old in (proofs.SOURCES / "mip" / file).read_text("utf-8"), file
+        assert old in proofs.of_library(file).read_text("utf-8"), file
         assert name in names
 
 
@@ -66,7 +66,7 @@ DAMAGED = [
 
 
 def test_ill_formed_codecs_are_found(tmp_path: Path) -> None:
-    text = (folder("real") / "src/mip/3dm.c").read_text("utf-8")
+    text = (folder("real") / "src/mip/sets/3dm.c").read_text("utf-8")
     for line, new, old, _ in DAMAGED:
         assert text.count(line) == 1, line
         text = text.replace(line, line.replace(old, new))

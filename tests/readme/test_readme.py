@@ -40,7 +40,7 @@ def run(*command: str | Path, **environment: str) -> str:
 
 
 def test_quickstart_in_c(tmp_path: Path) -> None:
-    sources = sorted((ROOT / "generated/c/src/mip").glob("*.c"))
+    sources = sorted((ROOT / "generated/c/src/mip").glob("*/*.c"))
     run(
         need("cc"),
         "-std=c99",
@@ -159,7 +159,7 @@ def test_own_fields(target: str, tmp_path: Path) -> None:
     out = tmp_path / "with_my_fields"
     if target == "c":
         assert "struct mip_sensor_ambient_light {" in (out / "c/src/mip/sensor.h").read_text()
-        sources = sorted((out / "c/src/mip").glob("*.c"))
+        sources = sorted((out / "c/src/mip").glob("*/*.c"))
         run(need("cc"), "-std=c99", f"-I{out}/c/src", "-fsyntax-only", *sources)
         return
     code = "from mip_protocol import sensor; print(sensor.AmbientLight.SET, sensor.AmbientLight.DESCRIPTOR)"
@@ -177,7 +177,7 @@ def test_a_part(tmp_path: Path) -> None:
     mipgen(tmp_path, few, "c", "markdown")
     out = tmp_path / "few"
     assert sorted(p.stem for p in (out / "markdown/docs/sets").iterdir()) == ["3dm", "base"]
-    run(need("cc"), "-std=c99", f"-I{out}/c/src", "-fsyntax-only", *sorted((out / "c/src/mip").glob("*.c")))
+    run(need("cc"), "-std=c99", f"-I{out}/c/src", "-fsyntax-only", *sorted((out / "c/src/mip").glob("*/*.c")))
 
 
 def test_differences(tmp_path: Path) -> None:

@@ -28,7 +28,7 @@ BREAKS = [
      "c: - struct mip_sensor_scaled_accel: float scaled_accel[3]"),
     ("c/src/mip/constants.h", "#define MIP_MAX_PAYLOAD 255", "#define MIP_MAX_PAYLOAD 254",
      "c: - #define MIP_MAX_PAYLOAD 255"),
-    ("c/src/mip/core.hpp", "namespace mip {", "namespace mip {\nvoid more(int);\n",
+    ("c/src/mip/cpp/core.hpp", "namespace mip {", "namespace mip {\nvoid more(int);\n",
      "cpp: + namespace mip: void more(int)"),
     ("rust/src/sets/sensor.rs", "pub scaled_accel:", "pub accel:",
      "rust: - sets/sensor record!: pub struct ScaledAccel: pub scaled_accel: types::Vector3f"),

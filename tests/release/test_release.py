@@ -168,9 +168,9 @@ def test_javascript(tmp_path: Path) -> None:
 def test_c(tmp_path: Path) -> None:
     with zipfile.ZipFile(the("mip-c-*.zip")) as packed:
         packed.extractall(tmp_path)
-    sources = sorted(str(p.relative_to(tmp_path)) for p in tmp_path.glob("mip/src/mip/*.c"))
+    sources = sorted(str(p.relative_to(tmp_path)) for p in tmp_path.glob("mip/src/mip/*/*.c"))
     readme = (tmp_path / "mip/README.md").read_text("utf-8")
-    assert "cc -Imip/src -Imip/ports mip/examples/stream.c mip/src/mip/*.c mip/ports/*.c -o stream" in readme
+    assert "cc -Imip/src -Imip/ports mip/examples/stream.c mip/src/mip/*/*.c mip/ports/*.c -o stream" in readme
     objects = tmp_path / "objects"
     objects.mkdir()
     run("cc", "-c", "-I../mip/src", *(f"../{s}" for s in sources), cwd=objects)

@@ -1,8 +1,8 @@
 // A driver in the style of ArduPilot: no heap, no exceptions, no waiting. The scheduler
 // calls update() at some rate; bytes are read from and written to UART buffers.
-#include "mip/3dm_commands.hpp"
-#include "mip/filter_data.hpp"
-#include "mip/sensor.hpp"
+#include "mip/cpp/3dm_commands.hpp"
+#include "mip/cpp/filter_data.hpp"
+#include "mip/cpp/sensor.hpp"
 
 // What the board provides.
 std::size_t uart_read(std::uint8_t *bytes, std::size_t room); // received bytes, at most this many

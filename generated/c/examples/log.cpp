@@ -1,7 +1,7 @@
 // Reads a log: prints filter positions as CSV, and the number of fields of each kind.
-#include "mip/mip.hpp"
-#include "mip/ostream.hpp"
-#include "mip/registry.h"
+#include "mip/cpp/mip.hpp"
+#include "mip/extra/ostream.hpp"
+#include "mip/extra/registry.h"
 
 #include <fstream>
 #include <iostream>

@@ -16,7 +16,7 @@ from collections.abc import Callable
 #: in tools/ work with any package and keep their names. Each alternative begins with a letter, for which `re` searches
 #: ten times as fast as for a condition on what is before it.
 _NAMES = (
-    r"m(?:(?<=\bm)|(?<=-Dm))ip(?:_(?!tools\b)|-(?=protocol\b)|(?=/\w+\.h\b|::mip\b))|m(?<=mip::m)ip\b"
+    r"m(?:(?<=\bm)|(?<=-Dm))ip(?:_(?!tools\b)|-(?=protocol\b)|(?=/(?:\w+/)?\w+\.h\b|::mip\b))|m(?<=mip::m)ip\b"
     r"|M(?:(?<=\bM)|(?<=-DM))IP_(?!PACKAGE\b|WORKBENCH\b)"
 )
 #: The name alone as the name of a library or a module: `-lmip`, `libmip`, `mipConfig.cmake`, `CONFIG_MIP`.

@@ -13,8 +13,8 @@
  * Bytes, and structures as they are in memory, are hexadecimal behind an x. Each answer is one line of JSON.
  */
 #define _POSIX_C_SOURCE 200809L
-#include "mip/reflect.h"
-#include "mip/registry.h"
+#include "mip/extra/reflect.h"
+#include "mip/extra/registry.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
  */
 #include "fuzz.h"
 
-#include "mip/registry.h"
+#include "mip/extra/registry.h"
 
 static bool all_zero(const void *memory, size_t size) {
     const uint8_t *bytes = (const uint8_t *)memory;

@@ -2,6 +2,7 @@
 #include "check.h"
 
 #include "mip/connect.h"
+#include "mip/extra/profiles.h"
 
 /* A device: its baud rate, and its faults. */
 struct fake {

@@ -3,7 +3,7 @@
 
 #include "mip/3d.h"
 #include "mip/measurements_inline.h"
-#include "mip/program.h"
+#include "mip/core/program.h"
 #include "mip/shared.h"
 #include "mip/tools_commands.h"
 

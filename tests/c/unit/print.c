@@ -4,7 +4,9 @@
  */
 #include "check.h"
 
-#include "mip/mip.h"
+#include "mip/extra/print.h"
+#include "mip/extra/reflect.h"
+#include "mip/extra/registry.h"
 
 static size_t hex(const char *text, uint8_t *bytes) {
     size_t size = 0;

@@ -1,10 +1,10 @@
 /* Functions of the registry, of reflection and of device profiles; a generated test looks at every row of their tables. */
 #include "check.h"
 
-#include "mip/profiles.h"
+#include "mip/extra/profiles.h"
 #include "mip/measurements.h"
-#include "mip/reflect.h"
-#include "mip/registry.h"
+#include "mip/extra/reflect.h"
+#include "mip/extra/registry.h"
 #include "mip/tools.h"
 
 static bool is(const char *a, const char *b) {

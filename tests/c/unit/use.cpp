@@ -1,8 +1,8 @@
 // The headers in a C++ program, linked with the library in C.
 #include "mip/measurements.h"
-#include "mip/profiles.h"
-#include "mip/reflect.h"
-#include "mip/registry.h"
+#include "mip/extra/profiles.h"
+#include "mip/extra/reflect.h"
+#include "mip/extra/registry.h"
 #include "mip/tools_commands.h"
 
 #include <cstring>

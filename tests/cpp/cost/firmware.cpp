@@ -1,8 +1,8 @@
 // The same as firmware.c.
-#include "mip/3dm_commands.hpp"
-#include "mip/base_commands.hpp"
-#include "mip/filter_data.hpp"
-#include "mip/sensor.hpp"
+#include "mip/cpp/3dm_commands.hpp"
+#include "mip/cpp/base_commands.hpp"
+#include "mip/cpp/filter_data.hpp"
+#include "mip/cpp/sensor.hpp"
 
 extern "C" {
 extern const mip_port uart;

@@ -1,7 +1,7 @@
 // The functions that the driver of C calls, implemented in C++: decoding, encoding, and the packets of a stream.
 //
 // The driver is compiled with other names for them. It identifies a layout by its codec; here that becomes a type.
-#include "mip/mip.hpp"
+#include "mip/cpp/mip.hpp"
 
 #include <cstdlib>
 #include <vector>

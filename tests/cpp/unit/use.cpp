@@ -1,8 +1,9 @@
 // What C++ adds, used as a program would.
 #include "mip/connect.h"
-#include "mip/mip.hpp"
-#include "mip/ostream.hpp"
-#include "mip/profiles.h"
+#include "mip/cpp/mip.hpp"
+#include "mip/extra/ostream.hpp"
+#include "mip/extra/profiles.h"
+#include "mip/extra/rejected.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // The same as pairs.c, with the device of C++.
 #include "udp.h"
 
-#include "mip/3dm_commands.hpp"
-#include "mip/device.hpp"
+#include "mip/cpp/3dm_commands.hpp"
+#include "mip/cpp/device.hpp"
 
 struct Udp {
     int handle;

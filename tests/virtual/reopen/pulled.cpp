@@ -1,10 +1,10 @@
 // The same as pulled.c, with the device of C++.
-#include "mip/3dm_commands.hpp"
-#include "mip/base.hpp"
+#include "mip/cpp/3dm_commands.hpp"
+#include "mip/cpp/base.hpp"
 #include "mip/connect.h"
-#include "mip/device.hpp"
+#include "mip/cpp/device.hpp"
 #include "mip/line.h"
-#include "mip/sensor.hpp"
+#include "mip/cpp/sensor.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -8,7 +8,7 @@ import { hexLiteral } from "../words.mjs";
 export function cppProgram(names, field, calls) {
     const c = new Names(names.protocol, "c");
     c.positional = true; // C++17 has no designated initializers
-    const header = `${names.package}/${c.table.headers[field.name.split(".")[0]]}`;
+    const header = `${names.package}/cpp/${c.table.headers[field.name.split(".")[0]]}`;
     if (!calls) return reading(names, c, field, header);
     const lines = [`#include "${header}_commands.hpp"`];
     calls.forEach((values, i) => {

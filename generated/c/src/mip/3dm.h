@@ -3,7 +3,7 @@
  *
  * 3DM (0x0C). Commands that set up the sensors, the outputs, the pins and the events of a device.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_3DM_H
 #define MIP_3DM_H

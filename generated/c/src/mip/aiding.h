@@ -4,7 +4,7 @@
  * Aiding commands (0x13). Measurements of external sensors for the navigation filter, and the
  * frames of the sensors.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_AIDING_H
 #define MIP_AIDING_H

@@ -24,9 +24,6 @@
 extern "C" {
 #endif
 
-#include "mip/profile.h"
-#include "mip/rejected.h"
-
 /**
  * Finds a device: tries each baud rate until anything answers a ping, or sends data; then sets the
  * device to idle, and reads its device information. Commands without a reply are repeated.
@@ -43,18 +40,6 @@ extern "C" {
 MIP_API struct mip_result mip_device_connect(struct mip_device *device,
                                              bool (*set_baud)(void *user, uint32_t baud),
                                              struct mip_base_get_device_info_response *identity);
-
-/** Finds the profile of a device by its device information. NULL if there is none, for example for
- * a newer device. Links the profiles of all devices. */
-static inline const struct mip_profile *
-mip_device_profile(const struct mip_base_get_device_info_response *identity) {
-    uint16_t number = mip_model_number(identity->device_info.model_number,
-                                       sizeof(identity->device_info.model_number));
-    number = number != 0 ? number
-                         : mip_model_number(identity->device_info.serial_number,
-                                            sizeof(identity->device_info.serial_number));
-    return mip_profile_by_model(number);
-}
 
 /** A field of a stream, and how often it is sent. */
 struct mip_rate {
@@ -80,12 +65,6 @@ struct mip_rate {
  */
 MIP_API struct mip_result mip_device_stream(struct mip_device *device, uint8_t descriptor_set,
                                             uint8_t count, struct mip_rate *rates);
-
-/** Finds the rate for whose field a device has rejected a stream: `index` is its index in `rates`.
- */
-MIP_API struct mip_rejected mip_stream_rejected(uint8_t descriptor_set, uint8_t count,
-                                                const struct mip_rate *rates,
-                                                const struct mip_known_device *known);
 
 #ifdef __cplusplus
 }

@@ -9,7 +9,7 @@
 #define MIP_CORE_H
 
 #include "mip/constants.h"
-#include "mip/export.h"
+#include "mip/core/export.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -375,7 +375,7 @@ struct mip_codec {
     uint8_t more_sets;
     /** MIP_SHAPE of a layout that is only numbers, the widest first, without gaps; else 0. */
     uint8_t shape;
-    /** The steps that read and write it: see mip/program.h. */
+    /** The steps that read and write it: see mip/core/program.h. */
     const uint8_t *program;
     /** Runs the steps; NULL if the layout is only numbers. */
     const struct mip_interpreter *interpreter;

@@ -4,7 +4,7 @@
  * Displacement commands (0x11). Commands of the DEMOD-DC, a demodulator for displacement sensors.
  * Inertial sensors do not support them.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_DISPLACEMENT_H
 #define MIP_DISPLACEMENT_H

@@ -4,7 +4,7 @@
  * Displacement data (0x90). Measurements of the DEMOD-DC, a digital demodulator for displacement
  * sensors.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_DISPLACEMENT_DATA_H
 #define MIP_DISPLACEMENT_DATA_H

@@ -3,7 +3,7 @@
  *
  * Filter commands (0x0D). Commands that set up, start and aid the navigation filter.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_FILTER_H
 #define MIP_FILTER_H

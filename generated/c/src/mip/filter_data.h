@@ -3,7 +3,7 @@
  *
  * Filter data (0x82). Estimates of the navigation filter and its status.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_FILTER_DATA_H
 #define MIP_FILTER_DATA_H

@@ -3,7 +3,7 @@
  *
  * GNSS commands (0x0E). Commands that describe and set up the internal GNSS receivers.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_GNSS_H
 #define MIP_GNSS_H

@@ -5,7 +5,7 @@
  * have the same fields. Uncertain: Some devices may not send a field in every set: the SDK lists
  * the same fields for all GNSS data sets, the manuals fewer.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_GNSS_DATA_H
 #define MIP_GNSS_DATA_H

@@ -1,7 +1,7 @@
 /**
  * @file
- * The whole library. It takes longer to compile than the headers of single descriptor sets, but
- * nothing that a program does not use is linked.
+ * The whole library, without mip/extra and mip/cpp. It takes longer to compile than the headers of
+ * single descriptor sets, but nothing that a program does not use is linked.
  */
 #ifndef MIP_MIP_H
 #define MIP_MIP_H
@@ -38,15 +38,8 @@
 #include "mip/gnss_data_inline.h"
 #include "mip/gnss_data_valid.h"
 #include "mip/gnss_inline.h"
-#include "mip/names.h"
-#include "mip/print.h"
-#include "mip/profile.h"
-#include "mip/profiles.h"
 #include "mip/protocol.h"
 #include "mip/protocol_inline.h"
-#include "mip/reflect.h"
-#include "mip/registry.h"
-#include "mip/rejected.h"
 #include "mip/rtk.h"
 #include "mip/rtk_commands.h"
 #include "mip/rtk_inline.h"

@@ -5,7 +5,7 @@
  * Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the
  * names. Uncertain: No source states how strings are padded or terminated.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_RTK_H
 #define MIP_RTK_H

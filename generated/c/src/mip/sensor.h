@@ -4,7 +4,7 @@
  * Sensor data (0x80). Inertial, magnetic and pressure measurements, and the attitude of the
  * complementary filter.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_SENSOR_H
 #define MIP_SENSOR_H

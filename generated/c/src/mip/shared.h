@@ -4,7 +4,7 @@
  * Shared data (0xFF). Fields that every data set can contain. No packet has this descriptor set:
  * the fields are sent in packets of the other data sets.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_SHARED_H
 #define MIP_SHARED_H

@@ -3,7 +3,7 @@
  *
  * System (0x7F). Advanced commands of devices that consist of several intelligent parts.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_SYSTEM_H
 #define MIP_SYSTEM_H

@@ -3,7 +3,7 @@
  *
  * System data (0xA0). State of the device as a whole.
  *
- * The devices that support a field are in mip/profiles.h.
+ * The devices that support a field are in mip/extra/profiles.h.
  */
 #ifndef MIP_SYSTEM_DATA_H
 #define MIP_SYSTEM_DATA_H

@@ -3,6 +3,7 @@
 The finished source is in runtime/c. Where to change what, and its tests in `tests/c` unless they state a folder:
 
 - replies to a command, `mip_exchange`: `replies` in `members`, client.c; `unit/client.c`, `tests/conformance`
+- folders: headers for every program in src/mip, sources in core/ and sets/ below it; extra/ and cpp/ are whole parts
 - C++17: `cpp`, `cpp_snippets`, *.hpp.j2, core.hpp, device.hpp, client.hpp; `tests/cpp`: what it does, what must not
   compile, what it costs compared with C
 - a device at a port, mip/device.h: `calls`; `test_c_device.py` calls every command and runs the examples
@@ -15,7 +16,9 @@ The finished source is in runtime/c. Where to change what, and its tests in `tes
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from itertools import groupby
 
 from mipgen import model as m
 from mipgen.base import resources
@@ -28,6 +31,8 @@ from .comments import comment
 from .identifiers import identifiers
 from .names import GRAMMAR
 
+#: Headers, and the folders core, sets, extra and cpp.
+FOLDER = "src/mip/"
 #: Example programs for several kinds of systems. Arduino's IDE requires each in a folder with its name.
 EXAMPLES = (
     "stream.c",
@@ -50,11 +55,10 @@ MANIFESTS = (
 
 
 def files(model: m.Model) -> Iterator[File]:
-    made = list(code(model))
-    made.append(File("src/mip/mip.h", "mip.h.j2", {"headers": all_headers(made)}))
-    made += list(in_cpp(model))
-    headers = sorted(name for name in present(made) if name.endswith(".hpp"))
-    made.append(File("src/mip/mip.hpp", "mip.hpp.j2", {"headers": [x for x in headers if x != "ostream.hpp"]}))
+    made = [*code(model), *in_cpp(model)]
+    made.append(File(f"{FOLDER}mip.h", "mip.h.j2", {"headers": all_headers(made)}))
+    headers = [name for name in present(made) if re.fullmatch(r"cpp/\w+\.hpp", name)]
+    made.append(File(f"{FOLDER}cpp/mip.hpp", "mip.hpp.j2", {"headers": headers}))
     yield from made
     yield from packages(model, made)
     quickstart = model.program("quickstart.c")
@@ -81,29 +85,32 @@ def files(model: m.Model) -> Iterator[File]:
 def code(model: m.Model) -> Iterator[File]:
     """Yields the C headers and sources."""
     library = model.derived(view.Library)
-    for name in ("constants", "names", "profiles", "protocol", "types"):
-        yield File(f"src/mip/{name}.h", f"{name}.h.j2", {"library": library})
-    for name in ("names", "profiles", "protocol", "reflection", "registry"):
-        yield File(f"src/mip/{name}.c", f"{name}.c.j2", {"library": library})
-    if session := calls.session_calls(model):
-        for end in ("h", "c"):
-            yield File(f"src/mip/connect.{end}", f"connect.{end}.j2", {"session": session})
+    session = calls.session_calls(model)
+    for name in ("constants", "protocol", "types"):
+        yield File(f"{FOLDER}{name}.h", f"{name}.h.j2", {"library": library})
+    yield File(f"{FOLDER}core/protocol.c", "protocol.c.j2", {"library": library})
+    if session:
+        yield File(f"{FOLDER}connect.h", "connect.h.j2", {"session": session})
+        yield File(f"{FOLDER}sets/connect.c", "connect.c.j2", {"session": session})
     yield from times(model)
+    for name in ("names.h", "names.c", "profiles.h", "profiles.c", "reflection.c", "registry.c", "rejected.h"):
+        yield File(f"{FOLDER}extra/{name}", f"{name}.j2", {"library": library, "session": session})
     bits = {n: [sum(1 << d % 8 for d in ds if d // 8 == i) for i in range(32)] for n, ds in defined(model).items()}
-    yield File("src/mip/rejected.c", "rejected.c.j2", {"commands": by_command(model), "defined": [*bits.items()]})
+    rejected = {"commands": by_command(model), "defined": [*bits.items()], "session": session}
+    yield File(f"{FOLDER}extra/rejected.c", "rejected.c.j2", rejected)
     if inline := library.inline:
-        yield File("src/mip/protocol_inline.h", "inline.h.j2", {"header": "protocol", "fields": inline})
+        yield File(f"{FOLDER}protocol_inline.h", "inline.h.j2", {"header": "protocol", "fields": inline})
     for family in library.families:
         name, of = family.name, family.of
-        yield File(f"src/mip/{name}.h", "family.h.j2", {"family": family}, of)
+        yield File(f"{FOLDER}{name}.h", "family.h.j2", {"family": family}, of)
         if family.inline:  # a separate file, because it compiles slowly
-            yield File(f"src/mip/{name}_inline.h", "inline.h.j2", {"header": name, "fields": family.inline}, of)
+            yield File(f"{FOLDER}{name}_inline.h", "inline.h.j2", {"header": name, "fields": family.inline}, of)
         if family.has_commands:
-            yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"family": family}, of)
+            yield File(f"{FOLDER}{name}_commands.h", "commands.h.j2", {"family": family}, of)
         if functions := [x for f in family.fields for x in validity.validity_functions(f.of, model)]:
-            yield File(f"src/mip/{name}_valid.h", "valid.h.j2", {"family": family, "functions": functions}, of)
+            yield File(f"{FOLDER}{name}_valid.h", "valid.h.j2", {"family": family, "functions": functions}, of)
         if of.fields:
-            yield File(f"src/mip/{name}.c", "family.c.j2", {"family": family}, of)
+            yield File(f"{FOLDER}sets/{name}.c", "family.c.j2", {"family": family}, of)
 
 
 def times(model: m.Model) -> Iterator[File]:
@@ -120,39 +127,41 @@ def times(model: m.Model) -> Iterator[File]:
         "unknown": validity.UNKNOWN,
         "usual": validity.USUAL,
     }
-    for end in ("h", "c") if sources else ():
-        yield File(f"src/mip/timestamps.{end}", f"timestamps.{end}.j2", facts)
+    if sources:
+        yield File(f"{FOLDER}timestamps.h", "timestamps.h.j2", facts)
+        yield File(f"{FOLDER}sets/timestamps.c", "timestamps.c.j2", facts)
 
 
 def in_cpp(model: m.Model) -> Iterator[File]:
     """Yields the C++ headers."""
     library = model.derived(view.Library)
-    yield File("src/mip/types.hpp", "types.hpp.j2", {"library": library})
+    yield File(f"{FOLDER}cpp/types.hpp", "types.hpp.j2", {"library": library})
     for family in library.families:
-        yield File(f"src/mip/{family.name}.hpp", "family.hpp.j2", {"family": family}, family.of)
+        yield File(f"{FOLDER}cpp/{family.name}.hpp", "family.hpp.j2", {"family": family}, family.of)
         if family.has_commands:
-            yield File(f"src/mip/{family.name}_commands.hpp", "commands.hpp.j2", {"family": family}, family.of)
+            yield File(f"{FOLDER}cpp/{family.name}_commands.hpp", "commands.hpp.j2", {"family": family}, family.of)
 
 
 def all_headers(made: list[File]) -> list[str]:
-    """Returns the headers that programs include, both generated and from the runtime."""
-    inner = ("checksum.h", "export.h", "mip.h", "parser.h", "program.h")
-    return [name for name in present(made) if name.endswith(".h") and name not in inner]
+    """Returns the headers that programs include, both generated and from the runtime, without those in folders."""
+    return [name for name in present(made) if re.fullmatch(r"\w+\.h", name)]
 
 
 def present(made: list[File]) -> list[str]:
-    """Returns the names of all headers and sources, both generated and from the runtime."""
-    folder = "src/mip/"
-    runtime = (resources.root() / "runtime/c" / folder).iterdir()
-    return sorted({*(p.name for p in runtime), *(f.path.removeprefix(folder) for f in made)})
+    """Returns the paths of all headers and sources in `FOLDER`, both generated and from the runtime."""
+    runtime = resources.files_in(resources.root() / "runtime/c" / FOLDER)
+    return sorted({*(path for path, _ in runtime), *(f.path.removeprefix(FOLDER) for f in made)})
 
 
 def packages(model: m.Model, made: list[File]) -> Iterator[File]:
     """Yields the files for build systems and package managers, which list version, sources and headers."""
     names, protocol = present(made), model.protocol
+    headers = sorted(
+        (f"mip/{name}" for name in names if name.endswith((".h", ".hpp"))), key=lambda n: n.split("/")[:-1]
+    )
     facts = {
         "sources": [name for name in names if name.endswith(".c")],
-        "headers": [name for name in names if name.endswith((".h", ".hpp"))],
+        "headers": [(folder, [*within]) for folder, within in groupby(headers, lambda name: name.rpartition("/")[0])],
         "soversion": ".".join(protocol.version.split(".")[:2]),
         "summary": f"The {protocol.title}",
         "keywords": list(dict.fromkeys([protocol.package, *map(str.lower, protocol.keywords), "protocol"])),

@@ -1,4 +1,4 @@
-"""Compiles the layout of a field to a program for codec.c or program.c; runtime/c/src/mip/program.h defines the steps.
+"""Compiles the layout of a field to a program for codec.c or program.c; program.h beside them defines the steps.
 
 The length of each part of a program is known here; the offset of a member in memory is known only to the C compiler.
 """

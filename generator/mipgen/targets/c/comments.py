@@ -19,7 +19,7 @@ WIDTH = 100
 
 #: Headers leave the devices that support a field to the profiles.
 EVIDENCE = ("devices", "likely", "assumed")
-ELSEWHERE = "The devices that support a field are in mip/profiles.h."
+ELSEWHERE = "The devices that support a field are in mip/extra/profiles.h."
 
 
 def comment(paragraphs: Sequence[str], indent: int = 0) -> str:

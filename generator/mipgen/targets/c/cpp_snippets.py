@@ -23,7 +23,7 @@ class Programs:
 
     def command(self, f: m.Field) -> str:
         """Composes the call of a command at a device."""
-        lines = [f'#include "mip/{module(f.family)}_commands.hpp"']
+        lines = [f'#include "mip/cpp/{module(f.family)}_commands.hpp"']
         for i, form in enumerate(self.samples.shown(f)):
             name = "answer" if i else "result"
             lines += _call(f, form, self.samples, f"const auto {name} = ")
@@ -33,14 +33,14 @@ class Programs:
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
         """Composes a function that sends several commands and stops at the first one that is not acknowledged."""
-        lines = sorted({f'#include "mip/{module(f.family)}_commands.hpp"' for f, _ in steps})
+        lines = sorted({f'#include "mip/cpp/{module(f.family)}_commands.hpp"' for f, _ in steps})
         lines += ["", f"mip::result<> {name}(mip::device<> &device) {{"]
         return snippets.sequence(lines, steps, _call, "mip::result<>", "// {}", "result")
 
     def data(self, f: m.Field) -> str:
         """Composes the lines that read a data field of a packet."""
         return "\n".join([
-            f'#include "mip/{module(f.family)}.hpp"',
+            f'#include "mip/cpp/{module(f.family)}.hpp"',
             f"if (const auto value = field.as<{qualified(f)}>()) {{",
             _printed(f, "value->"),
             *(["    // field.descriptor_set is the set of its packet"] if len(f.occurrences) > 1 else []),

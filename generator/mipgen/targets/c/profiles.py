@@ -1,4 +1,4 @@
-"""The tables of devices: see runtime/c/src/mip/profile.h."""
+"""The tables of devices: see runtime/c/src/mip/extra/profile.h."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ def required(f: m.Field) -> list[int]:
 
 @dataclass(frozen=True, slots=True)
 class Registry:
-    """The tables of runtime/c/src/mip/registry.h."""
+    """The tables of runtime/c/src/mip/extra/registry.h."""
 
     entries: str
     sets: list[str]

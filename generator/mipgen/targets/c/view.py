@@ -346,6 +346,11 @@ class Library:
         return [*self.shared_types, *(t for x in self.families for t in x.types)]
 
     @property
+    def ack_code(self) -> Named:
+        """The enumeration of acknowledge codes, which the runtime uses."""
+        return next(t for t in self.types if isinstance(t, Named) and t.name == "mip_ack_code")
+
+    @property
     def named(self) -> list[Named]:
         """All enumerations and bitfields."""
         return [t for t in self.all_types if isinstance(t, Named)]

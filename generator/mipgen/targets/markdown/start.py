@@ -37,12 +37,12 @@ STARTS = (
     ),
     Start(
         "C", "c", "stream.c", "first.c", "cp -r ../mipgen/generated/c mip",
-        "cc -Imip/src -Imip/ports first.c mip/src/mip/*.c mip/ports/*.c -o first\n./first localhost:5005",
+        "cc -Imip/src -Imip/ports first.c mip/src/mip/*/*.c mip/ports/*.c -o first\n./first localhost:5005",
         "A C99 compiler. On Windows, link with `-lws2_32`.",
     ),
     Start(
         "C++", "cpp", "first.cpp", "first.cpp", "cp -r ../mipgen/generated/c mip",
-        "cc -Imip/src -Imip/ports -c mip/src/mip/*.c mip/ports/*.c\n"
+        "cc -Imip/src -Imip/ports -c mip/src/mip/*/*.c mip/ports/*.c\n"
         "c++ -std=c++17 -Imip/src -Imip/ports first.cpp *.o -o first\n./first localhost:5005",
         "A C++17 compiler; the headers are part of the C library.",
     ),

@@ -1,0 +1,226 @@
+/* Finds a device and starts its data. */
+#include "mip/connect.h"
+
+/** The time-out of a ping in milliseconds. Two pings are sent at each rate, because bytes at
+ * another rate may damage the first one. */
+#define LISTEN 150
+#define PINGS 2
+
+static const uint32_t bauds[] = {115200, 3000000, 921600, 460800, 230400,
+                                 57600,  38400,   19200,  9600,   4800};
+
+/** Notes that a packet has arrived. */
+static void hear(void *user, const struct mip_device *device, bool ends) {
+    (void)device, (void)ends;
+    *(bool *)user = true;
+}
+
+/** Pings at the current rate until any packet arrives; then sets `*heard`. */
+static struct mip_result ping(struct mip_device *device, bool *heard) {
+    const struct mip_observer listening = {hear, heard};
+    const struct mip_observer *const observer = device->observer;
+    const uint32_t timeout = device->client.timeout;
+    struct mip_retry retry = {PINGS, 1u << MIP_TIMED_OUT};
+    struct mip_result result;
+    mip_parser_init(&device->parser); /* bytes of another rate */
+    device->observer = &listening;
+    device->client.timeout = LISTEN;
+    do {
+        result = mip_call_base_ping(device);
+    } while (!*heard && mip_again(&retry, result));
+    device->observer = observer;
+    device->client.timeout = timeout;
+    return result;
+}
+
+/** Finds the baud rate. True if a device was heard. */
+static bool find(struct mip_device *device, bool (*set_baud)(void *user, uint32_t baud),
+                 struct mip_result *result) {
+    bool heard = false;
+    bool set = false;
+    for (size_t i = 0; i < sizeof(bauds) / sizeof(bauds[0]) && set_baud != NULL; i++) {
+        if (set_baud(device->port.user, bauds[i])) {
+            set = true;
+            *result = ping(device, &heard);
+            if (heard || result->outcome != MIP_TIMED_OUT) {
+                return heard;
+            }
+        }
+    }
+    if (!set) {
+        *result = ping(device, &heard);
+    }
+    return heard;
+}
+
+/** One of several steps; `shared` is their common data. */
+typedef struct mip_result step(struct mip_device *device, void *shared);
+
+/** Runs steps until one fails. A step without a reply is repeated. */
+static struct mip_result run(struct mip_device *device, step *const *steps, size_t count,
+                             void *shared) {
+    struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK, false};
+    for (size_t i = 0; i < count && mip_succeeded(result); i++) {
+        struct mip_retry retry = MIP_RETRY;
+        do {
+            result = steps[i](device, shared);
+        } while (mip_again(&retry, result));
+    }
+    return result;
+}
+
+static struct mip_result idle(struct mip_device *device, void *shared) {
+    (void)shared;
+    return mip_call_base_set_idle(device);
+}
+
+static struct mip_result identify(struct mip_device *device, void *shared) {
+    return mip_call_base_get_device_info(device,
+                                         (struct mip_base_get_device_info_response *)shared);
+}
+
+struct mip_result mip_device_connect(struct mip_device *device,
+                                     bool (*set_baud)(void *user, uint32_t baud),
+                                     struct mip_base_get_device_info_response *identity) {
+    static step *const steps[] = {idle, identify};
+    struct mip_result result;
+    MIP_ASSERT(device->deferred == NULL); /* see mip_defer */
+    return find(device, set_baud, &result)
+               ? run(device, steps, sizeof(steps) / sizeof(steps[0]), identity)
+               : result;
+}
+
+/** The settings of a stream. */
+struct plan {
+    uint8_t descriptor_set;
+    uint8_t count;
+    /* True if the device supports only the commands of older devices. */
+    bool older;
+    struct mip_rate *rates;
+    struct mip_3dm_get_base_rate_response base;
+    struct mip_descriptor_rate fields[83];
+};
+
+/** Reads the base rate with the older command for this set. */
+static struct mip_result older_base_rate(struct mip_device *device, struct plan *plan,
+                                         struct mip_result result) {
+    switch (plan->descriptor_set) {
+    case 0x80: {
+        struct mip_3dm_get_imu_base_rate_response base;
+        result = mip_call_3dm_get_imu_base_rate(device, &base);
+        plan->base.rate = base.rate;
+        break;
+    }
+    case 0x81: {
+        struct mip_3dm_get_gnss_base_rate_response base;
+        result = mip_call_3dm_get_gnss_base_rate(device, &base);
+        plan->base.rate = base.rate;
+        break;
+    }
+    case 0x82: {
+        struct mip_3dm_get_filter_base_rate_response base;
+        result = mip_call_3dm_get_filter_base_rate(device, &base);
+        plan->base.rate = base.rate;
+        break;
+    }
+    default:
+        break;
+    }
+    return result;
+}
+
+static struct mip_result base_rate(struct mip_device *device, void *shared) {
+    struct plan *plan = (struct plan *)shared;
+    struct mip_result result =
+        mip_call_3dm_get_base_rate(device, plan->descriptor_set, &plan->base);
+    if (result.outcome == MIP_REFUSED) {
+        const struct mip_result older = older_base_rate(device, plan, result);
+        plan->older = older.outcome != MIP_REFUSED; /* otherwise, it lacks this set */
+        result = plan->older ? older : result;
+    }
+    return result;
+}
+
+/** Returns the decimation whose rate is nearest to `wanted`, which is not 0. */
+static uint16_t decimation(float base, float wanted) {
+    if (!(wanted < base)) {
+        return 1;
+    }
+    if (!(wanted * UINT16_MAX > base)) {
+        return UINT16_MAX;
+    }
+    const uint32_t below = (uint32_t)(base / wanted);
+    const float faster = base / (float)below;
+    const float slower = base / (float)(below + 1);
+    return (uint16_t)(faster - wanted <= wanted - slower ? below : below + 1);
+}
+
+/** Computes the decimations, and checks that the device supports all rates. Sends nothing. */
+static struct mip_result divide(struct mip_device *device, void *shared) {
+    struct plan *plan = (struct plan *)shared;
+    struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK, false};
+    const uint16_t base = plan->base.rate;
+    (void)device;
+    for (size_t i = 0; i < plan->count; i++) {
+        struct mip_rate *rate = &plan->rates[i];
+        const bool fastest = rate->wanted <= 0 && rate->wanted >= 0;
+        const uint16_t by = base == 0 || fastest ? 1 : decimation(base, rate->wanted);
+        plan->fields[i].descriptor = rate->descriptor;
+        plan->fields[i].decimation = by;
+        rate->nearest = (float)base / (float)by;
+        if (!fastest && !(rate->nearest <= rate->wanted && rate->nearest >= rate->wanted)) {
+            result.outcome = MIP_NO_SUCH_RATE;
+        }
+    }
+    return result;
+}
+
+static struct mip_result format(struct mip_device *device, void *shared) {
+    const struct plan *plan = (const struct plan *)shared;
+    if (plan->older && plan->descriptor_set == 0x80) {
+        return mip_call_3dm_imu_message_format_write(device, plan->count, plan->fields);
+    }
+    if (plan->older && plan->descriptor_set == 0x81) {
+        return mip_call_3dm_gnss_message_format_write(device, plan->count, plan->fields);
+    }
+    if (plan->older && plan->descriptor_set == 0x82) {
+        return mip_call_3dm_filter_message_format_write(device, plan->count, plan->fields);
+    }
+    return mip_call_3dm_message_format_write(device, plan->descriptor_set, plan->count,
+                                             plan->fields);
+}
+
+static struct mip_result stream(struct mip_device *device, void *shared) {
+    const struct plan *plan = (const struct plan *)shared;
+    if (plan->older && plan->descriptor_set == 0x80) {
+        return mip_call_3dm_data_stream_control_write(device, 1, true);
+    }
+    if (plan->older && plan->descriptor_set == 0x81) {
+        return mip_call_3dm_data_stream_control_write(device, 2, true);
+    }
+    if (plan->older && plan->descriptor_set == 0x82) {
+        return mip_call_3dm_data_stream_control_write(device, 3, true);
+    }
+    return mip_call_3dm_data_stream_control_write(device, plan->descriptor_set, true);
+}
+
+static struct mip_result resume(struct mip_device *device, void *shared) {
+    (void)shared;
+    return mip_call_base_resume(device);
+}
+
+struct mip_result mip_device_stream(struct mip_device *device, uint8_t descriptor_set,
+                                    uint8_t count, struct mip_rate *rates) {
+    static step *const steps[] = {base_rate, divide, format, stream, resume};
+    struct plan plan;
+    MIP_ASSERT(device->deferred == NULL); /* see mip_defer */
+    if (count > sizeof(plan.fields) / sizeof(plan.fields[0])) {
+        const struct mip_result result = {MIP_NOT_SENT, 0, MIP_ERROR_COUNT, false};
+        return result;
+    }
+    plan.descriptor_set = descriptor_set;
+    plan.count = count;
+    plan.older = false;
+    plan.rates = rates;
+    return run(device, steps, sizeof(steps) / sizeof(steps[0]), &plan);
+}

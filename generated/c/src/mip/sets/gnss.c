@@ -1,0 +1,279 @@
+/* GNSS commands. */
+#include "mip/gnss.h"
+#include "mip/gnss_commands.h"
+#include "mip/core/program.h"
+
+static const uint8_t program_receiver_info[] = {
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_receiver_info_codec = {
+    0x0E, 0x01, MIP_COMMAND,           0,   sizeof(struct mip_gnss_receiver_info),
+    0,    0,    program_receiver_info, NULL};
+
+static const struct mip_response responses_receiver_info[] = {
+    {NULL, 0x81, 0, MIP_NOT_ZERO, false},
+};
+
+const struct mip_exchange mip_gnss_receiver_info_exchange = {
+    0x0E, 0x01, 0, sizeof(responses_receiver_info) / sizeof(responses_receiver_info[0]),
+    responses_receiver_info};
+
+const struct mip_command mip_gnss_receiver_info_command = {&mip_gnss_receiver_info_codec,
+                                                           &mip_gnss_receiver_info_exchange, false};
+
+static const uint8_t program_receiver_info_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_receiver_info_response, num_receivers)),
+    MIP_COUNTED(MIP_SIZE(struct mip_gnss_receiver_info_response, num_receivers), 7, 34,
+                MIP_AT(struct mip_gnss_receiver_info_response, num_receivers)),
+    MIP_EACH(1, struct mip_gnss_receiver_info_entry, 4,
+             MIP_AT(struct mip_gnss_receiver_info_response, receiver_info)),
+    MIP_8_BITS(0, MIP_MANY(34, MIP_AT(struct mip_gnss_receiver_info_entry, receiver_id))),
+    MIP_END,
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_receiver_info_response_codec = {
+    0x0E,
+    0x81,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_gnss_receiver_info_response),
+    0,
+    0,
+    program_receiver_info_response,
+    &mip_program};
+
+static const uint8_t program_signal_config[] = {
+    MIP_REQUIRED(1, 5),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_signal_config, gps_enable)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_signal_config, glonass_enable)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_signal_config, galileo_enable)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_signal_config, beidou_enable)),
+    MIP_GROUP(1),
+    MIP_8_BITS(4, MIP_AT(struct mip_gnss_signal_config, reserved)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_signal_config_codec = {
+    0x0E, 0x02, MIP_COMMAND,           0,           sizeof(struct mip_gnss_signal_config),
+    0,    0,    program_signal_config, &mip_program};
+
+static const struct mip_response responses_signal_config[] = {
+    {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
+};
+
+const struct mip_exchange mip_gnss_signal_config_exchange = {
+    0x0E, 0x02, 0, sizeof(responses_signal_config) / sizeof(responses_signal_config[0]),
+    responses_signal_config};
+
+const struct mip_command mip_gnss_signal_config_command = {&mip_gnss_signal_config_codec,
+                                                           &mip_gnss_signal_config_exchange, true};
+
+static const uint8_t program_signal_config_response[] = {
+    MIP_8_BITS(8, MIP_AT(struct mip_gnss_signal_config_response, gps_enable)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_signal_config_response_codec = {
+    0x0E,
+    0x82,
+    MIP_RESPONSE,
+    8,
+    sizeof(struct mip_gnss_signal_config_response),
+    0,
+    0,
+    program_signal_config_response,
+    NULL};
+
+static const uint8_t program_receiver_reset[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_gnss_receiver_reset, receiver_id)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_receiver_reset_codec = {0x0E,
+                                                        0x03,
+                                                        MIP_COMMAND,
+                                                        2,
+                                                        sizeof(struct mip_gnss_receiver_reset),
+                                                        0,
+                                                        0,
+                                                        program_receiver_reset,
+                                                        NULL};
+
+const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, 0, NULL};
+
+const struct mip_command mip_gnss_receiver_reset_command = {
+    &mip_gnss_receiver_reset_codec, &mip_gnss_receiver_reset_exchange, false};
+
+static const uint8_t program_rtk_config[] = {
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_rtk_config, ambiguity_fix_mode)),
+    MIP_GROUP(1),
+    MIP_8_BITS(4, MIP_AT(struct mip_gnss_rtk_config, reserved)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_rtk_config_codec = {
+    0x0E, 0x04, MIP_COMMAND,        0,           sizeof(struct mip_gnss_rtk_config),
+    0,    0,    program_rtk_config, &mip_program};
+
+static const struct mip_response responses_rtk_config[] = {
+    {NULL, 0x84, 2, MIP_FUNCTION_SELECTOR_READ, false},
+};
+
+const struct mip_exchange mip_gnss_rtk_config_exchange = {
+    0x0E, 0x04, 0, sizeof(responses_rtk_config) / sizeof(responses_rtk_config[0]),
+    responses_rtk_config};
+
+const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec,
+                                                        &mip_gnss_rtk_config_exchange, true};
+
+static const uint8_t program_rtk_config_response[] = {
+    MIP_8_BITS(5, MIP_AT(struct mip_gnss_rtk_config_response, ambiguity_fix_mode)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_rtk_config_response_codec = {
+    0x0E,
+    0x84,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_gnss_rtk_config_response),
+    0,
+    0,
+    program_rtk_config_response,
+    NULL};
+
+static const uint8_t program_rtk_dongle_config[] = {
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_rtk_dongle_config, enable)),
+    MIP_GROUP(1),
+    MIP_8_BITS(3, MIP_AT(struct mip_gnss_rtk_dongle_config, reserved)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
+    0x0E,
+    0x10,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_gnss_rtk_dongle_config),
+    0,
+    0,
+    program_rtk_dongle_config,
+    &mip_program};
+
+static const struct mip_response responses_rtk_dongle_config[] = {
+    {NULL, 0x90, 2, MIP_FUNCTION_SELECTOR_READ, false},
+};
+
+const struct mip_exchange mip_gnss_rtk_dongle_config_exchange = {
+    0x0E, 0x10, 0, sizeof(responses_rtk_dongle_config) / sizeof(responses_rtk_dongle_config[0]),
+    responses_rtk_dongle_config};
+
+const struct mip_command mip_gnss_rtk_dongle_config_command = {
+    &mip_gnss_rtk_dongle_config_codec, &mip_gnss_rtk_dongle_config_exchange, true};
+
+static const uint8_t program_rtk_dongle_config_response[] = {
+    MIP_8_BITS(4, MIP_AT(struct mip_gnss_rtk_dongle_config_response, enable)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
+    0x0E,
+    0x90,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_gnss_rtk_dongle_config_response),
+    0,
+    0,
+    program_rtk_dongle_config_response,
+    NULL};
+
+static const uint8_t program_spartn_config[] = {
+    MIP_FAR,
+    MIP_REQUIRED(1, 8),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, enable)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, type)),
+    MIP_GROUP(1),
+    MIP_32_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, current_key_tow)),
+    MIP_GROUP(1),
+    MIP_16_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, current_key_week)),
+    MIP_GROUP(1),
+    MIP_8_BITS(0, MIP_MANY(32, MIP_FAR_AT(struct mip_gnss_spartn_config, current_key))),
+    MIP_GROUP(1),
+    MIP_32_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, next_key_tow)),
+    MIP_GROUP(1),
+    MIP_16_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, next_key_week)),
+    MIP_GROUP(1),
+    MIP_8_BITS(0, MIP_MANY(32, MIP_FAR_AT(struct mip_gnss_spartn_config, next_key))),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_spartn_config_codec = {
+    0x0E, 0x20, MIP_COMMAND,           0,           sizeof(struct mip_gnss_spartn_config),
+    0,    0,    program_spartn_config, &mip_program};
+
+static const struct mip_response responses_spartn_config[] = {
+    {NULL, 0xA0, 2, MIP_FUNCTION_SELECTOR_READ, false},
+};
+
+const struct mip_exchange mip_gnss_spartn_config_exchange = {
+    0x0E, 0x20, 0, sizeof(responses_spartn_config) / sizeof(responses_spartn_config[0]),
+    responses_spartn_config};
+
+const struct mip_command mip_gnss_spartn_config_command = {&mip_gnss_spartn_config_codec,
+                                                           &mip_gnss_spartn_config_exchange, true};
+
+static const uint8_t program_spartn_config_response[] = {
+    MIP_FAR,
+    MIP_8_BITS(2, MIP_FAR_AT(struct mip_gnss_spartn_config_response, enable)),
+    MIP_32_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config_response, current_key_tow)),
+    MIP_16_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config_response, current_key_week)),
+    MIP_8_BITS(0, MIP_MANY(32, MIP_FAR_AT(struct mip_gnss_spartn_config_response, current_key))),
+    MIP_32_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config_response, next_key_tow)),
+    MIP_16_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config_response, next_key_week)),
+    MIP_8_BITS(0, MIP_MANY(32, MIP_FAR_AT(struct mip_gnss_spartn_config_response, next_key))),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_spartn_config_response_codec = {
+    0x0E,
+    0xA0,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_gnss_spartn_config_response),
+    0,
+    0,
+    program_spartn_config_response,
+    &mip_program};
+
+static const uint8_t program_receiver_safe_mode[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_gnss_receiver_safe_mode, receiver_id)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_receiver_safe_mode_codec = {
+    0x0E,
+    0x60,
+    MIP_COMMAND,
+    2,
+    sizeof(struct mip_gnss_receiver_safe_mode),
+    0,
+    0,
+    program_receiver_safe_mode,
+    NULL};
+
+const struct mip_exchange mip_gnss_receiver_safe_mode_exchange = {0x0E, 0x60, 0, 0, NULL};
+
+const struct mip_command mip_gnss_receiver_safe_mode_command = {
+    &mip_gnss_receiver_safe_mode_codec, &mip_gnss_receiver_safe_mode_exchange, false};
