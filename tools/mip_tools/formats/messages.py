@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import Any, Protocol
 
@@ -15,11 +16,12 @@ from ..columns.reader import Reader
 from ..columns.scan import Array
 from ..columns.stamps import NONE
 from ..logs import inputs
+from ..logs.assumed import print_assumptions
 from ..names.occurrence import Occurrence, occurrence_in
 from ..names.selection import Selection
 from ..text import row_texts
 from ..text.decoding import decoded_field
-from .json_messages import SEPARATORS, Batch, Topic, encoded
+from .json_messages import SEPARATORS, Batch, Topic, clock_of, encoded
 
 #: Bytes of a log whose messages are in memory at the same time.
 PART = 1 << 20
@@ -41,6 +43,17 @@ def survey_messages(log: Log, selection: Selection) -> tuple[list[Occurrence], t
     ordered = sorted(kinds, key=lambda occurrence: (occurrence.set, occurrence.kind.DESCRIPTOR, occurrence.kind.NAME))
     line = timeline.of_log(log)
     return ordered, line.clocks(line.sets)
+
+
+class MessageExport:
+    """The output for a log."""
+
+    def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
+        self._name, self._options, self._selection = name, options, selection
+        with inputs.open_columns(name, options.device) as log:
+            self.types, clocks = survey_messages(log, selection)
+            self._clock = clock_of(clocks, options)
+            print_assumptions("export", log)
 
 
 #: Some rows of a column as objects.

@@ -17,14 +17,13 @@ from ..columns.column import Column
 from ..columns.stamps import NONE
 from ..errors import Failure, Misuse
 from ..logs import inputs
-from ..logs.assumed import print_assumptions
 from ..names.occurrence import Occurrence
 from ..names.selection import Selection
 from ..ros import cdr, standard
 from ..ros.types import Types
 from ..text import clocks
-from .json_messages import Batch, clock_of, timed
-from .messages import Messages, Objects, survey_messages
+from .json_messages import Batch, timed
+from .messages import MessageExport, Messages, Objects
 
 #: The frame of messages in the axes of the device.
 FRAME = "imu_link"
@@ -55,7 +54,7 @@ class _Form:
         return self._types.of_field(name, field, FRAME) if name else None
 
 
-class Job:
+class Job(MessageExport):
     """The output for a log."""
 
     def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
@@ -63,11 +62,7 @@ class Job:
             raise Misuse("--split and --names are for tables; a bag has a topic for each message")
         if options.output == "-":
             raise Misuse("a bag is a folder; name one with -o")
-        self._name, self._options, self._selection = name, options, selection
-        with inputs.open_columns(name, options.device) as log:
-            self.types, clocks = survey_messages(log, selection)
-            self._clock = clock_of(clocks, options)
-            print_assumptions("export", log)
+        super().__init__(name, options, selection)
 
     def write(self, path: str, types: Sequence[Occurrence]) -> None:
         """Writes a bag, a folder that must not exist. Raises Failure."""

@@ -30,7 +30,7 @@ ANTENNAS = {1: (-0.5, 0.0, -0.2), 2: (0.5, 0.0, -0.2)}
 ZERO: Vector = (0.0, 0.0, 0.0)
 
 
-def _sum(a: Vector, b: Vector) -> Vector:
+def summed(a: Sequence[float], b: Sequence[float]) -> Vector:
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
@@ -80,7 +80,7 @@ class Antenna:
 
     def __init__(self, state: State, offset: Vector, wrong: Vector = ZERO, faster: Vector = ZERO) -> None:
         """`wrong` and `faster`: errors of the position and the velocity, north, east, down."""
-        n, e, d = _sum(turned_back(state.dcm, offset), wrong)
+        n, e, d = summed(turned_back(state.dcm, offset), wrong)
         (m, across), height = earth.radii(state.latitude), state.height
         self.latitude = state.latitude + n / (m + height)
         self.longitude = state.longitude + e / ((across + height) * cos(state.latitude))
@@ -89,7 +89,7 @@ class Antenna:
         p, q, r = state.rate
         x, y, z = offset
         turning = turned_back(state.dcm, (q * z - r * y, r * x - p * z, p * y - q * x))
-        self.velocity = _sum(_sum(state.velocity, turning), faster)
+        self.velocity = summed(summed(state.velocity, turning), faster)
 
 
 class Surroundings:
@@ -326,27 +326,27 @@ class Surroundings:
 
     @property
     def accel_constant_left(self) -> Vector:
-        return _sum(self._accel_error, scaled(self.accel_bias, -1.0))
+        return summed(self._accel_error, scaled(self.accel_bias, -1.0))
 
     @property
     def gyro_constant_left(self) -> Vector:
-        return _sum(self._gyro_error, scaled(self.gyro_bias, -1.0))
+        return summed(self._gyro_error, scaled(self.gyro_bias, -1.0))
 
     def _error(self, sensor: str, constant: Vector) -> Vector:
         noise = self.sensors.get(sensor)
         if noise is None or not self.noise:
             return constant
         noise.integral(self.now)
-        return _sum(constant, scaled(noise.bias, self.noise))
+        return summed(constant, scaled(noise.bias, self.noise))
 
     @property
     def accel_bias_left(self) -> Vector:
         """The part of the bias that the setting does not remove."""
-        return _sum(self.accel_error, scaled(self.accel_bias, -1.0))
+        return summed(self.accel_error, scaled(self.accel_bias, -1.0))
 
     @property
     def gyro_bias_left(self) -> Vector:
-        return _sum(self.gyro_error, scaled(self.gyro_bias, -1.0))
+        return summed(self.gyro_error, scaled(self.gyro_bias, -1.0))
 
     def mean_noise(self, sensor: str, out: Any) -> Values | None:
         """Returns the mean noise of a sensor since the last output, including the drift; None without noise."""

@@ -5,7 +5,7 @@ The item is an item of a list (`for_each`), an `Output` for other data, or, for 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from math import atan2, hypot, pi, sin, sqrt
 from typing import Any, NamedTuple
 
@@ -21,7 +21,7 @@ from ...geometry.attitude import (
 )
 from ...geometry.earth import SECOND, WEEK, Matrix, Vector
 from ..filter.estimate import Filter, rotated
-from ..surroundings.surroundings import Output
+from ..surroundings.surroundings import Output, scaled, summed
 from .receivers import GNSS, Function
 from .world import World
 
@@ -37,14 +37,6 @@ ACCEL, GYRO, MAG = "measured.specific_force", "measured.angular_rate", "measured
 PRESSURE, SPEED = "measured.pressure", "measured.speed"
 
 
-def _sum(a: Sequence[float], b: Sequence[float]) -> Vector:
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-def _scaled(v: Sequence[float], k: float) -> Vector:
-    return v[0] * k, v[1] * k, v[2] * k
-
-
 def _flags(w: World) -> tuple[str, ...]:
     flags = tuple(f"{part}_valid" for part in w.valid_parts)
     flags += ("pps_valid",) * w.synchronized + ("time_initialized",) * w.initialized
@@ -56,7 +48,7 @@ def _measured(w: World, sensor: str, true: Vector, constant: Vector, out: Any) -
     """Returns the mean of an inertial sensor since the last output, in its own frame. `constant` is its bias without
     the drift, which is part of the noise."""
     noise = w.mean_noise(sensor, out)
-    return _sum(true, constant) if noise is None else _sum(_sum(true, constant), noise)
+    return summed(true, constant) if noise is None else summed(summed(true, constant), noise)
 
 
 def _force(w: World, out: Any) -> Vector:
@@ -70,15 +62,15 @@ def _rate(w: World, out: Any) -> Vector:
 
 
 def _magnetic(w: World, out: Any) -> Vector:
-    field = _sum(_raw_magnetic(w, out), _scaled(w.hard_iron, -1.0))
+    field = summed(_raw_magnetic(w, out), scaled(w.hard_iron, -1.0))
     field = w.within("mag", earth.turned(w.soft_iron, field))
     return w.vehicle(w.low_passed(MAG, out, field))  # type: ignore[arg-type]
 
 
 def _raw_magnetic(w: World, out: Any) -> Vector:
     noise = w.mean_noise(MAG, out)
-    true = _sum(earth.turned(w.state.dcm, w.magnetic_field), w.disturbance)
-    return true if noise is None else _sum(true, noise)
+    true = summed(earth.turned(w.state.dcm, w.magnetic_field), w.disturbance)
+    return true if noise is None else summed(true, noise)
 
 
 def _single(sensor: str, true: float, w: World, out: Any) -> float:
@@ -88,27 +80,27 @@ def _single(sensor: str, true: float, w: World, out: Any) -> float:
 
 def _compensated_rate(w: World, out: Any) -> Vector:
     """Returns the angular rate of the gyroscope, without the bias that the filter estimates."""
-    rate = _sum(w.state.rate, _scaled(w.gyro_bias_error, -1.0))
+    rate = summed(w.state.rate, scaled(w.gyro_bias_error, -1.0))
     noise = _white(w, GYRO, out)
-    return w.vehicle(w.low_passed(GYRO, out, rate if noise is None else _sum(rate, noise)))  # type: ignore[arg-type]
+    return w.vehicle(w.low_passed(GYRO, out, rate if noise is None else summed(rate, noise)))  # type: ignore[arg-type]
 
 
 def _compensated_force(w: World, true: Vector, out: Any) -> Vector:
-    force = _sum(true, _scaled(w.accel_bias_error, -1.0))
+    force = summed(true, scaled(w.accel_bias_error, -1.0))
     noise = _white(w, ACCEL, out)
-    return w.vehicle(w.low_passed(ACCEL, out, force if noise is None else _sum(force, noise)))  # type: ignore[arg-type]
+    return w.vehicle(w.low_passed(ACCEL, out, force if noise is None else summed(force, noise)))  # type: ignore[arg-type]
 
 
 def _white(w: World, sensor: str, out: Any) -> Vector | None:
     """Returns the noise without the drift, because the filter estimates the drift with the bias."""
     noise = w.mean_noise(sensor, out)
-    return None if noise is None else _sum(noise, _scaled(w.sensors[sensor].bias, -w.noise))
+    return None if noise is None else summed(noise, scaled(w.sensors[sensor].bias, -w.noise))
 
 
 def _overrange(w: World, _: Any) -> tuple[str, ...]:
     """Lists the axes that are near the end of their range."""
     field = _raw_magnetic(w, None)
-    values = {"accel": _sum(w.specific_force, w.accel_bias_left), "gyro": _sum(w.state.rate, w.gyro_bias_left)}
+    values = {"accel": summed(w.specific_force, w.accel_bias_left), "gyro": summed(w.state.rate, w.gyro_bias_left)}
     values["mag"] = field
     return tuple(
         f"{sensor}_{axis}"
@@ -124,18 +116,18 @@ def _seconds(w: World, out: Output) -> float:
 
 
 def _rotation(w: World, out: Output) -> Vector:
-    turn = _sum(rotation_vector(out.attitude, w.state.quaternion), _scaled(w.gyro_constant_left, _seconds(w, out)))
+    turn = summed(rotation_vector(out.attitude, w.state.quaternion), scaled(w.gyro_constant_left, _seconds(w, out)))
     noise = w.added_noise(GYRO, out)
-    return w.vehicle(turn if noise is None else _sum(turn, noise))
+    return w.vehicle(turn if noise is None else summed(turn, noise))
 
 
 def _velocity(w: World, out: Output) -> Vector:
     t = _seconds(w, out)
     (n, e, d), (a, b, c) = w.state.velocity, out.velocity
     change = earth.turned(attitude_matrix(out.attitude), (n - a, e - b, d - c - w.gravity * t))
-    change = _sum(change, _scaled(w.accel_constant_left, t))
+    change = summed(change, scaled(w.accel_constant_left, t))
     noise = w.added_noise(ACCEL, out)
-    return w.vehicle(change if noise is None else _sum(change, noise))
+    return w.vehicle(change if noise is None else summed(change, noise))
 
 
 def _matrix(w: World, out: Output) -> tuple[float, ...]:
@@ -189,7 +181,7 @@ def _complementary(w: World) -> Matrix:
 
     def value() -> Matrix:
         wrong = w.complementary.errors
-        return euler_rotation(*_sum(euler(w.dcm), wrong))[1] if any(wrong) else w.dcm
+        return euler_rotation(*summed(euler(w.dcm), wrong))[1] if any(wrong) else w.dcm
 
     return w.once("complementary", value)
 
@@ -250,11 +242,11 @@ _SENSORS: dict[str, Function] = {
     "odometer.uncertainty": lambda w, _: max(0.01, w.odometer * hypot(*w.state.velocity)),
     "odometer.configured": lambda w, _: w.odometer > 0,
     "overrange.axes": _overrange,
-    "counts.specific_force": lambda w, out: _scaled(
+    "counts.specific_force": lambda w, out: scaled(
         _measured(w, ACCEL, w.specific_force, w.accel_constant, out), 1000.0
     ),
-    "counts.angular_rate": lambda w, out: _scaled(_measured(w, GYRO, w.state.rate, w.gyro_constant, out), 5000.0),
-    "counts.magnetic_field": lambda w, out: _scaled(_raw_magnetic(w, out), 5000.0),
+    "counts.angular_rate": lambda w, out: scaled(_measured(w, GYRO, w.state.rate, w.gyro_constant, out), 5000.0),
+    "counts.magnetic_field": lambda w, out: scaled(_raw_magnetic(w, out), 5000.0),
     "counts.pressure": lambda w, out: 100 * _single(PRESSURE, w.air[1], w, out),
     "counts.temperature": lambda w, _: (2350, 2350, 2350, 2400),
     "delta.rotation": _rotation,
@@ -286,8 +278,8 @@ _MOTION: dict[str, Function] = {
     "motion.acceleration": lambda w, out: _compensated_force(w, earth.turned(w.state.dcm, w.state.acceleration), out),
     "gravity.vector": lambda w, _: earth.turned(w.attitude[1], (0.0, 0.0, w.gravity)),
     "gravity.magnitude": lambda w, _: earth.gravity(w.modelled[0], w.modelled[2]),
-    "bias.angular_rate": lambda w, _: _sum(w.gyro_bias_left, w.gyro_bias_error),
-    "bias.specific_force": lambda w, _: _sum(w.accel_bias_left, w.accel_bias_error),
+    "bias.angular_rate": lambda w, _: summed(w.gyro_bias_left, w.gyro_bias_error),
+    "bias.specific_force": lambda w, _: summed(w.accel_bias_left, w.accel_bias_error),
     "bias.gyro_setting": lambda w, _: w.gyro_bias,
     "identity.matrix": lambda w, _: (1, 0, 0, 0, 1, 0, 0, 0, 1),
     "identity.quaternion": lambda w, _: (1, 0, 0, 0),

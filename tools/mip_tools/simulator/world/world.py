@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import cos
 from typing import Any, NamedTuple
 
@@ -12,11 +11,6 @@ from ...geometry.earth import Matrix, Vector, turned_back
 from ..filter.estimate import Complementary, Filter
 from ..motion.state import Motion
 from ..surroundings.surroundings import ANTENNAS, ZERO, Antenna, Surroundings, scaled
-
-
-def _vector(v: Sequence[float]) -> Vector:
-    x, y, z = v
-    return x, y, z
 
 
 class Place(NamedTuple):
@@ -103,7 +97,7 @@ class World(Surroundings):
         if estimated is not None and "accel_bias" not in estimated:
             return scaled(self.accel_bias_left, -1.0)
         left = self.filter.left
-        return _vector([pair.shown(0.0, left) for pair in self.filter.accel_bias])
+        return scaled([pair.shown(0.0, left) for pair in self.filter.accel_bias], 1.0)
 
     def fix(self, receiver: int) -> Antenna:
         """The position of the antenna as the receiver measures it."""
