@@ -170,6 +170,7 @@ def test_devices_that_cannot_use_them(caster: Caster) -> None:
 def test_what_is_no_url(url: str, error: str) -> None:
     code, _, said = mip("corrections", url, "nowhere")
     assert code == 2 and said.startswith(f"mip corrections: {error}")
+    assert "the mount point comes first" in mip("corrections", "/dev/ttyACM0", "ntrip://host/M")[2]
 
 
 def test_a_caster_that_is_not_there() -> None:

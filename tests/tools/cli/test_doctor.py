@@ -20,7 +20,7 @@ from typing import Any
 import mip_tools
 import numpy as np
 import pytest
-from mip_protocol import PacketBuilder, Parser, base, mip_3dm, shared, types
+from mip_protocol import PacketBuilder, Parser, base, filter_data, mip_3dm, sensor, shared, types
 from mip_tools.columns import read_log
 from mip_tools.doctor import findings, stream
 from mip_tools.doctor.events import Event, merged_events
@@ -392,8 +392,19 @@ def test_why_a_filter_does_not_run() -> None:
         "affects filter_data.attitude_quaternion, filter_data.attitude_dcm, filter_data.euler_angles",
     )
     assert "`mip fields 3dm.sensor_to_vehicle_transform_euler`" in mounting.details[0]
-    (unknown,) = findings.in_stream(examined(with_status(8), device=None))
-    assert unknown.cause == "unknown device"
+
+
+def test_flags_that_depend_on_the_device() -> None:
+    """They are known if all devices with these fields, and with these flags of times, have the same."""
+
+    def causes(data: bytes) -> set[str]:
+        return {found.cause for found in findings.in_stream(examined(data, device=None))}
+
+    assert causes(with_status(8)) == {"heading_warning"}
+    status = bytes(filter_data.Status(2, 1, 8).packet())
+    times = [bytes(sensor.GpsTimestamp(100 + i / 100, 2300, 7).packet()) for i in range(40)]
+    assert causes(40 * status) == {"unknown device", "no timestamps"}
+    assert causes(b"".join(time + status for time in times)) == {"run_matrix_singularity", "no timestamps"}
 
 
 def test_which_bits_are_set_at_the_end() -> None:

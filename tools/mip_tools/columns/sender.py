@@ -30,7 +30,7 @@ class Sender(KnownDevice):
         else:
             super().__init__(named, at_port)
         self._bits: dict[tuple[type[Field], str], int] = {}
-        self._recognized: dict[str, str] = {}
+        self._recognized: dict[str, tuple[str, ...]] = {}
 
     def device(self, log: Any) -> str | None:
         """Returns the id of the device."""
@@ -53,13 +53,20 @@ class Sender(KnownDevice):
         here = p.recognized(self._bits[key])
         if here.flags != p.readings[-1].flags and self._bits[key]:
             devices = next(r.devices for r in p.readings if r.flags == here.flags)
-            self._recognized[f"{kind.NAME}.{path}"] = _those_of(devices)
+            self._recognized[f"{kind.NAME}.{path}"] = devices
         return here
+
+    @property
+    def family(self) -> set[str]:
+        """The devices whose flags are like those in the log; none if the log does not show it."""
+        return set.intersection(*map(set, self._recognized.values())) if self._recognized else set()
 
     def assumed(self, log: Any) -> list[str]:
         """Says in a line each what was assumed about the device."""
         self._search(log)
-        same = [f"{name}: flags read as those of {whose} (recognized)" for name, whose in self._recognized.items()]
+        same = [
+            f"{name}: flags read as those of {_those_of(them)} (recognized)" for name, them in self._recognized.items()
+        ]
         return [*self.lines(), *(same if self.id is None else [])]
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import time
 from typing import TYPE_CHECKING, Any
@@ -15,7 +14,7 @@ from ..devices.known import KnownDevice
 from ..devices.settings import asking
 from ..errors import Failure, Misuse
 from ..files import outputs, signals
-from ..formats.plot import matplotlib_pyplot
+from ..formats import plot
 from ..logs import inputs
 from ..names.selection import one_field
 from ..options import add_baud, add_device, hertz, line_of, seconds
@@ -68,7 +67,7 @@ def run(options: argparse.Namespace) -> int:
         raise Misuse("--save is for --apply")
     if options.apply == "" and not at_port:
         raise Misuse("name the port of the device: --apply PORT")
-    pyplot = matplotlib_pyplot(window=False) if options.picture else None
+    pyplot = plot.matplotlib_pyplot(window=False) if plot.image_format(options.picture) else None
     points = _measured(options) if at_port else _logged(options)
     fit, share = _fitted(points, options)
     print(f"{len(points)} measurements, coverage {share:.0%}, field {fit.field:.4f} gauss")
@@ -220,6 +219,4 @@ def _draw(pyplot: Any, points: Array, fit: Fit, path: str) -> None:
         axis.set(aspect="equal", xlabel=f"{'xyz'[a]} in gauss", ylabel=f"{'xyz'[b]} in gauss")
         axis.grid(alpha=0.3)
     axes[0].legend()
-    form = os.path.splitext(path)[1].lstrip(".").lower() or "png"
-    with outputs.whole(path) as out:
-        figure.savefig(out, format=form, dpi=120)
+    plot.save(figure, path)

@@ -14,7 +14,7 @@ from typing import Any
 from ..binding import DEVICES, MipError, PortClosed
 from ..devices.known import KnownDevice
 from ..devices.names import value_named
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from ..files import outputs, signals
 from ..logs.recognize import recognized
 from ..names.selection import one_field
@@ -64,6 +64,8 @@ def _place(text: str) -> tuple[float, float, float]:
 
 
 def run(options: argparse.Namespace) -> int:
+    if options.port.startswith("ntrip://"):
+        raise Misuse("the mount point comes first: mip corrections NTRIP-URL PORT")
     source = ntrip.source_of(options.caster)
     known = KnownDevice(options.device)
     with signals.handled(signals.interrupt), connection.opened(line_of(options, options.port)) as device:

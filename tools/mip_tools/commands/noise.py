@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import os
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from ..errors import Failure
-from ..files import outputs
-from ..formats.plot import matplotlib_pyplot
+from ..formats import plot
 from ..logs import inputs
 from ..logs.assumed import print_assumptions
 from ..names.selection import one_field
@@ -49,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     inputs.need_numpy()
-    pyplot = matplotlib_pyplot(window=False) if options.picture else None
+    pyplot = plot.matplotlib_pyplot(window=False) if plot.image_format(options.picture) else None
     curves: dict[str, tuple[Array, Array, str]] = {}
     lines: list[str] = []
     with inputs.open_columns(options.file, options.device) as log:
@@ -118,6 +116,4 @@ def _draw(pyplot: Any, curves: dict[str, tuple[Array, Array, str]], path: str) -
         axis.set(title=name, xlabel="averaging time in s", ylabel=f"Allan deviation in {unit}")
         axis.grid(which="both", alpha=0.3)
         axis.legend()
-    form = os.path.splitext(path)[1].lstrip(".").lower() or "png"
-    with outputs.whole(path) as out:
-        figure.savefig(out, format=form, dpi=120)
+    plot.save(figure, path)

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import argparse
-import os
 
-from ..errors import Misuse
 from ..files import outputs
 from ..formats import plot
 from ..logs import inputs
@@ -21,7 +19,6 @@ examples:
 The file extension selects the format: png, svg, pdf. Values whose flags mark them as invalid are
 left out. Enumerations and flags are shown as numbers.
 """
-FORMATS = ("png", "svg", "pdf")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -49,7 +46,7 @@ def _size(text: str) -> tuple[float, float]:
 
 def run(options: argparse.Namespace) -> int:
     pyplot = plot.matplotlib_pyplot(window=options.output is None)
-    form = _format(options.output)
+    plot.image_format(options.output)
     if options.output is not None:
         outputs.refuse_input(options.output, options.file)
     curves = [curve for name in options.names for curve in plot.curves_of(name)]
@@ -59,18 +56,6 @@ def run(options: argparse.Namespace) -> int:
         if options.output is None:
             pyplot.show()
             return 0
-        with outputs.whole(options.output) as out:
-            figure.savefig(out, format=form, dpi=120)
+        plot.save(figure, options.output)
     outputs.note(f"{options.output}: {', '.join(options.names)}")
     return 0
-
-
-def _format(output: str | None) -> str | None:
-    if output is None:
-        return None
-    ending = os.path.splitext(output)[1].lstrip(".").lower()
-    if output == "-":
-        return "png"
-    if ending not in FORMATS:
-        raise Misuse(f"'.{ending}' is not a known format; name a file that ends in .png, .svg or .pdf")
-    return ending

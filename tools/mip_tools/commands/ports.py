@@ -66,7 +66,7 @@ def _system() -> list[_Port]:
         ours = port.vid == _VENDOR
         role = ("auxiliary" if port.serial_number == before else "main") if ours else ""
         before = port.serial_number if ours else None
-        ports.append(_Port(port.device, ours, port.description or "", role))
+        ports.append(_Port(port.device, ours, (port.description or "").removeprefix("n/a"), role))
     return ports
 
 

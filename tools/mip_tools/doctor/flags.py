@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..binding import BitsInfo, UnknownName, info, registry, timestamps
+from ..binding import DEVICES, BitsInfo, UnknownName, info, registry, timestamps
 from ..columns import Log
 from ..columns.scan import Array
 from ..columns.states import in_state
@@ -26,33 +26,53 @@ class Flags:
         self._watched: dict[Key, _Watched] = {}
         self._valid: dict[Key, _Valid] = {}
         self._state = ""
-        #: The fields whose flags depend on the device, which is not known.
-        self.unnamed: list[str] = []
+        self._able = set(DEVICES)  # those that send all fields so far
+        self._open: dict[Key, Any] = {}  # types of fields whose flags depend on which of these sends them
+
+    @property
+    def unnamed(self) -> list[str]:
+        """The fields whose flags depend on the device, which neither is known nor follows from its fields."""
+        return list(dict.fromkeys(kind.NAME for kind in self._open.values()))
 
     def watch(self, key: Key, kind: Any) -> None:
         """Starts counting the warning bits of a type of field, if it has any."""
-        places = [] if kind is None else list(self._places(kind))
-        if places:
-            self._watched[key] = _Watched(kind, places)
-        if kind is not None and not timestamps.clocks_of(*key) and any(p.flags for p in info(kind).parameters):
+        if kind is None:
+            return
+        self._open[key] = kind
+        self._narrow({device for device in self._able if DEVICES[device].has(*key)})
+        if not timestamps.clocks_of(*key) and any(p.flags for p in info(kind).parameters):
             self._valid[key] = _Valid(kind)
 
-    def _places(self, kind: Any) -> Iterator[tuple[str, list[Any]]]:
+    def _narrow(self, devices: set[str]) -> None:
+        """Notes that one of these devices sends the data, unless these are none."""
+        self._able = self._able & devices or self._able
+        for key, kind in list(self._open.items()):
+            del self._open[key]
+            places = list(self._places(key, kind))
+            if places:
+                self._watched[key] = _Watched(kind, places)
+
+    def _places(self, key: Key, kind: Any) -> Iterator[tuple[str, list[Any]]]:
         """Yields the parameters with warning bits."""
+        devices = self._able if self._device is None else {self._device}
         for p in info(kind).parameters:
             recognized = any(p.attribute in q.holders for q in info(kind).parameters)
-            if self._device is None and not recognized and any("type" in v.changes for v in p.variants):
-                self.unnamed += [kind.NAME] if kind.NAME not in self.unnamed else []
-            here = p.on(self._device) if self._device is not None else p
-            if here.type is None or p.kind != "scalar":
+            kinds = {p.on(device).type for device in devices if not recognized} or {p.type}
+            if len(kinds) > 1:
+                self._open[key] = kind
                 continue
-            about = info(here.type)
+            (its_type,) = kinds
+            if its_type is None or p.kind != "scalar":
+                continue
+            about = info(its_type)
             bits = [bit for bit in about.bits if bit.concerns] if isinstance(about, BitsInfo) else []
             if bits:
                 yield p.attribute, bits
 
     def add(self, log: Log) -> None:
         """Counts the bits in the next part of a log."""
+        if self._open:
+            self._narrow(log.sender.family)
         columns = log.columns([(number, watched.kind) for (number, _), watched in self._watched.items()])
         for watched, column in zip(self._watched.values(), columns):
             if len(column):
@@ -82,7 +102,7 @@ class Flags:
         if len(column):
             number = int(column["filter_state"][-1])
             p = column.parameters["filter_state"]
-            kinds = [p.type] if self._device is not None else [v.changes.get("type") for v in p.variants]
+            kinds = {p.on(device).type for device in (self._able if self._device is None else {self._device})}
             names = {info(kind).names.get(number, "") for kind in kinds if kind is not None}
             self._state = f"filter_state {number}{f' ({names.pop()})' if len(names) == 1 else ''}"
 

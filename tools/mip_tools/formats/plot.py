@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import argparse
+import os
 from collections.abc import Iterable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..binding import Data, MissingExtra, Parameter, UnknownName, info
 from ..errors import Failure, Misuse
+from ..files import outputs
 from ..names.occurrence import Occurrence
 from ..names.selection import matching_fields, one_field
 from ..text import clocks
 
 if TYPE_CHECKING:
     from ..columns import Log
+
+
+FORMATS = ("png", "svg", "pdf")
 
 
 class Curve(NamedTuple):
@@ -38,6 +43,24 @@ def matplotlib_pyplot(window: bool) -> Any:
     if window and matplotlib.get_backend().lower() == "agg":
         raise Failure("no window can be opened here; write an image with -o FILE.png")
     return pyplot
+
+
+def image_format(output: str | None) -> str | None:
+    """Returns the format of an image file, by its extension; None if there is no file. Raises Misuse."""
+    if output is None:
+        return None
+    ending = os.path.splitext(output)[1].lstrip(".").lower()
+    if output == "-":
+        return "png"
+    if ending not in FORMATS:
+        raise Misuse(f"'.{ending}' is not a known format; name a file that ends in .png, .svg or .pdf")
+    return ending
+
+
+def save(figure: Any, output: str) -> None:
+    """Writes a figure. Raises Failure."""
+    with outputs.whole(output) as out:
+        figure.savefig(out, format=image_format(output), dpi=120)
 
 
 def curves_of(name: str) -> list[Curve]:
