@@ -17,6 +17,7 @@ from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
+import c_build
 import pytest
 from support import BUILD, ROOT, later, need, packaging
 
@@ -166,7 +167,7 @@ def test_javascript(tmp_path: Path) -> None:
 
 @packaging
 def test_c(tmp_path: Path) -> None:
-    with zipfile.ZipFile(the("mip-c-*.zip")) as packed:
+    with zipfile.ZipFile(the(f"mip-c-{project.VERSION}.zip")) as packed:
         packed.extractall(tmp_path)
     sources = sorted(str(p.relative_to(tmp_path)) for p in tmp_path.glob("mip/src/mip/*/*.c"))
     readme = (tmp_path / "mip/README.md").read_text("utf-8")
@@ -179,6 +180,25 @@ def test_c(tmp_path: Path) -> None:
     run("cc", "-Imip/src", "-Imip/ports", "mip/examples/stream.c", *made, *ports, "-o", "stream", cwd=tmp_path)
     run("cc", "-Imip/src", "mip/quickstart.c", *made, "-o", "quickstart", cwd=tmp_path)
     assert " g" in run(tmp_path / "quickstart", cwd=tmp_path)
+
+
+@packaging
+def test_c_of_each_family(tmp_path: Path) -> None:
+    devices = [d["id"] for d in json.loads((ROOT / "generated/json/mip.json").read_text("utf-8"))["devices"]]
+    found: list[str] = []
+    for path in sorted(dist().glob(f"mip-c-*-{project.VERSION}.zip")):
+        family = path.name.removeprefix("mip-c-").removesuffix(f"-{project.VERSION}.zip")
+        with zipfile.ZipFile(path) as packed:
+            packed.extractall(tmp_path / family)
+        made = tmp_path / family / "mip"
+        c_build.builds(made, c_build.headers(made))
+        source = (made / "src/mip/extra/profiles.c").read_text("utf-8")
+        own = [d for d in devices if d.startswith(family)]
+        assert all(f'"{d}"' in source for d in own) and source.count("\nconst struct mip_profile mip_profile_") == len(
+            own
+        )
+        found += own
+    assert sorted(found) == sorted(devices)
 
 
 @packaging

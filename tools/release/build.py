@@ -3,8 +3,9 @@
     make release
     make release REHEARSE=1     does the dry run of each registry, too
 
-Packages of Python, Rust and JavaScript, archives of the rest, single files, checksums, an SBOM (CycloneDX) and the
-notes of the version. The platform wheels of mip-tools are built by the release workflow, on each platform.
+Packages of Python, Rust and JavaScript, archives of the rest, among them C for each product family, single files,
+checksums, an SBOM (CycloneDX) and the notes of the version. The platform wheels of mip-tools are built by the release
+workflow, on each platform.
 
 `tests/release` installs each artefact.
 """
@@ -93,6 +94,27 @@ def archive(folder: Path, to: Path, top: str, files: Callable[[Path], list[Path]
             packed.writestr(entry, path.read_bytes(), zipfile.ZIP_DEFLATED, 9)
 
 
+def families() -> dict[str, list[str]]:
+    """The devices of each product family, with which their ids begin: 3dm-gx5."""
+    found: dict[str, list[str]] = {}
+    for device in json.loads((GENERATED / "json/mip.json").read_text("utf-8"))["devices"]:
+        found.setdefault("-".join(device["id"].split("-")[:2]), []).append(device["id"])
+    return found
+
+
+def parts(family: str, devices: list[str], dist: Path) -> None:
+    """C for these devices only."""
+    with tempfile.TemporaryDirectory() as scratch:
+        chosen = [word for device in devices for word in ("--device", device)]
+        command = (sys.executable, "-m", "mipgen", "generate", "--target", "c", "--out", scratch, *chosen)
+        run(*command, cwd=ROOT, PYTHONPATH=str(ROOT / "generator"))
+        archive(Path(scratch) / "c", dist / f"mip-c-{family}-{VERSION}.zip", "mip", every)
+
+
+def every(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.rglob("*") if path.is_file())
+
+
 def notes() -> str:
     """The section of the changelog about the version."""
     text = (ROOT / "CHANGELOG.md").read_text("utf-8")
@@ -170,12 +192,13 @@ def release(dist: Path, site: Path | None) -> None:
     rust(GENERATED / "rust", dist)
     javascript(GENERATED / "javascript", dist)
     archive(GENERATED / "c", dist / f"mip-c-{VERSION}.zip", "mip")
+    for family, devices in families().items():
+        parts(family, devices, dist)
     archive(GENERATED / "ros2", dist / f"mip-ros2-{VERSION}.zip", "mip_msgs")
     for path in ("wireshark/mip.lua", "kaitai/mip.ksy", "json/mip.json", "json/mip.schema.json"):
         shutil.copyfile(GENERATED / path, dist / Path(path).name)
     if site is not None:
-        archive(site, dist / f"mip-reference-{VERSION}.zip", "mip-reference",
-                lambda folder: sorted(p for p in folder.rglob("*") if p.is_file()))  # fmt: skip
+        archive(site, dist / f"mip-reference-{VERSION}.zip", "mip-reference", every)
     listed = sums(dist)
     (dist / "sbom.cdx.json").write_text(bill(listed, needs(dist)), "utf-8")
     (dist / "NOTES.md").write_text(notes(), "utf-8")
