@@ -92,7 +92,7 @@ INCLUDED = {
     "parser.c": ("parser.c", "parser.h", "parser_small.c", "parser_fast.c", "checksum.h"),
     "client.c": ("client.c", "client.h"),
     "interpreter.c": ("program.c", "program.h"),
-    "codec.c": ("codec.c", "program.h"),
+    "codec.c": ("codec.c", "parser.h", "program.h"),
 }
 
 

@@ -1,4 +1,5 @@
 /* Decodes and encodes fields. */
+#include "mip/core/parser.h"
 #include "mip/core/program.h"
 
 #include <string.h>
@@ -64,13 +65,6 @@ MIP_INLINE void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, 
     }
 }
 
-/** Returns false, because no layout has its own code if size matters. */
-static inline bool move_shape(const struct mip_codec *codec, const uint8_t *wire,
-                              const uint8_t *memory, bool writing) {
-    (void)codec, (void)wire, (void)memory, (void)writing;
-    return false;
-}
-
 #else
 /** Does size matter more than speed? */
 #define SMALL false
@@ -124,6 +118,9 @@ MIP_QUICK void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, b
     }
 }
 
+#endif
+
+#if defined(MIP_PARSER_FAST) && !defined(__OPTIMIZE_SIZE__)
 /* Frequent layouts are read and written without a loop: two to four numbers of this many bits at an
  * offset, and the gap at the end of the structure. */
 #define MOVE_2(bits, at) \
@@ -182,7 +179,13 @@ MIP_QUICK bool move_shape(const struct mip_codec *codec, uint8_t *wire, uint8_t 
         return false;
     }
 }
-
+#else
+/** Returns false: no layout has its own code. */
+static inline bool move_shape(const struct mip_codec *codec, const uint8_t *wire,
+                              const uint8_t *memory, bool writing) {
+    (void)codec, (void)wire, (void)memory, (void)writing;
+    return false;
+}
 #endif
 
 bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set) {
