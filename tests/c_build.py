@@ -56,6 +56,14 @@ def run(*command: str | Path, **environment: str) -> str:
     return done.stdout
 
 
+def builds(made: Path, included: list[str]) -> None:
+    """All sources compile and link without warnings, each with all that it calls, and so does each header."""
+    program = made / "main.c"
+    program.write_text("".join(f'#include "{name}"\n' for name in included) + "int main(void) { return 0; }\n")
+    flags = [*WARNINGS, f"-I{made}/src"]
+    run(need("cc"), "-std=c99", *flags, program, *sorted(made.glob("src/mip/*/*.c")), "-o", made / "main")
+
+
 def stamp(spec: str, *command: str) -> str:
     digest = hashlib.sha256(" ".join(command).encode())
     for path in sorted(p for p in (folder(spec) / "src/mip").rglob("*") if p.is_file()):

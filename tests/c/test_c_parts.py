@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
 import pytest
-from c_build import WARNINGS, folder, headers, run
-from support import need, small, uses
+from c_build import WARNINGS, builds, folder, headers, run
+from mipgen import cli
+from support import SPECS, need, small, uses
 
 COMBINATIONS = ["core", "core sets", "core sets extra", "core sets cpp", "core sets extra cpp"]
-
-
-def builds(made: Path, included: list[str]) -> None:
-    """All sources compile and link without warnings, each with all that it calls, and so does each header."""
-    program = made / "main.c"
-    program.write_text("".join(f'#include "{name}"\n' for name in included) + "int main(void) { return 0; }\n")
-    flags = [*WARNINGS, f"-I{made}/src"]
-    run(need("cc"), "-std=c99", *flags, program, *sorted(made.glob("src/mip/*/*.c")), "-o", made / "main")
 
 
 def builds_in_cpp(made: Path) -> None:
@@ -39,3 +33,50 @@ def test_folders_are_parts(parts: str, spec: str, tmp_path: Path) -> None:
     builds(tmp_path, headers(tmp_path))
     if "cpp" in parts:
         builds_in_cpp(tmp_path)
+
+
+# --------------------------------------------------------------------------- mipgen generate --without
+
+
+def generated(out: Path, spec: str, *options: str) -> Path:
+    assert cli.main(["generate", "--spec", str(SPECS[spec][0]), "--out", str(out), "--target", "c", *options]) == 0
+    return out / "c"
+
+
+@small("the real C library without parts")
+@pytest.mark.parametrize("parts", ["extra", "cpp", "extra,cpp"])
+def test_what_is_left_out_is_in_no_file(parts: str, spec: str, tmp_path: Path) -> None:
+    made = generated(tmp_path, spec, "--without", parts)
+    pages = [made / "README.md", made / "meson.build", made / "cmake/sources.cmake", *made.rglob("examples/**/*.*")]
+    text = "".join(path.read_text("utf-8") for path in pages)
+    for name in parts.split(","):
+        assert not (made / "src/mip" / name).exists()
+        assert f"mip/{name}/" not in text and f"| `{name}/" not in text
+    assert "cpp" not in parts or not list(made.rglob("*.[hc]pp"))
+    listed = (made / "cmake/sources.cmake").read_text("utf-8")
+    assert listed.count(".c\n") == len(list(made.rglob("src/mip/**/*.c")))
+    builds(made, headers(made))
+
+
+@uses("g++")
+def test_cpp_builds_without_extra(tmp_path: Path) -> None:
+    builds_in_cpp(generated(tmp_path, "invented", "--without", "extra"))
+
+
+def test_a_device_has_only_its_profile(tmp_path: Path) -> None:
+    made = generated(tmp_path, "real", "--device", "3dm-gx5-15", "--set", "base")
+    profiles = (made / "src/mip/extra/profiles.h").read_text("utf-8")
+    assert re.findall(r"struct mip_profile (mip_profile_\w+);", profiles) == ["mip_profile_gx5_15"]
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("c", "extra,cp"), "no selected target has the part 'cp'; c has cpp, extra"),
+        (("rust", "extra"), "no selected target has the part 'extra', or any other"),
+    ],
+)
+def test_unknown_parts_are_refused(options: tuple[str, str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
+    target, parts = options
+    assert cli.main(["generate", "--spec", str(SPECS["invented"][0]), "--target", target, "--without", parts]) == 1
+    assert message in capsys.readouterr().err

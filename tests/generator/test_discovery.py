@@ -176,7 +176,7 @@ def test_a_change_of_a_target_is_seen(folder: Path) -> None:
         (lambda f: write(f / "csv/target.py", "TITLE = 'x'\ndef files(model): return ()\n"),
          "{f}/csv/target.py: error: TARGET is missing; add TARGET = Target(title=..., files=...)"),
         (lambda f: replace(f, "title=", "titel="), "{f}/csv/target.py:8: error: a Target has no attribute 'titel'; "
-         "it may have title, files, filters, runtime, identifiers, grammar, formatter, rename, slow, beside, "
+         "it may have title, files, filters, runtime, parts, identifiers, grammar, formatter, rename, slow, beside, "
          "conformance, needs, program"),
         (lambda f: replace(f, "files=files, ", ""),
          "{f}/csv/target.py:8: error: a Target needs title and files, by name: Target(title=..., files=..., ...)"),

@@ -119,7 +119,7 @@ def test_counts_agree() -> None:
     each = len(all_fields(of))  # the acknowledge field, too
     assert count(r"^    DESCRIPTOR = .*\n    NAME = \"\w+\.", "python", "*.py") == each
     assert count(r"^MIP_FIELD\(mip_\w+, ", "c/src/mip", "*.h") == each
-    assert count(r"^const struct mip_codec mip_\w+_codec = ", "c/src/mip", "*.c") == each
+    assert count(r"^MIP_CODEC\(mip_\w+, ", "c/src/mip", "*.c") == each
     assert count(r"^field! \{", "rust/src/", "*.rs") == each
     assert count(r"^    -orig-id: ", "kaitai", "mip.ksy") == each
     assert count(r"^\{\"set\":", "json", "mip.json") == each

@@ -18,6 +18,8 @@ examples:
   mipgen generate                           ./spec -> ./generated, all targets
   mipgen generate --target c --target rust  only these two
   mipgen generate --device 3dm-gx5-15       what one device supports
+  mipgen generate --target c --without extra,cpp
+                                            C without the folders that a program can do without
   mipgen generate --spec spec --spec mine   with your own fields as an overlay
   mipgen generate --plugin ./csv.js         with your own program as a further target
   mipgen check                              is ./generated up to date?
@@ -129,7 +131,7 @@ def parser() -> argparse.ArgumentParser:
     _spec(generate)
     _part(generate)
     _out(generate)
-    _plugins(_targets(generate))
+    _output(_targets(generate))
 
     diff = command("diff", "diff", "list what changed between two specifications, and what it breaks", DIFF)
     diff.add_argument("old", metavar="OLD", nargs="?", help="a folder, or a revision of the repository")
@@ -158,7 +160,7 @@ def parser() -> argparse.ArgumentParser:
     _spec(check)
     _part(check)
     _out(check)
-    _plugins(_targets(check))
+    _output(_targets(check))
 
     targets = command("targets", "targets", "list the targets")
     targets.add_argument("--names", action="store_true", help="print only their names")
@@ -220,7 +222,15 @@ def _targets(command: argparse.ArgumentParser) -> Any:
     return group
 
 
-def _plugins(group: Any) -> None:
+def _output(group: Any) -> None:
+    group.add_argument(
+        "--without",
+        action="extend",
+        type=lambda text: text.split(","),
+        default=[],
+        metavar="PART[,PART]",
+        help="leave out these parts of a target, such as extra,cpp of c",
+    )
     group.add_argument(
         "--plugin",
         action="append",

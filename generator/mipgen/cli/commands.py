@@ -94,7 +94,7 @@ def _repeated_options(options: Namespace) -> str:
     arguments = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
     arguments += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
     arguments += [("--target", options.targets or ()), ("--target-path", options.target_path)]
-    arguments += [("--plugin", options.plugins)]
+    arguments += [("--without", options.without), ("--plugin", options.plugins)]
     certain = " --certain" if getattr(options, "certain", False) else ""
     return "".join(f" {option} {shlex.quote(str(value))}" for option, values in arguments for value in values) + certain
 
@@ -102,7 +102,8 @@ def _repeated_options(options: Namespace) -> str:
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:
     """Returns the selected targets, and a key of everything on which their output depends."""
     specs = _specs(options)
-    sources = discovery.chosen(options.targets, options.target_path, getattr(options, "plugins", ()))
+    without = getattr(options, "without", ())
+    sources = discovery.chosen(options.targets, options.target_path, getattr(options, "plugins", ()), without)
     if any(source.module or source.program for source in sources):
         return sources, None  # the inputs of a user's module or program are unknown
     names = (source.name for source in sources)
@@ -110,8 +111,8 @@ def _asked(options: Namespace) -> tuple[list[Source], str | None]:
 
 
 def _part(options: Namespace) -> str:
-    """Returns the selected part of the specification as a text, for keys."""
-    return repr([getattr(options, name, ()) for name in (*PARTS, "certain")])
+    """Returns the selected part of the specification, and what of targets is left out, as a text, for keys."""
+    return repr([getattr(options, name, ()) for name in (*PARTS, "certain", "without")])
 
 
 def _apart(options: Namespace, sources: list[Source]) -> None:

@@ -11,10 +11,11 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import pkgutil
+import re
 import sys
 import traceback
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -40,10 +41,15 @@ class Source:
     runtimes: tuple[Traversable, ...]  # of files that are copied unchanged, likewise
     module: Path | None = None  # the user's target.py
     program: str | None = None  # the program of a plugin, which consists of nothing else
+    without: tuple[str, ...] = ()  # the parts to leave out
 
     @property
     def ours(self) -> bool:
         return self.module is None and len(self.folders) == 1
+
+    def has(self, path: str) -> bool:
+        """Is this path in no part that is left out?"""
+        return not any(re.match(self.load().parts[name], path) for name in self.without)
 
     def load(self) -> Target:
         """Loads the target that its module defines."""
@@ -109,13 +115,28 @@ def built_in(name: str) -> Source:
     return Source(name, (root / "templates" / name,), (root / RUNTIME / name,))
 
 
-def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> list[Source]:
-    """Returns the selected targets, or all; plugins are always included."""
+def chosen(
+    wanted: Sequence[str] | None,
+    paths: Sequence[Path] = (),
+    plugins: Sequence[str] = (),
+    without: Sequence[str] = (),
+) -> list[Source]:
+    """Returns the selected targets, or all, without these parts; plugins are always included."""
     by_name = targets(paths, plugins)
     for name in wanted or ():
         if name not in by_name:
             raise Failure(f"unknown target '{name}'{_nearest(name, by_name)}")
-    return [source for name, source in by_name.items() if not wanted or name in wanted or source.program]
+    sources = [source for name, source in by_name.items() if not wanted or name in wanted or source.program]
+    return _without(sources, without) if without else sources
+
+
+def _without(sources: list[Source], names: Sequence[str]) -> list[Source]:
+    parts = {source.name: () if source.program else sorted(source.load().parts) for source in sources}
+    known = "; ".join(f"{name} has {', '.join(of)}" for name, of in parts.items() if of)
+    for name in names:
+        if not any(name in of for of in parts.values()):
+            raise Failure(f"no selected target has the part '{name}'" + (f"; {known}" if known else ", or any other"))
+    return [replace(x, without=tuple(n for n in names if n in parts[x.name])) for x in sources]
 
 
 def _folders(path: Path) -> Iterator[Path]:

@@ -50,15 +50,21 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     target, place = source.load(), f"target {source.name}"
     templates = Templates(source, target.filters, {"model": model, "version": model.protocol.version})
     made = {"LICENSE": (resources.root() / "LICENSE").read_bytes(), **target.runtime(_runtime(source), model)}
+    made = {path: data for path, data in made.items() if source.has(path)}
+    paths = [*made]
     rename = target.renaming(model.protocol.package)
     if rename is not None:  # paths also contain the name
         made = {rename(path): rename(data.decode("utf-8")).encode("utf-8") for path, data in made.items()}
     for file in target.files(model):
         if not isinstance(file, File):
             raise Failure(f"files yields {file!r}; it must yield File(path, template)", place)
+        if not source.has(file.path):
+            continue
         path = file.path if rename is None else rename(file.path)
         output.admit(path, made, place)
-        text = templates.render(file.template, file.context, file.path)
+        context = file.context(paths) if callable(file.context) else file.context
+        text = templates.render(file.template, context, file.path)
+        paths.append(file.path)
         made[path] = (text if rename is None else rename(text)).encode("utf-8")
     if target.formatter is not None:
         made = formatting.formatted(target.formatter, made)

@@ -7,7 +7,7 @@ what the target's driver in `tests/conformance` can do.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -33,12 +33,12 @@ class WrongTarget(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class File:
-    """A file to make: its path, its template, and the template's variables; and the part of the specification after
-    which it is named, if there is one."""
+    """A file to make: its path, its template, and the template's variables, or a function that makes them from the
+    paths of all files before it; and the part of the specification after which it is named, if there is one."""
 
     path: str
     template: str
-    context: Mapping[str, Any] = field(default_factory=dict)
+    context: Mapping[str, Any] | Callable[[Sequence[str]], Mapping[str, Any]] = field(default_factory=dict)
     of: Family | Set | Field | Struct | Device | Guide | None = None
 
 
@@ -62,6 +62,8 @@ class Target:
     filters: Filters = field(default_factory=dict)
     #: Selects the files to copy, by path; by default all.
     runtime: Callable[[Mapping[str, bytes], Model], Mapping[str, bytes]] = _all
+    #: What users can leave out with `--without`: by name, a pattern of the paths.
+    parts: Mapping[str, str] = field(default_factory=dict)
     #: Yields every name that the output defines, with its scope, so that impossible names are found before anything
     #: is written.
     identifiers: Callable[[Model], Iterable[Identifier]] = _no_identifiers
@@ -128,6 +130,7 @@ _REQUIREMENTS: dict[str, tuple[Callable[[object], bool], str]] = {
     "files": (callable, _FUNCTION),
     "filters": (lambda value: isinstance(value, Mapping), "a mapping of functions by name"),
     "runtime": (callable, "a function that takes the files and the model"),
+    "parts": (lambda value: isinstance(value, Mapping), "a mapping of patterns by name"),
     "identifiers": (callable, _FUNCTION),
     "grammar": (_optional(Grammar), "a Grammar"),
     "formatter": (_optional(Formatter), "a Formatter, such as mipgen.emit.formatting.RUFF"),

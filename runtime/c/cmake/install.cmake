@@ -4,12 +4,15 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/mip)
 
-install(TARGETS mip_protocol mip_protocol_cpp EXPORT mipTargets
+install(TARGETS mip_protocol EXPORT mipTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${MIP_FOLDER}/src/mip DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN sets EXCLUDE)
+if(TARGET mip_protocol_cpp)
+  install(TARGETS mip_protocol_cpp EXPORT mipTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endif()
 if(TARGET mip_ports)
   install(TARGETS mip_ports EXPORT mipTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -17,11 +17,9 @@ The finished source is in runtime/c. Where to change what, and its tests in `tes
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from itertools import groupby
+from collections.abc import Iterator, Sequence
 
 from mipgen import model as m
-from mipgen.base import resources
 from mipgen.emit import formatting, package
 from mipgen.emit.target import File, Target
 from mipgen.lower.lists import by_command, defined
@@ -31,8 +29,14 @@ from .comments import comment
 from .identifiers import identifiers
 from .names import GRAMMAR
 
-#: Headers, and the folders core, sets, extra and cpp.
+#: Headers that every program may need, and folders.
 FOLDER = "src/mip/"
+FOLDERS = ("core", "cpp", "extra", "sets")
+#: What users can leave out, with the examples that need it.
+PARTS = {
+    "cpp": rf"{FOLDER}cpp/|.*\.[hc]pp$|examples/arduino_cpp/|Doxyfile\.cpp|docs/cpp\.md",
+    "extra": rf"{FOLDER}extra/|examples/log\.",
+}
 #: Example programs for several kinds of systems. Arduino's IDE requires each in a folder with its name.
 EXAMPLES = (
     "stream.c",
@@ -55,12 +59,11 @@ MANIFESTS = (
 
 
 def files(model: m.Model) -> Iterator[File]:
-    made = [*code(model), *in_cpp(model)]
-    made.append(File(f"{FOLDER}mip.h", "mip.h.j2", {"headers": all_headers(made)}))
-    headers = [name for name in present(made) if re.fullmatch(r"cpp/\w+\.hpp", name)]
-    made.append(File(f"{FOLDER}cpp/mip.hpp", "mip.hpp.j2", {"headers": headers}))
-    yield from made
-    yield from packages(model, made)
+    yield from code(model)
+    yield from in_cpp(model)
+    yield File(f"{FOLDER}mip.h", "mip.h.j2", lambda paths: {"headers": named(paths, r"mip/\w+\.h")})
+    yield File(f"{FOLDER}cpp/mip.hpp", "mip.hpp.j2", lambda paths: {"headers": named(paths, r"mip/cpp/\w+\.hpp")})
+    yield from packages(model)
     quickstart = model.program("quickstart.c")
     if quickstart:
         yield File("quickstart.c", "verbatim.j2", {"text": quickstart})
@@ -77,9 +80,12 @@ def files(model: m.Model) -> Iterator[File]:
     shown["first"] = model.program("stream.c").partition("*/\n")[2].rstrip() if session else ""
     shown["ping"] = session.ping if session else ""
     shown["quickstart"] = quickstart.partition("*/\n")[2].rstrip()
-    yield File("README.md", "README.md.j2", shown)
-    for name in PAGES:
-        yield File(f"docs/{name}.md", f"{name}.md.j2", shown)
+
+    def texts(paths: Sequence[str]) -> dict[str, object]:
+        return {**shown, "folders": {path.split("/")[1] for path in named(paths, "mip/.*/.*")}}
+
+    for path, name in (("README.md", "README"), *((f"docs/{name}.md", name) for name in PAGES)):
+        yield File(path, f"{name}.md.j2", texts)
 
 
 def code(model: m.Model) -> Iterator[File]:
@@ -142,37 +148,33 @@ def in_cpp(model: m.Model) -> Iterator[File]:
             yield File(f"{FOLDER}cpp/{family.name}_commands.hpp", "commands.hpp.j2", {"family": family}, family.of)
 
 
-def all_headers(made: list[File]) -> list[str]:
-    """Returns the headers that programs include, both generated and from the runtime, without those in folders."""
-    return [name for name in present(made) if re.fullmatch(r"\w+\.h", name)]
+def named(paths: Sequence[str], pattern: str) -> list[str]:
+    """Returns the headers and sources whose paths, below src, match a pattern, in order."""
+    names = (path.removeprefix("src/") for path in paths if path.startswith(FOLDER))
+    return sorted(name for name in names if re.fullmatch(pattern, name))
 
 
-def present(made: list[File]) -> list[str]:
-    """Returns the paths of all headers and sources in `FOLDER`, both generated and from the runtime."""
-    runtime = resources.files_in(resources.root() / "runtime/c" / FOLDER)
-    return sorted({*(path for path, _ in runtime), *(f.path.removeprefix(FOLDER) for f in made)})
-
-
-def packages(model: m.Model, made: list[File]) -> Iterator[File]:
+def packages(model: m.Model) -> Iterator[File]:
     """Yields the files for build systems and package managers, which list version, sources and headers."""
-    names, protocol = present(made), model.protocol
-    headers = sorted(
-        (f"mip/{name}" for name in names if name.endswith((".h", ".hpp"))), key=lambda n: n.split("/")[:-1]
-    )
+    protocol = model.protocol
     facts = {
-        "sources": [name for name in names if name.endswith(".c")],
-        "headers": [(folder, [*within]) for folder, within in groupby(headers, lambda name: name.rpartition("/")[0])],
         "soversion": ".".join(protocol.version.split(".")[:2]),
         "summary": f"The {protocol.title}",
         "keywords": list(dict.fromkeys([protocol.package, *map(str.lower, protocol.keywords), "protocol"])),
     }
+
+    def listed(paths: Sequence[str]) -> dict[str, object]:
+        headers = {folder: named(paths, rf"{folder}/\w+\.hp*") for folder in ("mip", *(f"mip/{x}" for x in FOLDERS))}
+        return {**facts, "sources": named(paths, r".*\.c"), "headers": {k: v for k, v in headers.items() if v}}
+
     for path in MANIFESTS:
-        yield File(path, f"{path.rpartition('/')[2]}.j2", facts)
+        yield File(path, f"{path.rpartition('/')[2]}.j2", listed)
 
 
 TARGET = Target(
     title="C99, library mip",
     files=files,
+    parts=PARTS,
     filters={
         "comment": comment,
         "hex": literals.hexadecimal,

@@ -7,9 +7,7 @@ static const uint8_t program_acknowledge[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_protocol_acknowledge_codec = {
-    0x00, 0xF1, MIP_RESPONSE,        2,   sizeof(struct mip_protocol_acknowledge),
-    0,    0,    program_acknowledge, NULL};
+MIP_CODEC(mip_protocol_acknowledge, 0x00, 0xF1, MIP_RESPONSE, 2, 0, 0, program_acknowledge, NULL);
 
 /* A switch, because every program that reports errors needs these names, and few need the tables of
  * others. */

@@ -14,20 +14,14 @@ static const uint8_t program_poll_imu_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C, 0x01, MIP_COMMAND,           0,           sizeof(struct mip_3dm_poll_imu_data),
-    0,    0,    program_poll_imu_data, &mip_program};
+MIP_CODEC(mip_3dm_poll_imu_data, 0x0C, 0x01, MIP_COMMAND, 0, 0, 0, program_poll_imu_data,
+          &mip_program);
 
 static const struct mip_response responses_poll_imu_data[] = {
     {NULL, 0x00, 2, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_poll_imu_data_exchange = {
-    0x0C, 0x01, 0, sizeof(responses_poll_imu_data) / sizeof(responses_poll_imu_data[0]),
-    responses_poll_imu_data};
-
-const struct mip_command mip_3dm_poll_imu_data_command = {&mip_3dm_poll_imu_data_codec,
-                                                          &mip_3dm_poll_imu_data_exchange, false};
+MIP_EXCHANGE(mip_3dm_poll_imu_data, 0x0C, 0x01, 0, 1, responses_poll_imu_data, false);
 
 static const uint8_t program_poll_gnss_data[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_gnss_data, suppress_ack)),
@@ -40,26 +34,14 @@ static const uint8_t program_poll_gnss_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_gnss_data_codec = {0x0C,
-                                                       0x02,
-                                                       MIP_COMMAND,
-                                                       0,
-                                                       sizeof(struct mip_3dm_poll_gnss_data),
-                                                       0,
-                                                       0,
-                                                       program_poll_gnss_data,
-                                                       &mip_program};
+MIP_CODEC(mip_3dm_poll_gnss_data, 0x0C, 0x02, MIP_COMMAND, 0, 0, 0, program_poll_gnss_data,
+          &mip_program);
 
 static const struct mip_response responses_poll_gnss_data[] = {
     {NULL, 0x00, 2, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_poll_gnss_data_exchange = {
-    0x0C, 0x02, 0, sizeof(responses_poll_gnss_data) / sizeof(responses_poll_gnss_data[0]),
-    responses_poll_gnss_data};
-
-const struct mip_command mip_3dm_poll_gnss_data_command = {&mip_3dm_poll_gnss_data_codec,
-                                                           &mip_3dm_poll_gnss_data_exchange, false};
+MIP_EXCHANGE(mip_3dm_poll_gnss_data, 0x0C, 0x02, 0, 1, responses_poll_gnss_data, false);
 
 static const uint8_t program_poll_filter_data[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_filter_data, suppress_ack)),
@@ -72,26 +54,14 @@ static const uint8_t program_poll_filter_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_filter_data_codec = {0x0C,
-                                                         0x03,
-                                                         MIP_COMMAND,
-                                                         0,
-                                                         sizeof(struct mip_3dm_poll_filter_data),
-                                                         0,
-                                                         0,
-                                                         program_poll_filter_data,
-                                                         &mip_program};
+MIP_CODEC(mip_3dm_poll_filter_data, 0x0C, 0x03, MIP_COMMAND, 0, 0, 0, program_poll_filter_data,
+          &mip_program);
 
 static const struct mip_response responses_poll_filter_data[] = {
     {NULL, 0x00, 2, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_poll_filter_data_exchange = {
-    0x0C, 0x03, 0, sizeof(responses_poll_filter_data) / sizeof(responses_poll_filter_data[0]),
-    responses_poll_filter_data};
-
-const struct mip_command mip_3dm_poll_filter_data_command = {
-    &mip_3dm_poll_filter_data_codec, &mip_3dm_poll_filter_data_exchange, false};
+MIP_EXCHANGE(mip_3dm_poll_filter_data, 0x0C, 0x03, 0, 1, responses_poll_filter_data, false);
 
 static const uint8_t program_poll_nmea_data[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_nmea_data, suppress_ack)),
@@ -104,109 +74,56 @@ static const uint8_t program_poll_nmea_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_nmea_data_codec = {0x0C,
-                                                       0x04,
-                                                       MIP_COMMAND,
-                                                       0,
-                                                       sizeof(struct mip_3dm_poll_nmea_data),
-                                                       0,
-                                                       0,
-                                                       program_poll_nmea_data,
-                                                       &mip_program};
+MIP_CODEC(mip_3dm_poll_nmea_data, 0x0C, 0x04, MIP_COMMAND, 0, 0, 0, program_poll_nmea_data,
+          &mip_program);
 
 static const struct mip_response responses_poll_nmea_data[] = {
     {NULL, 0x00, 2, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_poll_nmea_data_exchange = {
-    0x0C, 0x04, 0, sizeof(responses_poll_nmea_data) / sizeof(responses_poll_nmea_data[0]),
-    responses_poll_nmea_data};
-
-const struct mip_command mip_3dm_poll_nmea_data_command = {&mip_3dm_poll_nmea_data_codec,
-                                                           &mip_3dm_poll_nmea_data_exchange, false};
+MIP_EXCHANGE(mip_3dm_poll_nmea_data, 0x0C, 0x04, 0, 1, responses_poll_nmea_data, false);
 
 static const uint8_t program_get_imu_base_rate[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_imu_base_rate_codec = {0x0C,
-                                                          0x06,
-                                                          MIP_COMMAND,
-                                                          0,
-                                                          sizeof(struct mip_3dm_get_imu_base_rate),
-                                                          0,
-                                                          0,
-                                                          program_get_imu_base_rate,
-                                                          NULL};
+MIP_CODEC(mip_3dm_get_imu_base_rate, 0x0C, 0x06, MIP_COMMAND, 0, 0, 0, program_get_imu_base_rate,
+          NULL);
 
 static const struct mip_response responses_get_imu_base_rate[] = {
     {NULL, 0x83, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_get_imu_base_rate_exchange = {
-    0x0C, 0x06, 0, sizeof(responses_get_imu_base_rate) / sizeof(responses_get_imu_base_rate[0]),
-    responses_get_imu_base_rate};
-
-const struct mip_command mip_3dm_get_imu_base_rate_command = {
-    &mip_3dm_get_imu_base_rate_codec, &mip_3dm_get_imu_base_rate_exchange, false};
+MIP_EXCHANGE(mip_3dm_get_imu_base_rate, 0x0C, 0x06, 0, 1, responses_get_imu_base_rate, false);
 
 static const uint8_t program_get_imu_base_rate_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_imu_base_rate_response, rate)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
-    0x0C,
-    0x83,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_get_imu_base_rate_response),
-    0,
-    MIP_SHAPE(0, 0, 1),
-    program_get_imu_base_rate_response,
-    NULL};
+MIP_CODEC(mip_3dm_get_imu_base_rate_response, 0x0C, 0x83, MIP_RESPONSE, 2, 0, MIP_SHAPE(0, 0, 1),
+          program_get_imu_base_rate_response, NULL);
 
 static const uint8_t program_get_gnss_base_rate[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
-    0x0C,
-    0x07,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_get_gnss_base_rate),
-    0,
-    0,
-    program_get_gnss_base_rate,
-    NULL};
+MIP_CODEC(mip_3dm_get_gnss_base_rate, 0x0C, 0x07, MIP_COMMAND, 0, 0, 0, program_get_gnss_base_rate,
+          NULL);
 
 static const struct mip_response responses_get_gnss_base_rate[] = {
     {NULL, 0x84, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange = {
-    0x0C, 0x07, 0, sizeof(responses_get_gnss_base_rate) / sizeof(responses_get_gnss_base_rate[0]),
-    responses_get_gnss_base_rate};
-
-const struct mip_command mip_3dm_get_gnss_base_rate_command = {
-    &mip_3dm_get_gnss_base_rate_codec, &mip_3dm_get_gnss_base_rate_exchange, false};
+MIP_EXCHANGE(mip_3dm_get_gnss_base_rate, 0x0C, 0x07, 0, 1, responses_get_gnss_base_rate, false);
 
 static const uint8_t program_get_gnss_base_rate_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_gnss_base_rate_response, rate)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
-    0x0C,
-    0x84,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_get_gnss_base_rate_response),
-    0,
-    MIP_SHAPE(0, 0, 1),
-    program_get_gnss_base_rate_response,
-    NULL};
+MIP_CODEC(mip_3dm_get_gnss_base_rate_response, 0x0C, 0x84, MIP_RESPONSE, 2, 0, MIP_SHAPE(0, 0, 1),
+          program_get_gnss_base_rate_response, NULL);
 
 static const uint8_t program_imu_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -222,27 +139,14 @@ static const uint8_t program_imu_message_format[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_imu_message_format_codec = {
-    0x0C,
-    0x08,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_imu_message_format),
-    0,
-    0,
-    program_imu_message_format,
-    &mip_program};
+MIP_CODEC(mip_3dm_imu_message_format, 0x0C, 0x08, MIP_COMMAND, 0, 0, 0, program_imu_message_format,
+          &mip_program);
 
 static const struct mip_response responses_imu_message_format[] = {
     {NULL, 0x80, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_imu_message_format_exchange = {
-    0x0C, 0x08, 0, sizeof(responses_imu_message_format) / sizeof(responses_imu_message_format[0]),
-    responses_imu_message_format};
-
-const struct mip_command mip_3dm_imu_message_format_command = {
-    &mip_3dm_imu_message_format_codec, &mip_3dm_imu_message_format_exchange, true};
+MIP_EXCHANGE(mip_3dm_imu_message_format, 0x0C, 0x08, 0, 1, responses_imu_message_format, true);
 
 static const uint8_t program_imu_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_message_format_response, num_descriptors)),
@@ -256,16 +160,8 @@ static const uint8_t program_imu_message_format_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_imu_message_format_response_codec = {
-    0x0C,
-    0x80,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_imu_message_format_response),
-    0,
-    0,
-    program_imu_message_format_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_imu_message_format_response, 0x0C, 0x80, MIP_RESPONSE, 0, 0, 0,
+          program_imu_message_format_response, &mip_program);
 
 static const uint8_t program_gnss_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -281,27 +177,14 @@ static const uint8_t program_gnss_message_format[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gnss_message_format_codec = {
-    0x0C,
-    0x09,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_gnss_message_format),
-    0,
-    0,
-    program_gnss_message_format,
-    &mip_program};
+MIP_CODEC(mip_3dm_gnss_message_format, 0x0C, 0x09, MIP_COMMAND, 0, 0, 0,
+          program_gnss_message_format, &mip_program);
 
 static const struct mip_response responses_gnss_message_format[] = {
     {NULL, 0x81, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gnss_message_format_exchange = {
-    0x0C, 0x09, 0, sizeof(responses_gnss_message_format) / sizeof(responses_gnss_message_format[0]),
-    responses_gnss_message_format};
-
-const struct mip_command mip_3dm_gnss_message_format_command = {
-    &mip_3dm_gnss_message_format_codec, &mip_3dm_gnss_message_format_exchange, true};
+MIP_EXCHANGE(mip_3dm_gnss_message_format, 0x0C, 0x09, 0, 1, responses_gnss_message_format, true);
 
 static const uint8_t program_gnss_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_message_format_response, num_descriptors)),
@@ -315,16 +198,8 @@ static const uint8_t program_gnss_message_format_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
-    0x0C,
-    0x81,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_gnss_message_format_response),
-    0,
-    0,
-    program_gnss_message_format_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_gnss_message_format_response, 0x0C, 0x81, MIP_RESPONSE, 0, 0, 0,
+          program_gnss_message_format_response, &mip_program);
 
 static const uint8_t program_filter_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -340,28 +215,15 @@ static const uint8_t program_filter_message_format[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_filter_message_format_codec = {
-    0x0C,
-    0x0A,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_filter_message_format),
-    0,
-    0,
-    program_filter_message_format,
-    &mip_program};
+MIP_CODEC(mip_3dm_filter_message_format, 0x0C, 0x0A, MIP_COMMAND, 0, 0, 0,
+          program_filter_message_format, &mip_program);
 
 static const struct mip_response responses_filter_message_format[] = {
     {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_filter_message_format_exchange = {
-    0x0C, 0x0A, 0,
-    sizeof(responses_filter_message_format) / sizeof(responses_filter_message_format[0]),
-    responses_filter_message_format};
-
-const struct mip_command mip_3dm_filter_message_format_command = {
-    &mip_3dm_filter_message_format_codec, &mip_3dm_filter_message_format_exchange, true};
+MIP_EXCHANGE(mip_3dm_filter_message_format, 0x0C, 0x0A, 0, 1, responses_filter_message_format,
+             true);
 
 static const uint8_t program_filter_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_filter_message_format_response, num_descriptors)),
@@ -375,59 +237,29 @@ static const uint8_t program_filter_message_format_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_filter_message_format_response_codec = {
-    0x0C,
-    0x82,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_filter_message_format_response),
-    0,
-    0,
-    program_filter_message_format_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_filter_message_format_response, 0x0C, 0x82, MIP_RESPONSE, 0, 0, 0,
+          program_filter_message_format_response, &mip_program);
 
 static const uint8_t program_get_filter_base_rate[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
-    0x0C,
-    0x0B,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_get_filter_base_rate),
-    0,
-    0,
-    program_get_filter_base_rate,
-    NULL};
+MIP_CODEC(mip_3dm_get_filter_base_rate, 0x0C, 0x0B, MIP_COMMAND, 0, 0, 0,
+          program_get_filter_base_rate, NULL);
 
 static const struct mip_response responses_get_filter_base_rate[] = {
     {NULL, 0x8A, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_get_filter_base_rate_exchange = {
-    0x0C, 0x0B, 0,
-    sizeof(responses_get_filter_base_rate) / sizeof(responses_get_filter_base_rate[0]),
-    responses_get_filter_base_rate};
-
-const struct mip_command mip_3dm_get_filter_base_rate_command = {
-    &mip_3dm_get_filter_base_rate_codec, &mip_3dm_get_filter_base_rate_exchange, false};
+MIP_EXCHANGE(mip_3dm_get_filter_base_rate, 0x0C, 0x0B, 0, 1, responses_get_filter_base_rate, false);
 
 static const uint8_t program_get_filter_base_rate_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_filter_base_rate_response, rate)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
-    0x0C,
-    0x8A,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_get_filter_base_rate_response),
-    0,
-    MIP_SHAPE(0, 0, 1),
-    program_get_filter_base_rate_response,
-    NULL};
+MIP_CODEC(mip_3dm_get_filter_base_rate_response, 0x0C, 0x8A, MIP_RESPONSE, 2, 0, MIP_SHAPE(0, 0, 1),
+          program_get_filter_base_rate_response, NULL);
 
 static const uint8_t program_nmea_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -443,27 +275,14 @@ static const uint8_t program_nmea_message_format[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_nmea_message_format_codec = {
-    0x0C,
-    0x0C,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_nmea_message_format),
-    0,
-    0,
-    program_nmea_message_format,
-    &mip_program};
+MIP_CODEC(mip_3dm_nmea_message_format, 0x0C, 0x0C, MIP_COMMAND, 0, 0, 0,
+          program_nmea_message_format, &mip_program);
 
 static const struct mip_response responses_nmea_message_format[] = {
     {NULL, 0x8C, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_nmea_message_format_exchange = {
-    0x0C, 0x0C, 0, sizeof(responses_nmea_message_format) / sizeof(responses_nmea_message_format[0]),
-    responses_nmea_message_format};
-
-const struct mip_command mip_3dm_nmea_message_format_command = {
-    &mip_3dm_nmea_message_format_codec, &mip_3dm_nmea_message_format_exchange, true};
+MIP_EXCHANGE(mip_3dm_nmea_message_format, 0x0C, 0x0C, 0, 1, responses_nmea_message_format, true);
 
 static const uint8_t program_nmea_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_nmea_message_format_response, count)),
@@ -477,16 +296,8 @@ static const uint8_t program_nmea_message_format_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
-    0x0C,
-    0x8C,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_nmea_message_format_response),
-    0,
-    0,
-    program_nmea_message_format_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_nmea_message_format_response, 0x0C, 0x8C, MIP_RESPONSE, 0, 0, 0,
+          program_nmea_message_format_response, &mip_program);
 
 static const uint8_t program_poll_data[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_poll_data, descriptor_set)),
@@ -496,40 +307,26 @@ static const uint8_t program_poll_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C, 0x0D, MIP_COMMAND,       0,           sizeof(struct mip_3dm_poll_data),
-    0,    0,    program_poll_data, &mip_program};
+MIP_CODEC(mip_3dm_poll_data, 0x0C, 0x0D, MIP_COMMAND, 0, 0, 0, program_poll_data, &mip_program);
 
 static const struct mip_response responses_poll_data[] = {
     {NULL, 0x00, 3, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_poll_data_exchange = {
-    0x0C, 0x0D, 0, sizeof(responses_poll_data) / sizeof(responses_poll_data[0]),
-    responses_poll_data};
-
-const struct mip_command mip_3dm_poll_data_command = {&mip_3dm_poll_data_codec,
-                                                      &mip_3dm_poll_data_exchange, false};
+MIP_EXCHANGE(mip_3dm_poll_data, 0x0C, 0x0D, 0, 1, responses_poll_data, false);
 
 static const uint8_t program_get_base_rate[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_base_rate, descriptor_set)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_base_rate_codec = {
-    0x0C, 0x0E, MIP_COMMAND,           1,   sizeof(struct mip_3dm_get_base_rate),
-    0,    0,    program_get_base_rate, NULL};
+MIP_CODEC(mip_3dm_get_base_rate, 0x0C, 0x0E, MIP_COMMAND, 1, 0, 0, program_get_base_rate, NULL);
 
 static const struct mip_response responses_get_base_rate[] = {
     {NULL, 0x8E, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_get_base_rate_exchange = {
-    0x0C, 0x0E, 0, sizeof(responses_get_base_rate) / sizeof(responses_get_base_rate[0]),
-    responses_get_base_rate};
-
-const struct mip_command mip_3dm_get_base_rate_command = {&mip_3dm_get_base_rate_codec,
-                                                          &mip_3dm_get_base_rate_exchange, false};
+MIP_EXCHANGE(mip_3dm_get_base_rate, 0x0C, 0x0E, 0, 1, responses_get_base_rate, false);
 
 static const uint8_t program_get_base_rate_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_base_rate_response, descriptor_set)),
@@ -537,16 +334,8 @@ static const uint8_t program_get_base_rate_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_base_rate_response_codec = {
-    0x0C,
-    0x8E,
-    MIP_RESPONSE,
-    3,
-    sizeof(struct mip_3dm_get_base_rate_response),
-    0,
-    0,
-    program_get_base_rate_response,
-    NULL};
+MIP_CODEC(mip_3dm_get_base_rate_response, 0x0C, 0x8E, MIP_RESPONSE, 3, 0, 0,
+          program_get_base_rate_response, NULL);
 
 static const uint8_t program_message_format[] = {
     MIP_REQUIRED(5, 3, 1, 1, 1, 1),
@@ -563,26 +352,14 @@ static const uint8_t program_message_format[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_message_format_codec = {0x0C,
-                                                       0x0F,
-                                                       MIP_COMMAND,
-                                                       0,
-                                                       sizeof(struct mip_3dm_message_format),
-                                                       0,
-                                                       0,
-                                                       program_message_format,
-                                                       &mip_program};
+MIP_CODEC(mip_3dm_message_format, 0x0C, 0x0F, MIP_COMMAND, 0, 0, 0, program_message_format,
+          &mip_program);
 
 static const struct mip_response responses_message_format[] = {
     {NULL, 0x8F, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_message_format_exchange = {
-    0x0C, 0x0F, 0, sizeof(responses_message_format) / sizeof(responses_message_format[0]),
-    responses_message_format};
-
-const struct mip_command mip_3dm_message_format_command = {&mip_3dm_message_format_codec,
-                                                           &mip_3dm_message_format_exchange, true};
+MIP_EXCHANGE(mip_3dm_message_format, 0x0C, 0x0F, 0, 1, responses_message_format, true);
 
 static const uint8_t program_message_format_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_message_format_response, descriptor_set)),
@@ -596,36 +373,18 @@ static const uint8_t program_message_format_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_message_format_response_codec = {
-    0x0C,
-    0x8F,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_message_format_response),
-    0,
-    0,
-    program_message_format_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_message_format_response, 0x0C, 0x8F, MIP_RESPONSE, 0, 0, 0,
+          program_message_format_response, &mip_program);
 
 static const uint8_t program_factory_streaming[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_factory_streaming, action)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_factory_streaming_codec = {0x0C,
-                                                          0x10,
-                                                          MIP_COMMAND,
-                                                          2,
-                                                          sizeof(struct mip_3dm_factory_streaming),
-                                                          0,
-                                                          0,
-                                                          program_factory_streaming,
-                                                          NULL};
+MIP_CODEC(mip_3dm_factory_streaming, 0x0C, 0x10, MIP_COMMAND, 2, 0, 0, program_factory_streaming,
+          NULL);
 
-const struct mip_exchange mip_3dm_factory_streaming_exchange = {0x0C, 0x10, 0, 0, NULL};
-
-const struct mip_command mip_3dm_factory_streaming_command = {
-    &mip_3dm_factory_streaming_codec, &mip_3dm_factory_streaming_exchange, false};
+MIP_EXCHANGE(mip_3dm_factory_streaming, 0x0C, 0x10, 0, 0, NULL, false);
 
 static const uint8_t program_data_stream_control[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -636,43 +395,22 @@ static const uint8_t program_data_stream_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_data_stream_control_codec = {
-    0x0C,
-    0x11,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_data_stream_control),
-    0,
-    0,
-    program_data_stream_control,
-    &mip_program};
+MIP_CODEC(mip_3dm_data_stream_control, 0x0C, 0x11, MIP_COMMAND, 0, 0, 0,
+          program_data_stream_control, &mip_program);
 
 static const struct mip_response responses_data_stream_control[] = {
     {NULL, 0x85, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_data_stream_control_exchange = {
-    0x0C, 0x11, 0, sizeof(responses_data_stream_control) / sizeof(responses_data_stream_control[0]),
-    responses_data_stream_control};
-
-const struct mip_command mip_3dm_data_stream_control_command = {
-    &mip_3dm_data_stream_control_codec, &mip_3dm_data_stream_control_exchange, true};
+MIP_EXCHANGE(mip_3dm_data_stream_control, 0x0C, 0x11, 0, 1, responses_data_stream_control, true);
 
 static const uint8_t program_data_stream_control_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_data_stream_control_response, descriptor_set)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_data_stream_control_response_codec = {
-    0x0C,
-    0x85,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_data_stream_control_response),
-    0,
-    0,
-    program_data_stream_control_response,
-    NULL};
+MIP_CODEC(mip_3dm_data_stream_control_response, 0x0C, 0x85, MIP_RESPONSE, 2, 0, 0,
+          program_data_stream_control_response, NULL);
 
 static const uint8_t program_raw_rtcm_2_3_message[] = {
     MIP_REST(253, 1, MIP_AT(struct mip_3dm_raw_rtcm_2_3_message, data_count)),
@@ -680,21 +418,10 @@ static const uint8_t program_raw_rtcm_2_3_message[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec = {
-    0x0C,
-    0x20,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_raw_rtcm_2_3_message),
-    0,
-    0,
-    program_raw_rtcm_2_3_message,
-    &mip_program};
+MIP_CODEC(mip_3dm_raw_rtcm_2_3_message, 0x0C, 0x20, MIP_COMMAND, 0, 0, 0,
+          program_raw_rtcm_2_3_message, &mip_program);
 
-const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange = {0x0C, 0x20, 0, 0, NULL};
-
-const struct mip_command mip_3dm_raw_rtcm_2_3_message_command = {
-    &mip_3dm_raw_rtcm_2_3_message_codec, &mip_3dm_raw_rtcm_2_3_message_exchange, false};
+MIP_EXCHANGE(mip_3dm_raw_rtcm_2_3_message, 0x0C, 0x20, 0, 0, NULL, false);
 
 static const uint8_t program_constellation_settings[] = {
     MIP_REQUIRED(1, 3),
@@ -712,28 +439,15 @@ static const uint8_t program_constellation_settings[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_constellation_settings_codec = {
-    0x0C,
-    0x21,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_constellation_settings),
-    0,
-    0,
-    program_constellation_settings,
-    &mip_program};
+MIP_CODEC(mip_3dm_constellation_settings, 0x0C, 0x21, MIP_COMMAND, 0, 0, 0,
+          program_constellation_settings, &mip_program);
 
 static const struct mip_response responses_constellation_settings[] = {
     {NULL, 0xA0, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_constellation_settings_exchange = {
-    0x0C, 0x21, 0,
-    sizeof(responses_constellation_settings) / sizeof(responses_constellation_settings[0]),
-    responses_constellation_settings};
-
-const struct mip_command mip_3dm_constellation_settings_command = {
-    &mip_3dm_constellation_settings_codec, &mip_3dm_constellation_settings_exchange, true};
+MIP_EXCHANGE(mip_3dm_constellation_settings, 0x0C, 0x21, 0, 1, responses_constellation_settings,
+             true);
 
 static const uint8_t program_constellation_settings_response[] = {
     MIP_16_BITS(2, MIP_AT(struct mip_3dm_constellation_settings_response, max_channels_available)),
@@ -748,16 +462,8 @@ static const uint8_t program_constellation_settings_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_constellation_settings_response_codec = {
-    0x0C,
-    0xA0,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_constellation_settings_response),
-    0,
-    0,
-    program_constellation_settings_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_constellation_settings_response, 0x0C, 0xA0, MIP_RESPONSE, 0, 0, 0,
+          program_constellation_settings_response, &mip_program);
 
 static const uint8_t program_gnss_sbas_settings[] = {
     MIP_REQUIRED(1, 4),
@@ -773,27 +479,14 @@ static const uint8_t program_gnss_sbas_settings[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
-    0x0C,
-    0x22,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_gnss_sbas_settings),
-    0,
-    0,
-    program_gnss_sbas_settings,
-    &mip_program};
+MIP_CODEC(mip_3dm_gnss_sbas_settings, 0x0C, 0x22, MIP_COMMAND, 0, 0, 0, program_gnss_sbas_settings,
+          &mip_program);
 
 static const struct mip_response responses_gnss_sbas_settings[] = {
     {NULL, 0xA1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange = {
-    0x0C, 0x22, 0, sizeof(responses_gnss_sbas_settings) / sizeof(responses_gnss_sbas_settings[0]),
-    responses_gnss_sbas_settings};
-
-const struct mip_command mip_3dm_gnss_sbas_settings_command = {
-    &mip_3dm_gnss_sbas_settings_codec, &mip_3dm_gnss_sbas_settings_exchange, true};
+MIP_EXCHANGE(mip_3dm_gnss_sbas_settings, 0x0C, 0x22, 0, 1, responses_gnss_sbas_settings, true);
 
 static const uint8_t program_gnss_sbas_settings_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings_response, enable_sbas)),
@@ -805,16 +498,8 @@ static const uint8_t program_gnss_sbas_settings_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
-    0x0C,
-    0xA1,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_gnss_sbas_settings_response),
-    0,
-    0,
-    program_gnss_sbas_settings_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_gnss_sbas_settings_response, 0x0C, 0xA1, MIP_RESPONSE, 0, 0, 0,
+          program_gnss_sbas_settings_response, &mip_program);
 
 static const uint8_t program_gnss_assisted_fix[] = {
     MIP_REQUIRED(1, 2),
@@ -826,42 +511,22 @@ static const uint8_t program_gnss_assisted_fix[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {0x0C,
-                                                          0x23,
-                                                          MIP_COMMAND,
-                                                          0,
-                                                          sizeof(struct mip_3dm_gnss_assisted_fix),
-                                                          0,
-                                                          0,
-                                                          program_gnss_assisted_fix,
-                                                          &mip_program};
+MIP_CODEC(mip_3dm_gnss_assisted_fix, 0x0C, 0x23, MIP_COMMAND, 0, 0, 0, program_gnss_assisted_fix,
+          &mip_program);
 
 static const struct mip_response responses_gnss_assisted_fix[] = {
     {NULL, 0xA2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange = {
-    0x0C, 0x23, 0, sizeof(responses_gnss_assisted_fix) / sizeof(responses_gnss_assisted_fix[0]),
-    responses_gnss_assisted_fix};
-
-const struct mip_command mip_3dm_gnss_assisted_fix_command = {
-    &mip_3dm_gnss_assisted_fix_codec, &mip_3dm_gnss_assisted_fix_exchange, true};
+MIP_EXCHANGE(mip_3dm_gnss_assisted_fix, 0x0C, 0x23, 0, 1, responses_gnss_assisted_fix, true);
 
 static const uint8_t program_gnss_assisted_fix_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_gnss_assisted_fix_response, option)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
-    0x0C,
-    0xA2,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_gnss_assisted_fix_response),
-    0,
-    0,
-    program_gnss_assisted_fix_response,
-    NULL};
+MIP_CODEC(mip_3dm_gnss_assisted_fix_response, 0x0C, 0xA2, MIP_RESPONSE, 2, 0, 0,
+          program_gnss_assisted_fix_response, NULL);
 
 static const uint8_t program_gnss_time_assistance[] = {
     MIP_REQUIRED(1, 3),
@@ -874,28 +539,14 @@ static const uint8_t program_gnss_time_assistance[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
-    0x0C,
-    0x24,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_gnss_time_assistance),
-    0,
-    0,
-    program_gnss_time_assistance,
-    &mip_program};
+MIP_CODEC(mip_3dm_gnss_time_assistance, 0x0C, 0x24, MIP_COMMAND, 0, 0, 0,
+          program_gnss_time_assistance, &mip_program);
 
 static const struct mip_response responses_gnss_time_assistance[] = {
     {NULL, 0xA3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gnss_time_assistance_exchange = {
-    0x0C, 0x24, 0,
-    sizeof(responses_gnss_time_assistance) / sizeof(responses_gnss_time_assistance[0]),
-    responses_gnss_time_assistance};
-
-const struct mip_command mip_3dm_gnss_time_assistance_command = {
-    &mip_3dm_gnss_time_assistance_codec, &mip_3dm_gnss_time_assistance_exchange, true};
+MIP_EXCHANGE(mip_3dm_gnss_time_assistance, 0x0C, 0x24, 0, 1, responses_gnss_time_assistance, true);
 
 static const uint8_t program_gnss_time_assistance_response[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_3dm_gnss_time_assistance_response, tow)),
@@ -904,16 +555,8 @@ static const uint8_t program_gnss_time_assistance_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
-    0x0C,
-    0xA3,
-    MIP_RESPONSE,
-    14,
-    sizeof(struct mip_3dm_gnss_time_assistance_response),
-    0,
-    0,
-    program_gnss_time_assistance_response,
-    NULL};
+MIP_CODEC(mip_3dm_gnss_time_assistance_response, 0x0C, 0xA3, MIP_RESPONSE, 14, 0, 0,
+          program_gnss_time_assistance_response, NULL);
 
 static const uint8_t program_pps_source_control[] = {
     MIP_REQUIRED(1, 1),
@@ -922,69 +565,36 @@ static const uint8_t program_pps_source_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_pps_source_control_codec = {
-    0x0C,
-    0x28,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_pps_source_control),
-    0,
-    0,
-    program_pps_source_control,
-    &mip_program};
+MIP_CODEC(mip_3dm_pps_source_control, 0x0C, 0x28, MIP_COMMAND, 0, 0, 0, program_pps_source_control,
+          &mip_program);
 
 static const struct mip_response responses_pps_source_control[] = {
     {NULL, 0xA8, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_pps_source_control_exchange = {
-    0x0C, 0x28, 0, sizeof(responses_pps_source_control) / sizeof(responses_pps_source_control[0]),
-    responses_pps_source_control};
-
-const struct mip_command mip_3dm_pps_source_control_command = {
-    &mip_3dm_pps_source_control_codec, &mip_3dm_pps_source_control_exchange, true};
+MIP_EXCHANGE(mip_3dm_pps_source_control, 0x0C, 0x28, 0, 1, responses_pps_source_control, true);
 
 static const uint8_t program_pps_source_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_pps_source_control_response, source)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_pps_source_control_response_codec = {
-    0x0C,
-    0xA8,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_3dm_pps_source_control_response),
-    0,
-    0,
-    program_pps_source_control_response,
-    NULL};
+MIP_CODEC(mip_3dm_pps_source_control_response, 0x0C, 0xA8, MIP_RESPONSE, 1, 0, 0,
+          program_pps_source_control_response, NULL);
 
 static const uint8_t program_get_event_support[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_support, query)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_support_codec = {0x0C,
-                                                          0x2A,
-                                                          MIP_COMMAND,
-                                                          1,
-                                                          sizeof(struct mip_3dm_get_event_support),
-                                                          0,
-                                                          0,
-                                                          program_get_event_support,
-                                                          NULL};
+MIP_CODEC(mip_3dm_get_event_support, 0x0C, 0x2A, MIP_COMMAND, 1, 0, 0, program_get_event_support,
+          NULL);
 
 static const struct mip_response responses_get_event_support[] = {
     {NULL, 0xB4, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_get_event_support_exchange = {
-    0x0C, 0x2A, 0, sizeof(responses_get_event_support) / sizeof(responses_get_event_support[0]),
-    responses_get_event_support};
-
-const struct mip_command mip_3dm_get_event_support_command = {
-    &mip_3dm_get_event_support_codec, &mip_3dm_get_event_support_exchange, false};
+MIP_EXCHANGE(mip_3dm_get_event_support, 0x0C, 0x2A, 0, 1, responses_get_event_support, false);
 
 static const uint8_t program_get_event_support_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_get_event_support_response, query)),
@@ -997,16 +607,8 @@ static const uint8_t program_get_event_support_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_support_response_codec = {
-    0x0C,
-    0xB4,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_get_event_support_response),
-    0,
-    0,
-    program_get_event_support_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_get_event_support_response, 0x0C, 0xB4, MIP_RESPONSE, 0, 0, 0,
+          program_get_event_support_response, &mip_program);
 
 static const uint8_t program_event_control[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -1017,36 +619,22 @@ static const uint8_t program_event_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C, 0x2B, MIP_COMMAND,           0,           sizeof(struct mip_3dm_event_control),
-    0,    0,    program_event_control, &mip_program};
+MIP_CODEC(mip_3dm_event_control, 0x0C, 0x2B, MIP_COMMAND, 0, 0, 0, program_event_control,
+          &mip_program);
 
 static const struct mip_response responses_event_control[] = {
     {NULL, 0xB5, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_event_control_exchange = {
-    0x0C, 0x2B, 0, sizeof(responses_event_control) / sizeof(responses_event_control[0]),
-    responses_event_control};
-
-const struct mip_command mip_3dm_event_control_command = {&mip_3dm_event_control_codec,
-                                                          &mip_3dm_event_control_exchange, true};
+MIP_EXCHANGE(mip_3dm_event_control, 0x0C, 0x2B, 0, 1, responses_event_control, true);
 
 static const uint8_t program_event_control_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_control_response, instance)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_event_control_response_codec = {
-    0x0C,
-    0xB5,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_event_control_response),
-    0,
-    0,
-    program_event_control_response,
-    NULL};
+MIP_CODEC(mip_3dm_event_control_response, 0x0C, 0xB5, MIP_RESPONSE, 2, 0, 0,
+          program_event_control_response, NULL);
 
 static const uint8_t program_get_event_trigger_status[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_trigger_status, requested_count)),
@@ -1056,28 +644,15 @@ static const uint8_t program_get_event_trigger_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
-    0x0C,
-    0x2C,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_get_event_trigger_status),
-    0,
-    0,
-    program_get_event_trigger_status,
-    &mip_program};
+MIP_CODEC(mip_3dm_get_event_trigger_status, 0x0C, 0x2C, MIP_COMMAND, 0, 0, 0,
+          program_get_event_trigger_status, &mip_program);
 
 static const struct mip_response responses_get_event_trigger_status[] = {
     {NULL, 0xB6, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_get_event_trigger_status_exchange = {
-    0x0C, 0x2C, 0,
-    sizeof(responses_get_event_trigger_status) / sizeof(responses_get_event_trigger_status[0]),
-    responses_get_event_trigger_status};
-
-const struct mip_command mip_3dm_get_event_trigger_status_command = {
-    &mip_3dm_get_event_trigger_status_codec, &mip_3dm_get_event_trigger_status_exchange, false};
+MIP_EXCHANGE(mip_3dm_get_event_trigger_status, 0x0C, 0x2C, 0, 1, responses_get_event_trigger_status,
+             false);
 
 static const uint8_t program_get_event_trigger_status_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_trigger_status_response, count)),
@@ -1090,16 +665,8 @@ static const uint8_t program_get_event_trigger_status_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
-    0x0C,
-    0xB6,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_get_event_trigger_status_response),
-    0,
-    0,
-    program_get_event_trigger_status_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_get_event_trigger_status_response, 0x0C, 0xB6, MIP_RESPONSE, 0, 0, 0,
+          program_get_event_trigger_status_response, &mip_program);
 
 static const uint8_t program_get_event_action_status[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_action_status, requested_count)),
@@ -1109,28 +676,15 @@ static const uint8_t program_get_event_action_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_action_status_codec = {
-    0x0C,
-    0x2D,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_get_event_action_status),
-    0,
-    0,
-    program_get_event_action_status,
-    &mip_program};
+MIP_CODEC(mip_3dm_get_event_action_status, 0x0C, 0x2D, MIP_COMMAND, 0, 0, 0,
+          program_get_event_action_status, &mip_program);
 
 static const struct mip_response responses_get_event_action_status[] = {
     {NULL, 0xB7, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_get_event_action_status_exchange = {
-    0x0C, 0x2D, 0,
-    sizeof(responses_get_event_action_status) / sizeof(responses_get_event_action_status[0]),
-    responses_get_event_action_status};
-
-const struct mip_command mip_3dm_get_event_action_status_command = {
-    &mip_3dm_get_event_action_status_codec, &mip_3dm_get_event_action_status_exchange, false};
+MIP_EXCHANGE(mip_3dm_get_event_action_status, 0x0C, 0x2D, 0, 1, responses_get_event_action_status,
+             false);
 
 static const uint8_t program_get_event_action_status_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_action_status_response, count)),
@@ -1143,16 +697,8 @@ static const uint8_t program_get_event_action_status_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
-    0x0C,
-    0xB7,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_get_event_action_status_response),
-    0,
-    0,
-    program_get_event_action_status_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_get_event_action_status_response, 0x0C, 0xB7, MIP_RESPONSE, 0, 0, 0,
+          program_get_event_action_status_response, &mip_program);
 
 static const uint8_t program_event_trigger_config[] = {
     MIP_REQUIRED(5, 3, 1, 1, 1, 1),
@@ -1185,28 +731,14 @@ static const uint8_t program_event_trigger_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_event_trigger_config_codec = {
-    0x0C,
-    0x2E,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_event_trigger_config),
-    0,
-    0,
-    program_event_trigger_config,
-    &mip_program};
+MIP_CODEC(mip_3dm_event_trigger_config, 0x0C, 0x2E, MIP_COMMAND, 0, 0, 0,
+          program_event_trigger_config, &mip_program);
 
 static const struct mip_response responses_event_trigger_config[] = {
     {NULL, 0xB8, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_event_trigger_config_exchange = {
-    0x0C, 0x2E, 0,
-    sizeof(responses_event_trigger_config) / sizeof(responses_event_trigger_config[0]),
-    responses_event_trigger_config};
-
-const struct mip_command mip_3dm_event_trigger_config_command = {
-    &mip_3dm_event_trigger_config_codec, &mip_3dm_event_trigger_config_exchange, true};
+MIP_EXCHANGE(mip_3dm_event_trigger_config, 0x0C, 0x2E, 0, 1, responses_event_trigger_config, true);
 
 static const uint8_t program_event_trigger_config_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_trigger_config_response, instance)),
@@ -1237,16 +769,8 @@ static const uint8_t program_event_trigger_config_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
-    0x0C,
-    0xB8,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_event_trigger_config_response),
-    0,
-    0,
-    program_event_trigger_config_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_event_trigger_config_response, 0x0C, 0xB8, MIP_RESPONSE, 0, 0, 0,
+          program_event_trigger_config_response, &mip_program);
 
 static const uint8_t program_event_action_config[] = {
     MIP_REQUIRED(5, 4, 1, 1, 1, 1),
@@ -1273,27 +797,14 @@ static const uint8_t program_event_action_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_event_action_config_codec = {
-    0x0C,
-    0x2F,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_event_action_config),
-    0,
-    0,
-    program_event_action_config,
-    &mip_program};
+MIP_CODEC(mip_3dm_event_action_config, 0x0C, 0x2F, MIP_COMMAND, 0, 0, 0,
+          program_event_action_config, &mip_program);
 
 static const struct mip_response responses_event_action_config[] = {
     {NULL, 0xB9, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_event_action_config_exchange = {
-    0x0C, 0x2F, 0, sizeof(responses_event_action_config) / sizeof(responses_event_action_config[0]),
-    responses_event_action_config};
-
-const struct mip_command mip_3dm_event_action_config_command = {
-    &mip_3dm_event_action_config_codec, &mip_3dm_event_action_config_exchange, true};
+MIP_EXCHANGE(mip_3dm_event_action_config, 0x0C, 0x2F, 0, 1, responses_event_action_config, true);
 
 static const uint8_t program_event_action_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_event_action_config_response, instance)),
@@ -1318,36 +829,17 @@ static const uint8_t program_event_action_config_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_event_action_config_response_codec = {
-    0x0C,
-    0xB9,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_event_action_config_response),
-    0,
-    0,
-    program_event_action_config_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_event_action_config_response, 0x0C, 0xB9, MIP_RESPONSE, 0, 0, 0,
+          program_event_action_config_response, &mip_program);
 
 static const uint8_t program_device_settings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_settings, function)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_settings_codec = {0x0C,
-                                                        0x30,
-                                                        MIP_COMMAND,
-                                                        1,
-                                                        sizeof(struct mip_3dm_device_settings),
-                                                        0,
-                                                        0,
-                                                        program_device_settings,
-                                                        NULL};
+MIP_CODEC(mip_3dm_device_settings, 0x0C, 0x30, MIP_COMMAND, 1, 0, 0, program_device_settings, NULL);
 
-const struct mip_exchange mip_3dm_device_settings_exchange = {0x0C, 0x30, 8, 0, NULL};
-
-const struct mip_command mip_3dm_device_settings_command = {
-    &mip_3dm_device_settings_codec, &mip_3dm_device_settings_exchange, true};
+MIP_EXCHANGE(mip_3dm_device_settings, 0x0C, 0x30, 8, 0, NULL, true);
 
 static const uint8_t program_sensor_to_vehicle_transform_euler[] = {
     MIP_REQUIRED(1, 3),
@@ -1360,46 +852,23 @@ static const uint8_t program_sensor_to_vehicle_transform_euler[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
-    0x0C,
-    0x31,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
-    0,
-    0,
-    program_sensor_to_vehicle_transform_euler,
-    &mip_program};
+MIP_CODEC(mip_3dm_sensor_to_vehicle_transform_euler, 0x0C, 0x31, MIP_COMMAND, 0, 0, 0,
+          program_sensor_to_vehicle_transform_euler, &mip_program);
 
 static const struct mip_response responses_sensor_to_vehicle_transform_euler[] = {
     {NULL, 0xB1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_euler_exchange = {
-    0x0C, 0x31, 0,
-    sizeof(responses_sensor_to_vehicle_transform_euler) /
-        sizeof(responses_sensor_to_vehicle_transform_euler[0]),
-    responses_sensor_to_vehicle_transform_euler};
-
-const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command = {
-    &mip_3dm_sensor_to_vehicle_transform_euler_codec,
-    &mip_3dm_sensor_to_vehicle_transform_euler_exchange, true};
+MIP_EXCHANGE(mip_3dm_sensor_to_vehicle_transform_euler, 0x0C, 0x31, 0, 1,
+             responses_sensor_to_vehicle_transform_euler, true);
 
 static const uint8_t program_sensor_to_vehicle_transform_euler_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler_response, roll)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec = {
-    0x0C,
-    0xB1,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_sensor_to_vehicle_transform_euler_response,
-    NULL};
+MIP_CODEC(mip_3dm_sensor_to_vehicle_transform_euler_response, 0x0C, 0xB1, MIP_RESPONSE, 12, 0,
+          MIP_SHAPE(0, 3, 0), program_sensor_to_vehicle_transform_euler_response, NULL);
 
 static const uint8_t program_sensor_to_vehicle_transform_quaternion[] = {
     MIP_REQUIRED(1, 1),
@@ -1408,46 +877,23 @@ static const uint8_t program_sensor_to_vehicle_transform_quaternion[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
-    0x0C,
-    0x32,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
-    0,
-    0,
-    program_sensor_to_vehicle_transform_quaternion,
-    &mip_program};
+MIP_CODEC(mip_3dm_sensor_to_vehicle_transform_quaternion, 0x0C, 0x32, MIP_COMMAND, 0, 0, 0,
+          program_sensor_to_vehicle_transform_quaternion, &mip_program);
 
 static const struct mip_response responses_sensor_to_vehicle_transform_quaternion[] = {
     {NULL, 0xB2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_quaternion_exchange = {
-    0x0C, 0x32, 0,
-    sizeof(responses_sensor_to_vehicle_transform_quaternion) /
-        sizeof(responses_sensor_to_vehicle_transform_quaternion[0]),
-    responses_sensor_to_vehicle_transform_quaternion};
-
-const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command = {
-    &mip_3dm_sensor_to_vehicle_transform_quaternion_codec,
-    &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, true};
+MIP_EXCHANGE(mip_3dm_sensor_to_vehicle_transform_quaternion, 0x0C, 0x32, 0, 1,
+             responses_sensor_to_vehicle_transform_quaternion, true);
 
 static const uint8_t program_sensor_to_vehicle_transform_quaternion_response[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec = {
-    0x0C,
-    0xB2,
-    MIP_RESPONSE,
-    16,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
-    0,
-    MIP_SHAPE(0, 4, 0),
-    program_sensor_to_vehicle_transform_quaternion_response,
-    NULL};
+MIP_CODEC(mip_3dm_sensor_to_vehicle_transform_quaternion_response, 0x0C, 0xB2, MIP_RESPONSE, 16, 0,
+          MIP_SHAPE(0, 4, 0), program_sensor_to_vehicle_transform_quaternion_response, NULL);
 
 static const uint8_t program_sensor_to_vehicle_transform_dcm[] = {
     MIP_REQUIRED(1, 1),
@@ -1456,46 +902,23 @@ static const uint8_t program_sensor_to_vehicle_transform_dcm[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
-    0x0C,
-    0x33,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
-    0,
-    0,
-    program_sensor_to_vehicle_transform_dcm,
-    &mip_program};
+MIP_CODEC(mip_3dm_sensor_to_vehicle_transform_dcm, 0x0C, 0x33, MIP_COMMAND, 0, 0, 0,
+          program_sensor_to_vehicle_transform_dcm, &mip_program);
 
 static const struct mip_response responses_sensor_to_vehicle_transform_dcm[] = {
     {NULL, 0xB3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_dcm_exchange = {
-    0x0C, 0x33, 0,
-    sizeof(responses_sensor_to_vehicle_transform_dcm) /
-        sizeof(responses_sensor_to_vehicle_transform_dcm[0]),
-    responses_sensor_to_vehicle_transform_dcm};
-
-const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command = {
-    &mip_3dm_sensor_to_vehicle_transform_dcm_codec,
-    &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, true};
+MIP_EXCHANGE(mip_3dm_sensor_to_vehicle_transform_dcm, 0x0C, 0x33, 0, 1,
+             responses_sensor_to_vehicle_transform_dcm, true);
 
 static const uint8_t program_sensor_to_vehicle_transform_dcm_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_dcm_response, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec = {
-    0x0C,
-    0xB3,
-    MIP_RESPONSE,
-    36,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
-    0,
-    MIP_SHAPE(0, 9, 0),
-    program_sensor_to_vehicle_transform_dcm_response,
-    NULL};
+MIP_CODEC(mip_3dm_sensor_to_vehicle_transform_dcm_response, 0x0C, 0xB3, MIP_RESPONSE, 36, 0,
+          MIP_SHAPE(0, 9, 0), program_sensor_to_vehicle_transform_dcm_response, NULL);
 
 static const uint8_t program_gps_dynamics_mode[] = {
     MIP_REQUIRED(1, 1),
@@ -1504,42 +927,22 @@ static const uint8_t program_gps_dynamics_mode[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gps_dynamics_mode_codec = {0x0C,
-                                                          0x34,
-                                                          MIP_COMMAND,
-                                                          0,
-                                                          sizeof(struct mip_3dm_gps_dynamics_mode),
-                                                          0,
-                                                          0,
-                                                          program_gps_dynamics_mode,
-                                                          &mip_program};
+MIP_CODEC(mip_3dm_gps_dynamics_mode, 0x0C, 0x34, MIP_COMMAND, 0, 0, 0, program_gps_dynamics_mode,
+          &mip_program);
 
 static const struct mip_response responses_gps_dynamics_mode[] = {
     {NULL, 0x92, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange = {
-    0x0C, 0x34, 0, sizeof(responses_gps_dynamics_mode) / sizeof(responses_gps_dynamics_mode[0]),
-    responses_gps_dynamics_mode};
-
-const struct mip_command mip_3dm_gps_dynamics_mode_command = {
-    &mip_3dm_gps_dynamics_mode_codec, &mip_3dm_gps_dynamics_mode_exchange, true};
+MIP_EXCHANGE(mip_3dm_gps_dynamics_mode, 0x0C, 0x34, 0, 1, responses_gps_dynamics_mode, true);
 
 static const uint8_t program_gps_dynamics_mode_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gps_dynamics_mode_response, mode)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec = {
-    0x0C,
-    0x92,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_3dm_gps_dynamics_mode_response),
-    0,
-    0,
-    program_gps_dynamics_mode_response,
-    NULL};
+MIP_CODEC(mip_3dm_gps_dynamics_mode_response, 0x0C, 0x92, MIP_RESPONSE, 1, 0, 0,
+          program_gps_dynamics_mode_response, NULL);
 
 static const uint8_t program_imu_signal_conditioning[] = {
     MIP_REQUIRED(1, 8),
@@ -1562,28 +965,15 @@ static const uint8_t program_imu_signal_conditioning[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_imu_signal_conditioning_codec = {
-    0x0C,
-    0x35,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_imu_signal_conditioning),
-    0,
-    0,
-    program_imu_signal_conditioning,
-    &mip_program};
+MIP_CODEC(mip_3dm_imu_signal_conditioning, 0x0C, 0x35, MIP_COMMAND, 0, 0, 0,
+          program_imu_signal_conditioning, &mip_program);
 
 static const struct mip_response responses_imu_signal_conditioning[] = {
     {NULL, 0x86, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange = {
-    0x0C, 0x35, 0,
-    sizeof(responses_imu_signal_conditioning) / sizeof(responses_imu_signal_conditioning[0]),
-    responses_imu_signal_conditioning};
-
-const struct mip_command mip_3dm_imu_signal_conditioning_command = {
-    &mip_3dm_imu_signal_conditioning_codec, &mip_3dm_imu_signal_conditioning_exchange, true};
+MIP_EXCHANGE(mip_3dm_imu_signal_conditioning, 0x0C, 0x35, 0, 1, responses_imu_signal_conditioning,
+             true);
 
 static const uint8_t program_imu_signal_conditioning_response[] = {
     MIP_16_BITS(2, MIP_AT(struct mip_3dm_imu_signal_conditioning_response, orientation_decimation)),
@@ -1594,16 +984,8 @@ static const uint8_t program_imu_signal_conditioning_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_imu_signal_conditioning_response_codec = {
-    0x0C,
-    0x86,
-    MIP_RESPONSE,
-    13,
-    sizeof(struct mip_3dm_imu_signal_conditioning_response),
-    0,
-    0,
-    program_imu_signal_conditioning_response,
-    NULL};
+MIP_CODEC(mip_3dm_imu_signal_conditioning_response, 0x0C, 0x86, MIP_RESPONSE, 13, 0, 0,
+          program_imu_signal_conditioning_response, NULL);
 
 static const uint8_t program_imu_timestamp[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -1614,20 +996,14 @@ static const uint8_t program_imu_timestamp[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_imu_timestamp_codec = {
-    0x0C, 0x36, MIP_COMMAND,           0,           sizeof(struct mip_3dm_imu_timestamp),
-    0,    0,    program_imu_timestamp, &mip_program};
+MIP_CODEC(mip_3dm_imu_timestamp, 0x0C, 0x36, MIP_COMMAND, 0, 0, 0, program_imu_timestamp,
+          &mip_program);
 
 static const struct mip_response responses_imu_timestamp[] = {
     {NULL, 0x93, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_imu_timestamp_exchange = {
-    0x0C, 0x36, 0, sizeof(responses_imu_timestamp) / sizeof(responses_imu_timestamp[0]),
-    responses_imu_timestamp};
-
-const struct mip_command mip_3dm_imu_timestamp_command = {&mip_3dm_imu_timestamp_codec,
-                                                          &mip_3dm_imu_timestamp_exchange, true};
+MIP_EXCHANGE(mip_3dm_imu_timestamp, 0x0C, 0x36, 0, 1, responses_imu_timestamp, true);
 
 static const uint8_t program_imu_timestamp_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_timestamp_response, selector)),
@@ -1635,16 +1011,8 @@ static const uint8_t program_imu_timestamp_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_imu_timestamp_response_codec = {
-    0x0C,
-    0x93,
-    MIP_RESPONSE,
-    5,
-    sizeof(struct mip_3dm_imu_timestamp_response),
-    0,
-    0,
-    program_imu_timestamp_response,
-    NULL};
+MIP_CODEC(mip_3dm_imu_timestamp_response, 0x0C, 0x93, MIP_RESPONSE, 5, 0, 0,
+          program_imu_timestamp_response, NULL);
 
 static const uint8_t program_accel_bias[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1653,37 +1021,22 @@ static const uint8_t program_accel_bias[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_accel_bias_codec = {
-    0x0C, 0x37, MIP_COMMAND,        0,           sizeof(struct mip_3dm_accel_bias),
-    0,    0,    program_accel_bias, &mip_program};
+MIP_CODEC(mip_3dm_accel_bias, 0x0C, 0x37, MIP_COMMAND, 0, 0, 0, program_accel_bias, &mip_program);
 
 static const struct mip_response responses_accel_bias[] = {
     {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
     {NULL, 0x9A, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_accel_bias_exchange = {
-    0x0C, 0x37, 0, sizeof(responses_accel_bias) / sizeof(responses_accel_bias[0]),
-    responses_accel_bias};
-
-const struct mip_command mip_3dm_accel_bias_command = {&mip_3dm_accel_bias_codec,
-                                                       &mip_3dm_accel_bias_exchange, true};
+MIP_EXCHANGE(mip_3dm_accel_bias, 0x0C, 0x37, 0, 2, responses_accel_bias, true);
 
 static const uint8_t program_accel_bias_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_accel_bias_response, bias)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_accel_bias_response_codec = {
-    0x0C,
-    0x9A,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_3dm_accel_bias_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_accel_bias_response,
-    NULL};
+MIP_CODEC(mip_3dm_accel_bias_response, 0x0C, 0x9A, MIP_RESPONSE, 12, 0, MIP_SHAPE(0, 3, 0),
+          program_accel_bias_response, NULL);
 
 static const uint8_t program_gyro_bias[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1692,63 +1045,36 @@ static const uint8_t program_gyro_bias[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gyro_bias_codec = {
-    0x0C, 0x38, MIP_COMMAND,       0,           sizeof(struct mip_3dm_gyro_bias),
-    0,    0,    program_gyro_bias, &mip_program};
+MIP_CODEC(mip_3dm_gyro_bias, 0x0C, 0x38, MIP_COMMAND, 0, 0, 0, program_gyro_bias, &mip_program);
 
 static const struct mip_response responses_gyro_bias[] = {
     {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
     {NULL, 0x9B, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gyro_bias_exchange = {
-    0x0C, 0x38, 0, sizeof(responses_gyro_bias) / sizeof(responses_gyro_bias[0]),
-    responses_gyro_bias};
-
-const struct mip_command mip_3dm_gyro_bias_command = {&mip_3dm_gyro_bias_codec,
-                                                      &mip_3dm_gyro_bias_exchange, true};
+MIP_EXCHANGE(mip_3dm_gyro_bias, 0x0C, 0x38, 0, 2, responses_gyro_bias, true);
 
 static const uint8_t program_gyro_bias_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_gyro_bias_response, bias)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gyro_bias_response_codec = {
-    0x0C,
-    0x9B,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_3dm_gyro_bias_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_gyro_bias_response,
-    NULL};
+MIP_CODEC(mip_3dm_gyro_bias_response, 0x0C, 0x9B, MIP_RESPONSE, 12, 0, MIP_SHAPE(0, 3, 0),
+          program_gyro_bias_response, NULL);
 
 static const uint8_t program_capture_gyro_bias[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_capture_gyro_bias, averaging_time_ms)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_capture_gyro_bias_codec = {0x0C,
-                                                          0x39,
-                                                          MIP_COMMAND,
-                                                          2,
-                                                          sizeof(struct mip_3dm_capture_gyro_bias),
-                                                          0,
-                                                          MIP_SHAPE(0, 0, 1),
-                                                          program_capture_gyro_bias,
-                                                          NULL};
+MIP_CODEC(mip_3dm_capture_gyro_bias, 0x0C, 0x39, MIP_COMMAND, 2, 0, MIP_SHAPE(0, 0, 1),
+          program_capture_gyro_bias, NULL);
 
 static const struct mip_response responses_capture_gyro_bias[] = {
     {NULL, 0x9B, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_capture_gyro_bias_exchange = {
-    0x0C, 0x39, 124, sizeof(responses_capture_gyro_bias) / sizeof(responses_capture_gyro_bias[0]),
-    responses_capture_gyro_bias};
-
-const struct mip_command mip_3dm_capture_gyro_bias_command = {
-    &mip_3dm_capture_gyro_bias_codec, &mip_3dm_capture_gyro_bias_exchange, false};
+MIP_EXCHANGE(mip_3dm_capture_gyro_bias, 0x0C, 0x39, 124, 1, responses_capture_gyro_bias, false);
 
 static const uint8_t program_mag_hard_iron_offset[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1757,45 +1083,23 @@ static const uint8_t program_mag_hard_iron_offset[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
-    0x0C,
-    0x3A,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_mag_hard_iron_offset),
-    0,
-    0,
-    program_mag_hard_iron_offset,
-    &mip_program};
+MIP_CODEC(mip_3dm_mag_hard_iron_offset, 0x0C, 0x3A, MIP_COMMAND, 0, 0, 0,
+          program_mag_hard_iron_offset, &mip_program);
 
 static const struct mip_response responses_mag_hard_iron_offset[] = {
     {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
     {NULL, 0x9C, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange = {
-    0x0C, 0x3A, 0,
-    sizeof(responses_mag_hard_iron_offset) / sizeof(responses_mag_hard_iron_offset[0]),
-    responses_mag_hard_iron_offset};
-
-const struct mip_command mip_3dm_mag_hard_iron_offset_command = {
-    &mip_3dm_mag_hard_iron_offset_codec, &mip_3dm_mag_hard_iron_offset_exchange, true};
+MIP_EXCHANGE(mip_3dm_mag_hard_iron_offset, 0x0C, 0x3A, 0, 2, responses_mag_hard_iron_offset, true);
 
 static const uint8_t program_mag_hard_iron_offset_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_mag_hard_iron_offset_response, offset)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
-    0x0C,
-    0x9C,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_3dm_mag_hard_iron_offset_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_mag_hard_iron_offset_response,
-    NULL};
+MIP_CODEC(mip_3dm_mag_hard_iron_offset_response, 0x0C, 0x9C, MIP_RESPONSE, 12, 0,
+          MIP_SHAPE(0, 3, 0), program_mag_hard_iron_offset_response, NULL);
 
 static const uint8_t program_mag_soft_iron_matrix[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1804,45 +1108,23 @@ static const uint8_t program_mag_soft_iron_matrix[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
-    0x0C,
-    0x3B,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_mag_soft_iron_matrix),
-    0,
-    0,
-    program_mag_soft_iron_matrix,
-    &mip_program};
+MIP_CODEC(mip_3dm_mag_soft_iron_matrix, 0x0C, 0x3B, MIP_COMMAND, 0, 0, 0,
+          program_mag_soft_iron_matrix, &mip_program);
 
 static const struct mip_response responses_mag_soft_iron_matrix[] = {
     {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
     {NULL, 0x9D, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange = {
-    0x0C, 0x3B, 0,
-    sizeof(responses_mag_soft_iron_matrix) / sizeof(responses_mag_soft_iron_matrix[0]),
-    responses_mag_soft_iron_matrix};
-
-const struct mip_command mip_3dm_mag_soft_iron_matrix_command = {
-    &mip_3dm_mag_soft_iron_matrix_codec, &mip_3dm_mag_soft_iron_matrix_exchange, true};
+MIP_EXCHANGE(mip_3dm_mag_soft_iron_matrix, 0x0C, 0x3B, 0, 2, responses_mag_soft_iron_matrix, true);
 
 static const uint8_t program_mag_soft_iron_matrix_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_3dm_mag_soft_iron_matrix_response, matrix)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
-    0x0C,
-    0x9D,
-    MIP_RESPONSE,
-    36,
-    sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
-    0,
-    MIP_SHAPE(0, 9, 0),
-    program_mag_soft_iron_matrix_response,
-    NULL};
+MIP_CODEC(mip_3dm_mag_soft_iron_matrix_response, 0x0C, 0x9D, MIP_RESPONSE, 36, 0,
+          MIP_SHAPE(0, 9, 0), program_mag_soft_iron_matrix_response, NULL);
 
 static const uint8_t program_coning_sculling_enable[] = {
     MIP_REQUIRED(1, 1),
@@ -1851,44 +1133,23 @@ static const uint8_t program_coning_sculling_enable[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
-    0x0C,
-    0x3E,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_coning_sculling_enable),
-    0,
-    0,
-    program_coning_sculling_enable,
-    &mip_program};
+MIP_CODEC(mip_3dm_coning_sculling_enable, 0x0C, 0x3E, MIP_COMMAND, 0, 0, 0,
+          program_coning_sculling_enable, &mip_program);
 
 static const struct mip_response responses_coning_sculling_enable[] = {
     {NULL, 0x9E, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_coning_sculling_enable_exchange = {
-    0x0C, 0x3E, 0,
-    sizeof(responses_coning_sculling_enable) / sizeof(responses_coning_sculling_enable[0]),
-    responses_coning_sculling_enable};
-
-const struct mip_command mip_3dm_coning_sculling_enable_command = {
-    &mip_3dm_coning_sculling_enable_codec, &mip_3dm_coning_sculling_enable_exchange, true};
+MIP_EXCHANGE(mip_3dm_coning_sculling_enable, 0x0C, 0x3E, 0, 1, responses_coning_sculling_enable,
+             true);
 
 static const uint8_t program_coning_sculling_enable_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_coning_sculling_enable_response, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
-    0x0C,
-    0x9E,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_3dm_coning_sculling_enable_response),
-    0,
-    0,
-    program_coning_sculling_enable_response,
-    NULL};
+MIP_CODEC(mip_3dm_coning_sculling_enable_response, 0x0C, 0x9E, MIP_RESPONSE, 1, 0, 0,
+          program_coning_sculling_enable_response, NULL);
 
 static const uint8_t program_uart_baud_rate[] = {
     MIP_REQUIRED(1, 1),
@@ -1897,42 +1158,22 @@ static const uint8_t program_uart_baud_rate[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_uart_baud_rate_codec = {0x0C,
-                                                       0x40,
-                                                       MIP_COMMAND,
-                                                       0,
-                                                       sizeof(struct mip_3dm_uart_baud_rate),
-                                                       0,
-                                                       0,
-                                                       program_uart_baud_rate,
-                                                       &mip_program};
+MIP_CODEC(mip_3dm_uart_baud_rate, 0x0C, 0x40, MIP_COMMAND, 0, 0, 0, program_uart_baud_rate,
+          &mip_program);
 
 static const struct mip_response responses_uart_baud_rate[] = {
     {NULL, 0x87, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_uart_baud_rate_exchange = {
-    0x0C, 0x40, 0, sizeof(responses_uart_baud_rate) / sizeof(responses_uart_baud_rate[0]),
-    responses_uart_baud_rate};
-
-const struct mip_command mip_3dm_uart_baud_rate_command = {&mip_3dm_uart_baud_rate_codec,
-                                                           &mip_3dm_uart_baud_rate_exchange, true};
+MIP_EXCHANGE(mip_3dm_uart_baud_rate, 0x0C, 0x40, 0, 1, responses_uart_baud_rate, true);
 
 static const uint8_t program_uart_baud_rate_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_uart_baud_rate_response, baud)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
-    0x0C,
-    0x87,
-    MIP_RESPONSE,
-    4,
-    sizeof(struct mip_3dm_uart_baud_rate_response),
-    0,
-    MIP_SHAPE(0, 1, 0),
-    program_uart_baud_rate_response,
-    NULL};
+MIP_CODEC(mip_3dm_uart_baud_rate_response, 0x0C, 0x87, MIP_RESPONSE, 4, 0, MIP_SHAPE(0, 1, 0),
+          program_uart_baud_rate_response, NULL);
 
 static const uint8_t program_gpio_config[] = {
     MIP_REQUIRED(5, 4, 1, 1, 1, 1),
@@ -1947,36 +1188,21 @@ static const uint8_t program_gpio_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gpio_config_codec = {
-    0x0C, 0x41, MIP_COMMAND,         0,           sizeof(struct mip_3dm_gpio_config),
-    0,    0,    program_gpio_config, &mip_program};
+MIP_CODEC(mip_3dm_gpio_config, 0x0C, 0x41, MIP_COMMAND, 0, 0, 0, program_gpio_config, &mip_program);
 
 static const struct mip_response responses_gpio_config[] = {
     {NULL, 0xC1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gpio_config_exchange = {
-    0x0C, 0x41, 0, sizeof(responses_gpio_config) / sizeof(responses_gpio_config[0]),
-    responses_gpio_config};
-
-const struct mip_command mip_3dm_gpio_config_command = {&mip_3dm_gpio_config_codec,
-                                                        &mip_3dm_gpio_config_exchange, true};
+MIP_EXCHANGE(mip_3dm_gpio_config, 0x0C, 0x41, 0, 1, responses_gpio_config, true);
 
 static const uint8_t program_gpio_config_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_3dm_gpio_config_response, pin)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gpio_config_response_codec = {
-    0x0C,
-    0xC1,
-    MIP_RESPONSE,
-    4,
-    sizeof(struct mip_3dm_gpio_config_response),
-    0,
-    0,
-    program_gpio_config_response,
-    NULL};
+MIP_CODEC(mip_3dm_gpio_config_response, 0x0C, 0xC1, MIP_RESPONSE, 4, 0, 0,
+          program_gpio_config_response, NULL);
 
 static const uint8_t program_gpio_state[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -1987,36 +1213,21 @@ static const uint8_t program_gpio_state[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C, 0x42, MIP_COMMAND,        0,           sizeof(struct mip_3dm_gpio_state),
-    0,    0,    program_gpio_state, &mip_program};
+MIP_CODEC(mip_3dm_gpio_state, 0x0C, 0x42, MIP_COMMAND, 0, 0, 0, program_gpio_state, &mip_program);
 
 static const struct mip_response responses_gpio_state[] = {
     {NULL, 0xC2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gpio_state_exchange = {
-    0x0C, 0x42, 0, sizeof(responses_gpio_state) / sizeof(responses_gpio_state[0]),
-    responses_gpio_state};
-
-const struct mip_command mip_3dm_gpio_state_command = {&mip_3dm_gpio_state_codec,
-                                                       &mip_3dm_gpio_state_exchange, true};
+MIP_EXCHANGE(mip_3dm_gpio_state, 0x0C, 0x42, 0, 1, responses_gpio_state, true);
 
 static const uint8_t program_gpio_state_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_gpio_state_response, pin)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gpio_state_response_codec = {
-    0x0C,
-    0xC2,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_gpio_state_response),
-    0,
-    0,
-    program_gpio_state_response,
-    NULL};
+MIP_CODEC(mip_3dm_gpio_state_response, 0x0C, 0xC2, MIP_RESPONSE, 2, 0, 0,
+          program_gpio_state_response, NULL);
 
 static const uint8_t program_odometer_config[] = {
     MIP_REQUIRED(1, 3),
@@ -2029,26 +1240,14 @@ static const uint8_t program_odometer_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_odometer_config_codec = {0x0C,
-                                                        0x43,
-                                                        MIP_COMMAND,
-                                                        0,
-                                                        sizeof(struct mip_3dm_odometer_config),
-                                                        0,
-                                                        0,
-                                                        program_odometer_config,
-                                                        &mip_program};
+MIP_CODEC(mip_3dm_odometer_config, 0x0C, 0x43, MIP_COMMAND, 0, 0, 0, program_odometer_config,
+          &mip_program);
 
 static const struct mip_response responses_odometer_config[] = {
     {NULL, 0xC3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_odometer_config_exchange = {
-    0x0C, 0x43, 0, sizeof(responses_odometer_config) / sizeof(responses_odometer_config[0]),
-    responses_odometer_config};
-
-const struct mip_command mip_3dm_odometer_config_command = {
-    &mip_3dm_odometer_config_codec, &mip_3dm_odometer_config_exchange, true};
+MIP_EXCHANGE(mip_3dm_odometer_config, 0x0C, 0x43, 0, 1, responses_odometer_config, true);
 
 static const uint8_t program_odometer_config_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_odometer_config_response, mode)),
@@ -2056,16 +1255,8 @@ static const uint8_t program_odometer_config_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_odometer_config_response_codec = {
-    0x0C,
-    0xC3,
-    MIP_RESPONSE,
-    9,
-    sizeof(struct mip_3dm_odometer_config_response),
-    0,
-    0,
-    program_odometer_config_response,
-    NULL};
+MIP_CODEC(mip_3dm_odometer_config_response, 0x0C, 0xC3, MIP_RESPONSE, 9, 0, 0,
+          program_odometer_config_response, NULL);
 
 static const uint8_t program_imu_low_pass_filter[] = {
     MIP_REQUIRED(5, 5, 1, 1, 1, 1),
@@ -2082,27 +1273,14 @@ static const uint8_t program_imu_low_pass_filter[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
-    0x0C,
-    0x50,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_imu_low_pass_filter),
-    0,
-    0,
-    program_imu_low_pass_filter,
-    &mip_program};
+MIP_CODEC(mip_3dm_imu_low_pass_filter, 0x0C, 0x50, MIP_COMMAND, 0, 0, 0,
+          program_imu_low_pass_filter, &mip_program);
 
 static const struct mip_response responses_imu_low_pass_filter[] = {
     {NULL, 0x8B, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange = {
-    0x0C, 0x50, 0, sizeof(responses_imu_low_pass_filter) / sizeof(responses_imu_low_pass_filter[0]),
-    responses_imu_low_pass_filter};
-
-const struct mip_command mip_3dm_imu_low_pass_filter_command = {
-    &mip_3dm_imu_low_pass_filter_codec, &mip_3dm_imu_low_pass_filter_exchange, true};
+MIP_EXCHANGE(mip_3dm_imu_low_pass_filter, 0x0C, 0x50, 0, 1, responses_imu_low_pass_filter, true);
 
 static const uint8_t program_imu_low_pass_filter_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_imu_low_pass_filter_response, target_descriptor)),
@@ -2111,16 +1289,8 @@ static const uint8_t program_imu_low_pass_filter_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
-    0x0C,
-    0x8B,
-    MIP_RESPONSE,
-    6,
-    sizeof(struct mip_3dm_imu_low_pass_filter_response),
-    0,
-    0,
-    program_imu_low_pass_filter_response,
-    NULL};
+MIP_CODEC(mip_3dm_imu_low_pass_filter_response, 0x0C, 0x8B, MIP_RESPONSE, 6, 0, 0,
+          program_imu_low_pass_filter_response, NULL);
 
 static const uint8_t program_complementary_filter[] = {
     MIP_REQUIRED(1, 4),
@@ -2135,28 +1305,14 @@ static const uint8_t program_complementary_filter[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_complementary_filter_codec = {
-    0x0C,
-    0x51,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_complementary_filter),
-    0,
-    0,
-    program_complementary_filter,
-    &mip_program};
+MIP_CODEC(mip_3dm_complementary_filter, 0x0C, 0x51, MIP_COMMAND, 0, 0, 0,
+          program_complementary_filter, &mip_program);
 
 static const struct mip_response responses_complementary_filter[] = {
     {NULL, 0x97, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_complementary_filter_exchange = {
-    0x0C, 0x51, 0,
-    sizeof(responses_complementary_filter) / sizeof(responses_complementary_filter[0]),
-    responses_complementary_filter};
-
-const struct mip_command mip_3dm_complementary_filter_command = {
-    &mip_3dm_complementary_filter_codec, &mip_3dm_complementary_filter_exchange, true};
+MIP_EXCHANGE(mip_3dm_complementary_filter, 0x0C, 0x51, 0, 1, responses_complementary_filter, true);
 
 static const uint8_t program_complementary_filter_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_complementary_filter_response, pitch_roll_enable)),
@@ -2164,16 +1320,8 @@ static const uint8_t program_complementary_filter_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_complementary_filter_response_codec = {
-    0x0C,
-    0x97,
-    MIP_RESPONSE,
-    10,
-    sizeof(struct mip_3dm_complementary_filter_response),
-    0,
-    0,
-    program_complementary_filter_response,
-    NULL};
+MIP_CODEC(mip_3dm_complementary_filter_response, 0x0C, 0x97, MIP_RESPONSE, 10, 0, 0,
+          program_complementary_filter_response, NULL);
 
 static const uint8_t program_sensor_range[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -2184,66 +1332,37 @@ static const uint8_t program_sensor_range[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C, 0x52, MIP_COMMAND,          0,           sizeof(struct mip_3dm_sensor_range),
-    0,    0,    program_sensor_range, &mip_program};
+MIP_CODEC(mip_3dm_sensor_range, 0x0C, 0x52, MIP_COMMAND, 0, 0, 0, program_sensor_range,
+          &mip_program);
 
 static const struct mip_response responses_sensor_range[] = {
     {NULL, 0xD2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_sensor_range_exchange = {
-    0x0C, 0x52, 0, sizeof(responses_sensor_range) / sizeof(responses_sensor_range[0]),
-    responses_sensor_range};
-
-const struct mip_command mip_3dm_sensor_range_command = {&mip_3dm_sensor_range_codec,
-                                                         &mip_3dm_sensor_range_exchange, true};
+MIP_EXCHANGE(mip_3dm_sensor_range, 0x0C, 0x52, 0, 1, responses_sensor_range, true);
 
 static const uint8_t program_sensor_range_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_sensor_range_response, sensor)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_range_response_codec = {
-    0x0C,
-    0xD2,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_sensor_range_response),
-    0,
-    0,
-    program_sensor_range_response,
-    NULL};
+MIP_CODEC(mip_3dm_sensor_range_response, 0x0C, 0xD2, MIP_RESPONSE, 2, 0, 0,
+          program_sensor_range_response, NULL);
 
 static const uint8_t program_get_calibrated_sensor_ranges[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges, sensor)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
-    0x0C,
-    0x53,
-    MIP_COMMAND,
-    1,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
-    0,
-    0,
-    program_get_calibrated_sensor_ranges,
-    NULL};
+MIP_CODEC(mip_3dm_get_calibrated_sensor_ranges, 0x0C, 0x53, MIP_COMMAND, 1, 0, 0,
+          program_get_calibrated_sensor_ranges, NULL);
 
 static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
     {NULL, 0xD3, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange = {
-    0x0C, 0x53, 0,
-    sizeof(responses_get_calibrated_sensor_ranges) /
-        sizeof(responses_get_calibrated_sensor_ranges[0]),
-    responses_get_calibrated_sensor_ranges};
-
-const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command = {
-    &mip_3dm_get_calibrated_sensor_ranges_codec, &mip_3dm_get_calibrated_sensor_ranges_exchange,
-    false};
+MIP_EXCHANGE(mip_3dm_get_calibrated_sensor_ranges, 0x0C, 0x53, 0, 1,
+             responses_get_calibrated_sensor_ranges, false);
 
 static const uint8_t program_get_calibrated_sensor_ranges_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges_response, sensor)),
@@ -2257,16 +1376,8 @@ static const uint8_t program_get_calibrated_sensor_ranges_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
-    0x0C,
-    0xD3,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
-    0,
-    0,
-    program_get_calibrated_sensor_ranges_response,
-    &mip_program};
+MIP_CODEC(mip_3dm_get_calibrated_sensor_ranges_response, 0x0C, 0xD3, MIP_RESPONSE, 0, 0, 0,
+          program_get_calibrated_sensor_ranges_response, &mip_program);
 
 static const uint8_t program_low_pass_filter[] = {
     MIP_REQUIRED(5, 5, 2, 2, 2, 2),
@@ -2283,26 +1394,14 @@ static const uint8_t program_low_pass_filter[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_low_pass_filter_codec = {0x0C,
-                                                        0x54,
-                                                        MIP_COMMAND,
-                                                        0,
-                                                        sizeof(struct mip_3dm_low_pass_filter),
-                                                        0,
-                                                        0,
-                                                        program_low_pass_filter,
-                                                        &mip_program};
+MIP_CODEC(mip_3dm_low_pass_filter, 0x0C, 0x54, MIP_COMMAND, 0, 0, 0, program_low_pass_filter,
+          &mip_program);
 
 static const struct mip_response responses_low_pass_filter[] = {
     {NULL, 0xD4, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_low_pass_filter_exchange = {
-    0x0C, 0x54, 0, sizeof(responses_low_pass_filter) / sizeof(responses_low_pass_filter[0]),
-    responses_low_pass_filter};
-
-const struct mip_command mip_3dm_low_pass_filter_command = {
-    &mip_3dm_low_pass_filter_codec, &mip_3dm_low_pass_filter_exchange, true};
+MIP_EXCHANGE(mip_3dm_low_pass_filter, 0x0C, 0x54, 0, 1, responses_low_pass_filter, true);
 
 static const uint8_t program_low_pass_filter_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_3dm_low_pass_filter_response, descriptor_set)),
@@ -2310,16 +1409,8 @@ static const uint8_t program_low_pass_filter_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
-    0x0C,
-    0xD4,
-    MIP_RESPONSE,
-    8,
-    sizeof(struct mip_3dm_low_pass_filter_response),
-    0,
-    0,
-    program_low_pass_filter_response,
-    NULL};
+MIP_CODEC(mip_3dm_low_pass_filter_response, 0x0C, 0xD4, MIP_RESPONSE, 8, 0, 0,
+          program_low_pass_filter_response, NULL);
 
 static const uint8_t program_data_stream_format[] = {
     MIP_REQUIRED(5, 2, 2, 2, 2, 2),
@@ -2330,43 +1421,22 @@ static const uint8_t program_data_stream_format[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_data_stream_format_codec = {
-    0x0C,
-    0x60,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_data_stream_format),
-    0,
-    0,
-    program_data_stream_format,
-    &mip_program};
+MIP_CODEC(mip_3dm_data_stream_format, 0x0C, 0x60, MIP_COMMAND, 0, 0, 0, program_data_stream_format,
+          &mip_program);
 
 static const struct mip_response responses_data_stream_format[] = {
     {NULL, 0x88, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_data_stream_format_exchange = {
-    0x0C, 0x60, 0, sizeof(responses_data_stream_format) / sizeof(responses_data_stream_format[0]),
-    responses_data_stream_format};
-
-const struct mip_command mip_3dm_data_stream_format_command = {
-    &mip_3dm_data_stream_format_codec, &mip_3dm_data_stream_format_exchange, true};
+MIP_EXCHANGE(mip_3dm_data_stream_format, 0x0C, 0x60, 0, 1, responses_data_stream_format, true);
 
 static const uint8_t program_data_stream_format_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_data_stream_format_response, stream)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_data_stream_format_response_codec = {
-    0x0C,
-    0x88,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_data_stream_format_response),
-    0,
-    0,
-    program_data_stream_format_response,
-    NULL};
+MIP_CODEC(mip_3dm_data_stream_format_response, 0x0C, 0x88, MIP_RESPONSE, 2, 0, 0,
+          program_data_stream_format_response, NULL);
 
 static const uint8_t program_device_power_state[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -2377,64 +1447,32 @@ static const uint8_t program_device_power_state[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_power_state_codec = {
-    0x0C,
-    0x61,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_3dm_device_power_state),
-    0,
-    0,
-    program_device_power_state,
-    &mip_program};
+MIP_CODEC(mip_3dm_device_power_state, 0x0C, 0x61, MIP_COMMAND, 0, 0, 0, program_device_power_state,
+          &mip_program);
 
 static const struct mip_response responses_device_power_state[] = {
     {NULL, 0x89, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_device_power_state_exchange = {
-    0x0C, 0x61, 20, sizeof(responses_device_power_state) / sizeof(responses_device_power_state[0]),
-    responses_device_power_state};
-
-const struct mip_command mip_3dm_device_power_state_command = {
-    &mip_3dm_device_power_state_codec, &mip_3dm_device_power_state_exchange, true};
+MIP_EXCHANGE(mip_3dm_device_power_state, 0x0C, 0x61, 20, 1, responses_device_power_state, true);
 
 static const uint8_t program_device_power_state_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_device_power_state_response, device)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_power_state_response_codec = {
-    0x0C,
-    0x89,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_3dm_device_power_state_response),
-    0,
-    0,
-    program_device_power_state_response,
-    NULL};
+MIP_CODEC(mip_3dm_device_power_state_response, 0x0C, 0x89, MIP_RESPONSE, 2, 0, 0,
+          program_device_power_state_response, NULL);
 
 static const uint8_t program_gps_advanced_settings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gps_advanced_settings, function)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gps_advanced_settings_codec = {
-    0x0C,
-    0x62,
-    MIP_COMMAND,
-    1,
-    sizeof(struct mip_3dm_gps_advanced_settings),
-    0,
-    0,
-    program_gps_advanced_settings,
-    NULL};
+MIP_CODEC(mip_3dm_gps_advanced_settings, 0x0C, 0x62, MIP_COMMAND, 1, 0, 0,
+          program_gps_advanced_settings, NULL);
 
-const struct mip_exchange mip_3dm_gps_advanced_settings_exchange = {0x0C, 0x62, 0, 0, NULL};
-
-const struct mip_command mip_3dm_gps_advanced_settings_command = {
-    &mip_3dm_gps_advanced_settings_codec, &mip_3dm_gps_advanced_settings_exchange, true};
+MIP_EXCHANGE(mip_3dm_gps_advanced_settings, 0x0C, 0x62, 0, 0, NULL, true);
 
 static const uint8_t program_device_status[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status, model_number)),
@@ -2442,9 +1480,7 @@ static const uint8_t program_device_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C, 0x64, MIP_COMMAND,           3,   sizeof(struct mip_3dm_device_status),
-    0,    0,    program_device_status, NULL};
+MIP_CODEC(mip_3dm_device_status, 0x0C, 0x64, MIP_COMMAND, 3, 0, 0, program_device_status, NULL);
 
 static const struct mip_response responses_device_status[] = {
     {&mip_3dm_device_status_basic_rq1_imu_response_codec, 0x90, 4, 1, true},
@@ -2462,12 +1498,7 @@ static const struct mip_response responses_device_status[] = {
     {&mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90, 4, 2, false},
 };
 
-const struct mip_exchange mip_3dm_device_status_exchange = {
-    0x0C, 0x64, 0, sizeof(responses_device_status) / sizeof(responses_device_status[0]),
-    responses_device_status};
-
-const struct mip_command mip_3dm_device_status_command = {&mip_3dm_device_status_codec,
-                                                          &mip_3dm_device_status_exchange, false};
+MIP_EXCHANGE(mip_3dm_device_status, 0x0C, 0x64, 0, 13, responses_device_status, false);
 
 static const uint8_t program_device_status_basic_rq1_imu_response[] = {
     MIP_LAYOUT(15, 253, 3, 0, 0x18, 1, 0x5E, 2, 0x01),
@@ -2478,16 +1509,8 @@ static const uint8_t program_device_status_basic_rq1_imu_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_basic_rq1_imu_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_basic_rq1_imu_response),
-    0,
-    0,
-    program_device_status_basic_rq1_imu_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_basic_rq1_imu_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_basic_rq1_imu_response, &mip_layout);
 
 static const uint8_t program_device_status_basic_response[] = {
     MIP_LAYOUT(13, 14, 1, 2, 0x01),
@@ -2499,16 +1522,8 @@ static const uint8_t program_device_status_basic_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_basic_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_basic_response),
-    0,
-    0,
-    program_device_status_basic_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_basic_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_basic_response, &mip_layout);
 
 static const uint8_t program_device_status_basic_without_state_response[] = {
     MIP_LAYOUT(0, 12, 1, 2, 0x01),
@@ -2518,16 +1533,8 @@ static const uint8_t program_device_status_basic_without_state_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_basic_without_state_response),
-    0,
-    0,
-    program_device_status_basic_without_state_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_basic_without_state_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_basic_without_state_response, &mip_layout);
 
 static const uint8_t program_device_status_diagnostic_response[] = {
     MIP_LAYOUT(0, 59, 1, 2, 0x02),
@@ -2541,16 +1548,8 @@ static const uint8_t program_device_status_diagnostic_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_diagnostic_response),
-    0,
-    0,
-    program_device_status_diagnostic_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_diagnostic_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_diagnostic_response, &mip_layout);
 
 static const uint8_t program_device_status_diagnostic_gnss_response[] = {
     MIP_LAYOUT(77, 79, 1, 2, 0x02),
@@ -2568,16 +1567,8 @@ static const uint8_t program_device_status_diagnostic_gnss_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
-    0,
-    0,
-    program_device_status_diagnostic_gnss_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_diagnostic_gnss_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_diagnostic_gnss_response, &mip_layout);
 
 static const uint8_t program_device_status_diagnostic_gq4_45_response[] = {
     MIP_LAYOUT(80, 85, 1, 2, 0x02),
@@ -2603,16 +1594,8 @@ static const uint8_t program_device_status_diagnostic_gq4_45_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
-    0,
-    0,
-    program_device_status_diagnostic_gq4_45_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_diagnostic_gq4_45_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_diagnostic_gq4_45_response, &mip_layout);
 
 static const uint8_t program_device_status_diagnostic_rq1_45_response[] = {
     MIP_LAYOUT(86, 104, 1, 2, 0x02),
@@ -2637,16 +1620,8 @@ static const uint8_t program_device_status_diagnostic_rq1_45_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
-    0,
-    0,
-    program_device_status_diagnostic_rq1_45_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_diagnostic_rq1_45_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_diagnostic_rq1_45_response, &mip_layout);
 
 static const uint8_t program_device_status_diagnostic_gx4_response[] = {
     MIP_LAYOUT(73, 76, 1, 2, 0x02),
@@ -2659,16 +1634,8 @@ static const uint8_t program_device_status_diagnostic_gx4_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
-    0,
-    0,
-    program_device_status_diagnostic_gx4_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_diagnostic_gx4_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_diagnostic_gx4_response, &mip_layout);
 
 static const uint8_t program_device_status_diagnostic_imu_response[] = {
     MIP_LAYOUT(60, 60, 1, 2, 0x02),
@@ -2686,16 +1653,8 @@ static const uint8_t program_device_status_diagnostic_imu_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
-    0,
-    0,
-    program_device_status_diagnostic_imu_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_diagnostic_imu_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_diagnostic_imu_response, &mip_layout);
 
 static const uint8_t program_device_status_diagnostic_gx4_imu_response[] = {
     MIP_LAYOUT(62, 72, 1, 2, 0x02),
@@ -2716,16 +1675,8 @@ static const uint8_t program_device_status_diagnostic_gx4_imu_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_diagnostic_gx4_imu_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_diagnostic_gx4_imu_response),
-    0,
-    0,
-    program_device_status_diagnostic_gx4_imu_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_diagnostic_gx4_imu_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_diagnostic_gx4_imu_response, &mip_layout);
 
 static const uint8_t program_device_status_diagnostic_rq1_imu_response[] = {
     MIP_LAYOUT(61, 61, 1, 2, 0x02),
@@ -2748,16 +1699,8 @@ static const uint8_t program_device_status_diagnostic_rq1_imu_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_diagnostic_rq1_imu_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_diagnostic_rq1_imu_response),
-    0,
-    0,
-    program_device_status_diagnostic_rq1_imu_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_diagnostic_rq1_imu_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_diagnostic_rq1_imu_response, &mip_layout);
 
 static const uint8_t program_device_status_basic_gx3_response[] = {
     MIP_LAYOUT(15, 253, 1, 2, 0x01),
@@ -2770,16 +1713,8 @@ static const uint8_t program_device_status_basic_gx3_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_basic_gx3_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_basic_gx3_response),
-    0,
-    0,
-    program_device_status_basic_gx3_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_basic_gx3_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_basic_gx3_response, &mip_layout);
 
 static const uint8_t program_device_status_diagnostic_gx3_response[] = {
     MIP_LAYOUT(105, 253, 1, 2, 0x02),
@@ -2806,13 +1741,5 @@ static const uint8_t program_device_status_diagnostic_gx3_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_diagnostic_gx3_response_codec = {
-    0x0C,
-    0x90,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_3dm_device_status_diagnostic_gx3_response),
-    0,
-    0,
-    program_device_status_diagnostic_gx3_response,
-    &mip_layout};
+MIP_CODEC(mip_3dm_device_status_diagnostic_gx3_response, 0x0C, 0x90, MIP_RESPONSE, 0, 0, 0,
+          program_device_status_diagnostic_gx3_response, &mip_layout);

@@ -24,20 +24,14 @@ static const uint8_t program_frame_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_frame_config_codec = {
-    0x13, 0x01, MIP_COMMAND,          0,           sizeof(struct mip_aiding_frame_config),
-    0,    0,    program_frame_config, &mip_program};
+MIP_CODEC(mip_aiding_frame_config, 0x13, 0x01, MIP_COMMAND, 0, 0, 0, program_frame_config,
+          &mip_program);
 
 static const struct mip_response responses_frame_config[] = {
     {NULL, 0x81, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_aiding_frame_config_exchange = {
-    0x13, 0x01, 0, sizeof(responses_frame_config) / sizeof(responses_frame_config[0]),
-    responses_frame_config};
-
-const struct mip_command mip_aiding_frame_config_command = {
-    &mip_aiding_frame_config_codec, &mip_aiding_frame_config_exchange, true};
+MIP_EXCHANGE(mip_aiding_frame_config, 0x13, 0x01, 0, 1, responses_frame_config, true);
 
 static const uint8_t program_frame_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_aiding_frame_config_response, frame_id)),
@@ -52,16 +46,8 @@ static const uint8_t program_frame_config_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_frame_config_response_codec = {
-    0x13,
-    0x81,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_aiding_frame_config_response),
-    0,
-    0,
-    program_frame_config_response,
-    &mip_program};
+MIP_CODEC(mip_aiding_frame_config_response, 0x13, 0x81, MIP_RESPONSE, 0, 0, 0,
+          program_frame_config_response, &mip_program);
 
 static const uint8_t program_sensor_frame_map[] = {
     MIP_REQUIRED(1, 2),
@@ -72,43 +58,22 @@ static const uint8_t program_sensor_frame_map[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_sensor_frame_map_codec = {
-    0x13,
-    0x02,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_aiding_sensor_frame_map),
-    0,
-    0,
-    program_sensor_frame_map,
-    &mip_program};
+MIP_CODEC(mip_aiding_sensor_frame_map, 0x13, 0x02, MIP_COMMAND, 0, 0, 0, program_sensor_frame_map,
+          &mip_program);
 
 static const struct mip_response responses_sensor_frame_map[] = {
     {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_aiding_sensor_frame_map_exchange = {
-    0x13, 0x02, 0, sizeof(responses_sensor_frame_map) / sizeof(responses_sensor_frame_map[0]),
-    responses_sensor_frame_map};
-
-const struct mip_command mip_aiding_sensor_frame_map_command = {
-    &mip_aiding_sensor_frame_map_codec, &mip_aiding_sensor_frame_map_exchange, true};
+MIP_EXCHANGE(mip_aiding_sensor_frame_map, 0x13, 0x02, 0, 1, responses_sensor_frame_map, true);
 
 static const uint8_t program_sensor_frame_map_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_sensor_frame_map_response, sensor_id)),
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_sensor_frame_map_response_codec = {
-    0x13,
-    0x82,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_aiding_sensor_frame_map_response),
-    0,
-    0,
-    program_sensor_frame_map_response,
-    NULL};
+MIP_CODEC(mip_aiding_sensor_frame_map_response, 0x13, 0x82, MIP_RESPONSE, 2, 0, 0,
+          program_sensor_frame_map_response, NULL);
 
 static const uint8_t program_echo_control[] = {
     MIP_REQUIRED(1, 1),
@@ -117,36 +82,22 @@ static const uint8_t program_echo_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_echo_control_codec = {
-    0x13, 0x1F, MIP_COMMAND,          0,           sizeof(struct mip_aiding_echo_control),
-    0,    0,    program_echo_control, &mip_program};
+MIP_CODEC(mip_aiding_echo_control, 0x13, 0x1F, MIP_COMMAND, 0, 0, 0, program_echo_control,
+          &mip_program);
 
 static const struct mip_response responses_echo_control[] = {
     {NULL, 0x9F, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_aiding_echo_control_exchange = {
-    0x13, 0x1F, 0, sizeof(responses_echo_control) / sizeof(responses_echo_control[0]),
-    responses_echo_control};
-
-const struct mip_command mip_aiding_echo_control_command = {
-    &mip_aiding_echo_control_codec, &mip_aiding_echo_control_exchange, true};
+MIP_EXCHANGE(mip_aiding_echo_control, 0x13, 0x1F, 0, 1, responses_echo_control, true);
 
 static const uint8_t program_echo_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_aiding_echo_control_response, mode)),
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_echo_control_response_codec = {
-    0x13,
-    0x9F,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_aiding_echo_control_response),
-    0,
-    0,
-    program_echo_control_response,
-    NULL};
+MIP_CODEC(mip_aiding_echo_control_response, 0x13, 0x9F, MIP_RESPONSE, 1, 0, 0,
+          program_echo_control_response, NULL);
 
 static const uint8_t program_ecef_position[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ecef_position, time.timebase)),
@@ -158,14 +109,9 @@ static const uint8_t program_ecef_position[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_ecef_position_codec = {
-    0x13, 0x21, MIP_COMMAND,           49,  sizeof(struct mip_aiding_ecef_position),
-    0,    0,    program_ecef_position, NULL};
+MIP_CODEC(mip_aiding_ecef_position, 0x13, 0x21, MIP_COMMAND, 49, 0, 0, program_ecef_position, NULL);
 
-const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, 0, NULL};
-
-const struct mip_command mip_aiding_ecef_position_command = {
-    &mip_aiding_ecef_position_codec, &mip_aiding_ecef_position_exchange, false};
+MIP_EXCHANGE(mip_aiding_ecef_position, 0x13, 0x21, 0, 0, NULL, false);
 
 static const uint8_t program_llh_position[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_llh_position, time.timebase)),
@@ -177,14 +123,9 @@ static const uint8_t program_llh_position[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_llh_position_codec = {
-    0x13, 0x22, MIP_COMMAND,          49,  sizeof(struct mip_aiding_llh_position),
-    0,    0,    program_llh_position, NULL};
+MIP_CODEC(mip_aiding_llh_position, 0x13, 0x22, MIP_COMMAND, 49, 0, 0, program_llh_position, NULL);
 
-const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, 0, NULL};
-
-const struct mip_command mip_aiding_llh_position_command = {
-    &mip_aiding_llh_position_codec, &mip_aiding_llh_position_exchange, false};
+MIP_EXCHANGE(mip_aiding_llh_position, 0x13, 0x22, 0, 0, NULL, false);
 
 static const uint8_t program_height_above_ellipsoid[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_height_above_ellipsoid, time.timebase)),
@@ -195,21 +136,10 @@ static const uint8_t program_height_above_ellipsoid[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
-    0x13,
-    0x23,
-    MIP_COMMAND,
-    21,
-    sizeof(struct mip_aiding_height_above_ellipsoid),
-    0,
-    0,
-    program_height_above_ellipsoid,
-    NULL};
+MIP_CODEC(mip_aiding_height_above_ellipsoid, 0x13, 0x23, MIP_COMMAND, 21, 0, 0,
+          program_height_above_ellipsoid, NULL);
 
-const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange = {0x13, 0x23, 0, 0, NULL};
-
-const struct mip_command mip_aiding_height_above_ellipsoid_command = {
-    &mip_aiding_height_above_ellipsoid_codec, &mip_aiding_height_above_ellipsoid_exchange, false};
+MIP_EXCHANGE(mip_aiding_height_above_ellipsoid, 0x13, 0x23, 0, 0, NULL, false);
 
 static const uint8_t program_pressure_old[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_pressure_old, time.timebase)),
@@ -220,14 +150,9 @@ static const uint8_t program_pressure_old[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_pressure_old_codec = {
-    0x13, 0x25, MIP_COMMAND,          21,  sizeof(struct mip_aiding_pressure_old),
-    0,    0,    program_pressure_old, NULL};
+MIP_CODEC(mip_aiding_pressure_old, 0x13, 0x25, MIP_COMMAND, 21, 0, 0, program_pressure_old, NULL);
 
-const struct mip_exchange mip_aiding_pressure_old_exchange = {0x13, 0x25, 0, 0, NULL};
-
-const struct mip_command mip_aiding_pressure_old_command = {
-    &mip_aiding_pressure_old_codec, &mip_aiding_pressure_old_exchange, false};
+MIP_EXCHANGE(mip_aiding_pressure_old, 0x13, 0x25, 0, 0, NULL, false);
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ecef_velocity, time.timebase)),
@@ -238,14 +163,9 @@ static const uint8_t program_ecef_velocity[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_ecef_velocity_codec = {
-    0x13, 0x28, MIP_COMMAND,           37,  sizeof(struct mip_aiding_ecef_velocity),
-    0,    0,    program_ecef_velocity, NULL};
+MIP_CODEC(mip_aiding_ecef_velocity, 0x13, 0x28, MIP_COMMAND, 37, 0, 0, program_ecef_velocity, NULL);
 
-const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, 0, NULL};
-
-const struct mip_command mip_aiding_ecef_velocity_command = {
-    &mip_aiding_ecef_velocity_codec, &mip_aiding_ecef_velocity_exchange, false};
+MIP_EXCHANGE(mip_aiding_ecef_velocity, 0x13, 0x28, 0, 0, NULL, false);
 
 static const uint8_t program_ned_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ned_velocity, time.timebase)),
@@ -256,14 +176,9 @@ static const uint8_t program_ned_velocity[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_ned_velocity_codec = {
-    0x13, 0x29, MIP_COMMAND,          37,  sizeof(struct mip_aiding_ned_velocity),
-    0,    0,    program_ned_velocity, NULL};
+MIP_CODEC(mip_aiding_ned_velocity, 0x13, 0x29, MIP_COMMAND, 37, 0, 0, program_ned_velocity, NULL);
 
-const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, 0, NULL};
-
-const struct mip_command mip_aiding_ned_velocity_command = {
-    &mip_aiding_ned_velocity_codec, &mip_aiding_ned_velocity_exchange, false};
+MIP_EXCHANGE(mip_aiding_ned_velocity, 0x13, 0x29, 0, 0, NULL, false);
 
 static const uint8_t program_body_frame_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_body_frame_velocity, time.timebase)),
@@ -274,21 +189,10 @@ static const uint8_t program_body_frame_velocity[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_body_frame_velocity_codec = {
-    0x13,
-    0x2A,
-    MIP_COMMAND,
-    37,
-    sizeof(struct mip_aiding_body_frame_velocity),
-    0,
-    0,
-    program_body_frame_velocity,
-    NULL};
+MIP_CODEC(mip_aiding_body_frame_velocity, 0x13, 0x2A, MIP_COMMAND, 37, 0, 0,
+          program_body_frame_velocity, NULL);
 
-const struct mip_exchange mip_aiding_body_frame_velocity_exchange = {0x13, 0x2A, 0, 0, NULL};
-
-const struct mip_command mip_aiding_body_frame_velocity_command = {
-    &mip_aiding_body_frame_velocity_codec, &mip_aiding_body_frame_velocity_exchange, false};
+MIP_EXCHANGE(mip_aiding_body_frame_velocity, 0x13, 0x2A, 0, 0, NULL, false);
 
 static const uint8_t program_true_heading[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_true_heading, time.timebase)),
@@ -299,14 +203,9 @@ static const uint8_t program_true_heading[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_true_heading_codec = {
-    0x13, 0x31, MIP_COMMAND,          21,  sizeof(struct mip_aiding_true_heading),
-    0,    0,    program_true_heading, NULL};
+MIP_CODEC(mip_aiding_true_heading, 0x13, 0x31, MIP_COMMAND, 21, 0, 0, program_true_heading, NULL);
 
-const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, 0, NULL};
-
-const struct mip_command mip_aiding_true_heading_command = {
-    &mip_aiding_true_heading_codec, &mip_aiding_true_heading_exchange, false};
+MIP_EXCHANGE(mip_aiding_true_heading, 0x13, 0x31, 0, 0, NULL, false);
 
 static const uint8_t program_magnetic_field[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_magnetic_field, time.timebase)),
@@ -317,20 +216,10 @@ static const uint8_t program_magnetic_field[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_magnetic_field_codec = {0x13,
-                                                          0x32,
-                                                          MIP_COMMAND,
-                                                          37,
-                                                          sizeof(struct mip_aiding_magnetic_field),
-                                                          0,
-                                                          0,
-                                                          program_magnetic_field,
-                                                          NULL};
+MIP_CODEC(mip_aiding_magnetic_field, 0x13, 0x32, MIP_COMMAND, 37, 0, 0, program_magnetic_field,
+          NULL);
 
-const struct mip_exchange mip_aiding_magnetic_field_exchange = {0x13, 0x32, 0, 0, NULL};
-
-const struct mip_command mip_aiding_magnetic_field_command = {
-    &mip_aiding_magnetic_field_codec, &mip_aiding_magnetic_field_exchange, false};
+MIP_EXCHANGE(mip_aiding_magnetic_field, 0x13, 0x32, 0, 0, NULL, false);
 
 static const uint8_t program_pressure[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_pressure, time.timebase)),
@@ -341,10 +230,6 @@ static const uint8_t program_pressure[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_pressure_codec = {
-    0x13, 0x33, MIP_COMMAND, 21, sizeof(struct mip_aiding_pressure), 0, 0, program_pressure, NULL};
+MIP_CODEC(mip_aiding_pressure, 0x13, 0x33, MIP_COMMAND, 21, 0, 0, program_pressure, NULL);
 
-const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, 0, NULL};
-
-const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec,
-                                                        &mip_aiding_pressure_exchange, false};
+MIP_EXCHANGE(mip_aiding_pressure, 0x13, 0x33, 0, 0, NULL, false);

@@ -7,32 +7,16 @@ static const uint8_t program_displacement_raw[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_displacement_data_displacement_raw_codec = {
-    0x90,
-    0x01,
-    MIP_DATA,
-    4,
-    sizeof(struct mip_displacement_data_displacement_raw),
-    0,
-    MIP_SHAPE(0, 1, 0),
-    program_displacement_raw,
-    NULL};
+MIP_CODEC(mip_displacement_data_displacement_raw, 0x90, 0x01, MIP_DATA, 4, 0, MIP_SHAPE(0, 1, 0),
+          program_displacement_raw, NULL);
 
 static const uint8_t program_displacement[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_displacement_data_displacement, displacement)),
     MIP_END,
 };
 
-const struct mip_codec mip_displacement_data_displacement_codec = {
-    0x90,
-    0x02,
-    MIP_DATA,
-    4,
-    sizeof(struct mip_displacement_data_displacement),
-    0,
-    MIP_SHAPE(0, 1, 0),
-    program_displacement,
-    NULL};
+MIP_CODEC(mip_displacement_data_displacement, 0x90, 0x02, MIP_DATA, 4, 0, MIP_SHAPE(0, 1, 0),
+          program_displacement, NULL);
 
 static const uint8_t program_timestamp[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_displacement_data_timestamp, flags)),
@@ -40,6 +24,4 @@ static const uint8_t program_timestamp[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_displacement_data_timestamp_codec = {
-    0x90, 0x04, MIP_DATA,          9,   sizeof(struct mip_displacement_data_timestamp),
-    0,    0,    program_timestamp, NULL};
+MIP_CODEC(mip_displacement_data_timestamp, 0x90, 0x04, MIP_DATA, 9, 0, 0, program_timestamp, NULL);

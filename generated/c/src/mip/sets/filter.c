@@ -7,90 +7,47 @@ static const uint8_t program_reset[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_reset_codec = {
-    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, 0, program_reset, NULL};
+MIP_CODEC(mip_filter_reset, 0x0D, 0x01, MIP_COMMAND, 0, 0, 0, program_reset, NULL);
 
-const struct mip_exchange mip_filter_reset_exchange = {0x0D, 0x01, 0, 0, NULL};
-
-const struct mip_command mip_filter_reset_command = {&mip_filter_reset_codec,
-                                                     &mip_filter_reset_exchange, false};
+MIP_EXCHANGE(mip_filter_reset, 0x0D, 0x01, 0, 0, NULL, false);
 
 static const uint8_t program_set_initial_attitude[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_set_initial_attitude, roll)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_set_initial_attitude_codec = {
-    0x0D,
-    0x02,
-    MIP_COMMAND,
-    12,
-    sizeof(struct mip_filter_set_initial_attitude),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_set_initial_attitude,
-    NULL};
+MIP_CODEC(mip_filter_set_initial_attitude, 0x0D, 0x02, MIP_COMMAND, 12, 0, MIP_SHAPE(0, 3, 0),
+          program_set_initial_attitude, NULL);
 
-const struct mip_exchange mip_filter_set_initial_attitude_exchange = {0x0D, 0x02, 0, 0, NULL};
-
-const struct mip_command mip_filter_set_initial_attitude_command = {
-    &mip_filter_set_initial_attitude_codec, &mip_filter_set_initial_attitude_exchange, false};
+MIP_EXCHANGE(mip_filter_set_initial_attitude, 0x0D, 0x02, 0, 0, NULL, false);
 
 static const uint8_t program_set_initial_heading[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_set_initial_heading, heading)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_set_initial_heading_codec = {
-    0x0D,
-    0x03,
-    MIP_COMMAND,
-    4,
-    sizeof(struct mip_filter_set_initial_heading),
-    0,
-    MIP_SHAPE(0, 1, 0),
-    program_set_initial_heading,
-    NULL};
+MIP_CODEC(mip_filter_set_initial_heading, 0x0D, 0x03, MIP_COMMAND, 4, 0, MIP_SHAPE(0, 1, 0),
+          program_set_initial_heading, NULL);
 
-const struct mip_exchange mip_filter_set_initial_heading_exchange = {0x0D, 0x03, 0, 0, NULL};
-
-const struct mip_command mip_filter_set_initial_heading_command = {
-    &mip_filter_set_initial_heading_codec, &mip_filter_set_initial_heading_exchange, false};
+MIP_EXCHANGE(mip_filter_set_initial_heading, 0x0D, 0x03, 0, 0, NULL, false);
 
 static const uint8_t program_set_initial_attitude_from_imu[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_set_initial_attitude_from_imu, declination)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec = {
-    0x0D,
-    0x04,
-    MIP_COMMAND,
-    4,
-    sizeof(struct mip_filter_set_initial_attitude_from_imu),
-    0,
-    MIP_SHAPE(0, 1, 0),
-    program_set_initial_attitude_from_imu,
-    NULL};
+MIP_CODEC(mip_filter_set_initial_attitude_from_imu, 0x0D, 0x04, MIP_COMMAND, 4, 0,
+          MIP_SHAPE(0, 1, 0), program_set_initial_attitude_from_imu, NULL);
 
-const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange = {0x0D, 0x04, 0, 0,
-                                                                               NULL};
-
-const struct mip_command mip_filter_set_initial_attitude_from_imu_command = {
-    &mip_filter_set_initial_attitude_from_imu_codec,
-    &mip_filter_set_initial_attitude_from_imu_exchange, false};
+MIP_EXCHANGE(mip_filter_set_initial_attitude_from_imu, 0x0D, 0x04, 0, 0, NULL, false);
 
 static const uint8_t program_run[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_run_codec = {
-    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, 0, program_run, NULL};
+MIP_CODEC(mip_filter_run, 0x0D, 0x05, MIP_COMMAND, 0, 0, 0, program_run, NULL);
 
-const struct mip_exchange mip_filter_run_exchange = {0x0D, 0x05, 0, 0, NULL};
-
-const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, &mip_filter_run_exchange,
-                                                   false};
+MIP_EXCHANGE(mip_filter_run, 0x0D, 0x05, 0, 0, NULL, false);
 
 static const uint8_t program_vehicle_dynamics_mode[] = {
     MIP_REQUIRED(1, 1),
@@ -99,44 +56,23 @@ static const uint8_t program_vehicle_dynamics_mode[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
-    0x0D,
-    0x10,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_vehicle_dynamics_mode),
-    0,
-    0,
-    program_vehicle_dynamics_mode,
-    &mip_program};
+MIP_CODEC(mip_filter_vehicle_dynamics_mode, 0x0D, 0x10, MIP_COMMAND, 0, 0, 0,
+          program_vehicle_dynamics_mode, &mip_program);
 
 static const struct mip_response responses_vehicle_dynamics_mode[] = {
     {NULL, 0x80, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange = {
-    0x0D, 0x10, 0,
-    sizeof(responses_vehicle_dynamics_mode) / sizeof(responses_vehicle_dynamics_mode[0]),
-    responses_vehicle_dynamics_mode};
-
-const struct mip_command mip_filter_vehicle_dynamics_mode_command = {
-    &mip_filter_vehicle_dynamics_mode_codec, &mip_filter_vehicle_dynamics_mode_exchange, true};
+MIP_EXCHANGE(mip_filter_vehicle_dynamics_mode, 0x0D, 0x10, 0, 1, responses_vehicle_dynamics_mode,
+             true);
 
 static const uint8_t program_vehicle_dynamics_mode_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_vehicle_dynamics_mode_response, mode)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
-    0x0D,
-    0x80,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_filter_vehicle_dynamics_mode_response),
-    0,
-    0,
-    program_vehicle_dynamics_mode_response,
-    NULL};
+MIP_CODEC(mip_filter_vehicle_dynamics_mode_response, 0x0D, 0x80, MIP_RESPONSE, 1, 0, 0,
+          program_vehicle_dynamics_mode_response, NULL);
 
 static const uint8_t program_sensor_to_vehicle_rotation_euler[] = {
     MIP_REQUIRED(1, 3),
@@ -149,46 +85,23 @@ static const uint8_t program_sensor_to_vehicle_rotation_euler[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec = {
-    0x0D,
-    0x11,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
-    0,
-    0,
-    program_sensor_to_vehicle_rotation_euler,
-    &mip_program};
+MIP_CODEC(mip_filter_sensor_to_vehicle_rotation_euler, 0x0D, 0x11, MIP_COMMAND, 0, 0, 0,
+          program_sensor_to_vehicle_rotation_euler, &mip_program);
 
 static const struct mip_response responses_sensor_to_vehicle_rotation_euler[] = {
     {NULL, 0x81, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_euler_exchange = {
-    0x0D, 0x11, 0,
-    sizeof(responses_sensor_to_vehicle_rotation_euler) /
-        sizeof(responses_sensor_to_vehicle_rotation_euler[0]),
-    responses_sensor_to_vehicle_rotation_euler};
-
-const struct mip_command mip_filter_sensor_to_vehicle_rotation_euler_command = {
-    &mip_filter_sensor_to_vehicle_rotation_euler_codec,
-    &mip_filter_sensor_to_vehicle_rotation_euler_exchange, true};
+MIP_EXCHANGE(mip_filter_sensor_to_vehicle_rotation_euler, 0x0D, 0x11, 0, 1,
+             responses_sensor_to_vehicle_rotation_euler, true);
 
 static const uint8_t program_sensor_to_vehicle_rotation_euler_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler_response, roll)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec = {
-    0x0D,
-    0x81,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_sensor_to_vehicle_rotation_euler_response,
-    NULL};
+MIP_CODEC(mip_filter_sensor_to_vehicle_rotation_euler_response, 0x0D, 0x81, MIP_RESPONSE, 12, 0,
+          MIP_SHAPE(0, 3, 0), program_sensor_to_vehicle_rotation_euler_response, NULL);
 
 static const uint8_t program_sensor_to_vehicle_offset[] = {
     MIP_REQUIRED(1, 1),
@@ -197,45 +110,23 @@ static const uint8_t program_sensor_to_vehicle_offset[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
-    0x0D,
-    0x12,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_sensor_to_vehicle_offset),
-    0,
-    0,
-    program_sensor_to_vehicle_offset,
-    &mip_program};
+MIP_CODEC(mip_filter_sensor_to_vehicle_offset, 0x0D, 0x12, MIP_COMMAND, 0, 0, 0,
+          program_sensor_to_vehicle_offset, &mip_program);
 
 static const struct mip_response responses_sensor_to_vehicle_offset[] = {
     {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange = {
-    0x0D, 0x12, 0,
-    sizeof(responses_sensor_to_vehicle_offset) / sizeof(responses_sensor_to_vehicle_offset[0]),
-    responses_sensor_to_vehicle_offset};
-
-const struct mip_command mip_filter_sensor_to_vehicle_offset_command = {
-    &mip_filter_sensor_to_vehicle_offset_codec, &mip_filter_sensor_to_vehicle_offset_exchange,
-    true};
+MIP_EXCHANGE(mip_filter_sensor_to_vehicle_offset, 0x0D, 0x12, 0, 1,
+             responses_sensor_to_vehicle_offset, true);
 
 static const uint8_t program_sensor_to_vehicle_offset_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_offset_response, offset)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
-    0x0D,
-    0x82,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_sensor_to_vehicle_offset_response,
-    NULL};
+MIP_CODEC(mip_filter_sensor_to_vehicle_offset_response, 0x0D, 0x82, MIP_RESPONSE, 12, 0,
+          MIP_SHAPE(0, 3, 0), program_sensor_to_vehicle_offset_response, NULL);
 
 static const uint8_t program_antenna_offset[] = {
     MIP_REQUIRED(1, 1),
@@ -244,42 +135,22 @@ static const uint8_t program_antenna_offset[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_antenna_offset_codec = {0x0D,
-                                                          0x13,
-                                                          MIP_COMMAND,
-                                                          0,
-                                                          sizeof(struct mip_filter_antenna_offset),
-                                                          0,
-                                                          0,
-                                                          program_antenna_offset,
-                                                          &mip_program};
+MIP_CODEC(mip_filter_antenna_offset, 0x0D, 0x13, MIP_COMMAND, 0, 0, 0, program_antenna_offset,
+          &mip_program);
 
 static const struct mip_response responses_antenna_offset[] = {
     {NULL, 0x83, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_antenna_offset_exchange = {
-    0x0D, 0x13, 0, sizeof(responses_antenna_offset) / sizeof(responses_antenna_offset[0]),
-    responses_antenna_offset};
-
-const struct mip_command mip_filter_antenna_offset_command = {
-    &mip_filter_antenna_offset_codec, &mip_filter_antenna_offset_exchange, true};
+MIP_EXCHANGE(mip_filter_antenna_offset, 0x0D, 0x13, 0, 1, responses_antenna_offset, true);
 
 static const uint8_t program_antenna_offset_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_antenna_offset_response, offset)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_antenna_offset_response_codec = {
-    0x0D,
-    0x83,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_filter_antenna_offset_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_antenna_offset_response,
-    NULL};
+MIP_CODEC(mip_filter_antenna_offset_response, 0x0D, 0x83, MIP_RESPONSE, 12, 0, MIP_SHAPE(0, 3, 0),
+          program_antenna_offset_response, NULL);
 
 static const uint8_t program_estimation_control[] = {
     MIP_REQUIRED(1, 1),
@@ -288,43 +159,22 @@ static const uint8_t program_estimation_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_estimation_control_codec = {
-    0x0D,
-    0x14,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_estimation_control),
-    0,
-    0,
-    program_estimation_control,
-    &mip_program};
+MIP_CODEC(mip_filter_estimation_control, 0x0D, 0x14, MIP_COMMAND, 0, 0, 0,
+          program_estimation_control, &mip_program);
 
 static const struct mip_response responses_estimation_control[] = {
     {NULL, 0x84, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_estimation_control_exchange = {
-    0x0D, 0x14, 0, sizeof(responses_estimation_control) / sizeof(responses_estimation_control[0]),
-    responses_estimation_control};
-
-const struct mip_command mip_filter_estimation_control_command = {
-    &mip_filter_estimation_control_codec, &mip_filter_estimation_control_exchange, true};
+MIP_EXCHANGE(mip_filter_estimation_control, 0x0D, 0x14, 0, 1, responses_estimation_control, true);
 
 static const uint8_t program_estimation_control_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_filter_estimation_control_response, flags)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_estimation_control_response_codec = {
-    0x0D,
-    0x84,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_filter_estimation_control_response),
-    0,
-    MIP_SHAPE(0, 0, 1),
-    program_estimation_control_response,
-    NULL};
+MIP_CODEC(mip_filter_estimation_control_response, 0x0D, 0x84, MIP_RESPONSE, 2, 0,
+          MIP_SHAPE(0, 0, 1), program_estimation_control_response, NULL);
 
 static const uint8_t program_gnss_source[] = {
     MIP_REQUIRED(1, 1),
@@ -333,36 +183,22 @@ static const uint8_t program_gnss_source[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gnss_source_codec = {
-    0x0D, 0x15, MIP_COMMAND,         0,           sizeof(struct mip_filter_gnss_source),
-    0,    0,    program_gnss_source, &mip_program};
+MIP_CODEC(mip_filter_gnss_source, 0x0D, 0x15, MIP_COMMAND, 0, 0, 0, program_gnss_source,
+          &mip_program);
 
 static const struct mip_response responses_gnss_source[] = {
     {NULL, 0x86, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_gnss_source_exchange = {
-    0x0D, 0x15, 0, sizeof(responses_gnss_source) / sizeof(responses_gnss_source[0]),
-    responses_gnss_source};
-
-const struct mip_command mip_filter_gnss_source_command = {&mip_filter_gnss_source_codec,
-                                                           &mip_filter_gnss_source_exchange, true};
+MIP_EXCHANGE(mip_filter_gnss_source, 0x0D, 0x15, 0, 1, responses_gnss_source, true);
 
 static const uint8_t program_gnss_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_source_response, source)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gnss_source_response_codec = {
-    0x0D,
-    0x86,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_filter_gnss_source_response),
-    0,
-    0,
-    program_gnss_source_response,
-    NULL};
+MIP_CODEC(mip_filter_gnss_source_response, 0x0D, 0x86, MIP_RESPONSE, 1, 0, 0,
+          program_gnss_source_response, NULL);
 
 static const uint8_t program_external_gnss_update[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_external_gnss_update, tow)),
@@ -372,21 +208,10 @@ static const uint8_t program_external_gnss_update[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_external_gnss_update_codec = {
-    0x0D,
-    0x16,
-    MIP_COMMAND,
-    70,
-    sizeof(struct mip_filter_external_gnss_update),
-    0,
-    0,
-    program_external_gnss_update,
-    NULL};
+MIP_CODEC(mip_filter_external_gnss_update, 0x0D, 0x16, MIP_COMMAND, 70, 0, 0,
+          program_external_gnss_update, NULL);
 
-const struct mip_exchange mip_filter_external_gnss_update_exchange = {0x0D, 0x16, 0, 0, NULL};
-
-const struct mip_command mip_filter_external_gnss_update_command = {
-    &mip_filter_external_gnss_update_codec, &mip_filter_external_gnss_update_exchange, false};
+MIP_EXCHANGE(mip_filter_external_gnss_update, 0x0D, 0x16, 0, 0, NULL, false);
 
 static const uint8_t program_external_heading_update[] = {
     MIP_32_BITS(2, MIP_AT(struct mip_filter_external_heading_update, heading)),
@@ -394,21 +219,10 @@ static const uint8_t program_external_heading_update[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_external_heading_update_codec = {
-    0x0D,
-    0x17,
-    MIP_COMMAND,
-    9,
-    sizeof(struct mip_filter_external_heading_update),
-    0,
-    0,
-    program_external_heading_update,
-    NULL};
+MIP_CODEC(mip_filter_external_heading_update, 0x0D, 0x17, MIP_COMMAND, 9, 0, 0,
+          program_external_heading_update, NULL);
 
-const struct mip_exchange mip_filter_external_heading_update_exchange = {0x0D, 0x17, 0, 0, NULL};
-
-const struct mip_command mip_filter_external_heading_update_command = {
-    &mip_filter_external_heading_update_codec, &mip_filter_external_heading_update_exchange, false};
+MIP_EXCHANGE(mip_filter_external_heading_update, 0x0D, 0x17, 0, 0, NULL, false);
 
 static const uint8_t program_heading_source[] = {
     MIP_REQUIRED(1, 1),
@@ -417,42 +231,22 @@ static const uint8_t program_heading_source[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_heading_source_codec = {0x0D,
-                                                          0x18,
-                                                          MIP_COMMAND,
-                                                          0,
-                                                          sizeof(struct mip_filter_heading_source),
-                                                          0,
-                                                          0,
-                                                          program_heading_source,
-                                                          &mip_program};
+MIP_CODEC(mip_filter_heading_source, 0x0D, 0x18, MIP_COMMAND, 0, 0, 0, program_heading_source,
+          &mip_program);
 
 static const struct mip_response responses_heading_source[] = {
     {NULL, 0x87, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_heading_source_exchange = {
-    0x0D, 0x18, 0, sizeof(responses_heading_source) / sizeof(responses_heading_source[0]),
-    responses_heading_source};
-
-const struct mip_command mip_filter_heading_source_command = {
-    &mip_filter_heading_source_codec, &mip_filter_heading_source_exchange, true};
+MIP_EXCHANGE(mip_filter_heading_source, 0x0D, 0x18, 0, 1, responses_heading_source, true);
 
 static const uint8_t program_heading_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_heading_source_response, source)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_heading_source_response_codec = {
-    0x0D,
-    0x87,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_filter_heading_source_response),
-    0,
-    0,
-    program_heading_source_response,
-    NULL};
+MIP_CODEC(mip_filter_heading_source_response, 0x0D, 0x87, MIP_RESPONSE, 1, 0, 0,
+          program_heading_source_response, NULL);
 
 static const uint8_t program_auto_initialization_control[] = {
     MIP_REQUIRED(1, 1),
@@ -461,46 +255,23 @@ static const uint8_t program_auto_initialization_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_auto_initialization_control_codec = {
-    0x0D,
-    0x19,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_auto_initialization_control),
-    0,
-    0,
-    program_auto_initialization_control,
-    &mip_program};
+MIP_CODEC(mip_filter_auto_initialization_control, 0x0D, 0x19, MIP_COMMAND, 0, 0, 0,
+          program_auto_initialization_control, &mip_program);
 
 static const struct mip_response responses_auto_initialization_control[] = {
     {NULL, 0x88, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_auto_initialization_control_exchange = {
-    0x0D, 0x19, 0,
-    sizeof(responses_auto_initialization_control) /
-        sizeof(responses_auto_initialization_control[0]),
-    responses_auto_initialization_control};
-
-const struct mip_command mip_filter_auto_initialization_control_command = {
-    &mip_filter_auto_initialization_control_codec, &mip_filter_auto_initialization_control_exchange,
-    true};
+MIP_EXCHANGE(mip_filter_auto_initialization_control, 0x0D, 0x19, 0, 1,
+             responses_auto_initialization_control, true);
 
 static const uint8_t program_auto_initialization_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_initialization_control_response, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
-    0x0D,
-    0x88,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_filter_auto_initialization_control_response),
-    0,
-    0,
-    program_auto_initialization_control_response,
-    NULL};
+MIP_CODEC(mip_filter_auto_initialization_control_response, 0x0D, 0x88, MIP_RESPONSE, 1, 0, 0,
+          program_auto_initialization_control_response, NULL);
 
 static const uint8_t program_accel_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -509,36 +280,22 @@ static const uint8_t program_accel_noise[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_accel_noise_codec = {
-    0x0D, 0x1A, MIP_COMMAND,         0,           sizeof(struct mip_filter_accel_noise),
-    0,    0,    program_accel_noise, &mip_program};
+MIP_CODEC(mip_filter_accel_noise, 0x0D, 0x1A, MIP_COMMAND, 0, 0, 0, program_accel_noise,
+          &mip_program);
 
 static const struct mip_response responses_accel_noise[] = {
     {NULL, 0x89, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_accel_noise_exchange = {
-    0x0D, 0x1A, 0, sizeof(responses_accel_noise) / sizeof(responses_accel_noise[0]),
-    responses_accel_noise};
-
-const struct mip_command mip_filter_accel_noise_command = {&mip_filter_accel_noise_codec,
-                                                           &mip_filter_accel_noise_exchange, true};
+MIP_EXCHANGE(mip_filter_accel_noise, 0x0D, 0x1A, 0, 1, responses_accel_noise, true);
 
 static const uint8_t program_accel_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_accel_noise_response, noise)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_accel_noise_response_codec = {
-    0x0D,
-    0x89,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_filter_accel_noise_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_accel_noise_response,
-    NULL};
+MIP_CODEC(mip_filter_accel_noise_response, 0x0D, 0x89, MIP_RESPONSE, 12, 0, MIP_SHAPE(0, 3, 0),
+          program_accel_noise_response, NULL);
 
 static const uint8_t program_gyro_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -547,36 +304,22 @@ static const uint8_t program_gyro_noise[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gyro_noise_codec = {
-    0x0D, 0x1B, MIP_COMMAND,        0,           sizeof(struct mip_filter_gyro_noise),
-    0,    0,    program_gyro_noise, &mip_program};
+MIP_CODEC(mip_filter_gyro_noise, 0x0D, 0x1B, MIP_COMMAND, 0, 0, 0, program_gyro_noise,
+          &mip_program);
 
 static const struct mip_response responses_gyro_noise[] = {
     {NULL, 0x8A, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_gyro_noise_exchange = {
-    0x0D, 0x1B, 0, sizeof(responses_gyro_noise) / sizeof(responses_gyro_noise[0]),
-    responses_gyro_noise};
-
-const struct mip_command mip_filter_gyro_noise_command = {&mip_filter_gyro_noise_codec,
-                                                          &mip_filter_gyro_noise_exchange, true};
+MIP_EXCHANGE(mip_filter_gyro_noise, 0x0D, 0x1B, 0, 1, responses_gyro_noise, true);
 
 static const uint8_t program_gyro_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gyro_noise_response, noise)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gyro_noise_response_codec = {
-    0x0D,
-    0x8A,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_filter_gyro_noise_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_gyro_noise_response,
-    NULL};
+MIP_CODEC(mip_filter_gyro_noise_response, 0x0D, 0x8A, MIP_RESPONSE, 12, 0, MIP_SHAPE(0, 3, 0),
+          program_gyro_noise_response, NULL);
 
 static const uint8_t program_accel_bias_model[] = {
     MIP_REQUIRED(1, 2),
@@ -587,43 +330,22 @@ static const uint8_t program_accel_bias_model[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_accel_bias_model_codec = {
-    0x0D,
-    0x1C,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_accel_bias_model),
-    0,
-    0,
-    program_accel_bias_model,
-    &mip_program};
+MIP_CODEC(mip_filter_accel_bias_model, 0x0D, 0x1C, MIP_COMMAND, 0, 0, 0, program_accel_bias_model,
+          &mip_program);
 
 static const struct mip_response responses_accel_bias_model[] = {
     {NULL, 0x8B, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_accel_bias_model_exchange = {
-    0x0D, 0x1C, 0, sizeof(responses_accel_bias_model) / sizeof(responses_accel_bias_model[0]),
-    responses_accel_bias_model};
-
-const struct mip_command mip_filter_accel_bias_model_command = {
-    &mip_filter_accel_bias_model_codec, &mip_filter_accel_bias_model_exchange, true};
+MIP_EXCHANGE(mip_filter_accel_bias_model, 0x0D, 0x1C, 0, 1, responses_accel_bias_model, true);
 
 static const uint8_t program_accel_bias_model_response[] = {
     MIP_32_BITS(6, MIP_AT(struct mip_filter_accel_bias_model_response, beta)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_accel_bias_model_response_codec = {
-    0x0D,
-    0x8B,
-    MIP_RESPONSE,
-    24,
-    sizeof(struct mip_filter_accel_bias_model_response),
-    0,
-    MIP_SHAPE(0, 6, 0),
-    program_accel_bias_model_response,
-    NULL};
+MIP_CODEC(mip_filter_accel_bias_model_response, 0x0D, 0x8B, MIP_RESPONSE, 24, 0, MIP_SHAPE(0, 6, 0),
+          program_accel_bias_model_response, NULL);
 
 static const uint8_t program_gyro_bias_model[] = {
     MIP_REQUIRED(1, 2),
@@ -634,43 +356,22 @@ static const uint8_t program_gyro_bias_model[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gyro_bias_model_codec = {
-    0x0D,
-    0x1D,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_gyro_bias_model),
-    0,
-    0,
-    program_gyro_bias_model,
-    &mip_program};
+MIP_CODEC(mip_filter_gyro_bias_model, 0x0D, 0x1D, MIP_COMMAND, 0, 0, 0, program_gyro_bias_model,
+          &mip_program);
 
 static const struct mip_response responses_gyro_bias_model[] = {
     {NULL, 0x8C, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_gyro_bias_model_exchange = {
-    0x0D, 0x1D, 0, sizeof(responses_gyro_bias_model) / sizeof(responses_gyro_bias_model[0]),
-    responses_gyro_bias_model};
-
-const struct mip_command mip_filter_gyro_bias_model_command = {
-    &mip_filter_gyro_bias_model_codec, &mip_filter_gyro_bias_model_exchange, true};
+MIP_EXCHANGE(mip_filter_gyro_bias_model, 0x0D, 0x1D, 0, 1, responses_gyro_bias_model, true);
 
 static const uint8_t program_gyro_bias_model_response[] = {
     MIP_32_BITS(6, MIP_AT(struct mip_filter_gyro_bias_model_response, beta)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
-    0x0D,
-    0x8C,
-    MIP_RESPONSE,
-    24,
-    sizeof(struct mip_filter_gyro_bias_model_response),
-    0,
-    MIP_SHAPE(0, 6, 0),
-    program_gyro_bias_model_response,
-    NULL};
+MIP_CODEC(mip_filter_gyro_bias_model_response, 0x0D, 0x8C, MIP_RESPONSE, 24, 0, MIP_SHAPE(0, 6, 0),
+          program_gyro_bias_model_response, NULL);
 
 static const uint8_t program_auto_zupt[] = {
     MIP_REQUIRED(1, 2),
@@ -681,20 +382,13 @@ static const uint8_t program_auto_zupt[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_auto_zupt_codec = {
-    0x0D, 0x1E, MIP_COMMAND,       0,           sizeof(struct mip_filter_auto_zupt),
-    0,    0,    program_auto_zupt, &mip_program};
+MIP_CODEC(mip_filter_auto_zupt, 0x0D, 0x1E, MIP_COMMAND, 0, 0, 0, program_auto_zupt, &mip_program);
 
 static const struct mip_response responses_auto_zupt[] = {
     {NULL, 0x8D, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_auto_zupt_exchange = {
-    0x0D, 0x1E, 0, sizeof(responses_auto_zupt) / sizeof(responses_auto_zupt[0]),
-    responses_auto_zupt};
-
-const struct mip_command mip_filter_auto_zupt_command = {&mip_filter_auto_zupt_codec,
-                                                         &mip_filter_auto_zupt_exchange, true};
+MIP_EXCHANGE(mip_filter_auto_zupt, 0x0D, 0x1E, 0, 1, responses_auto_zupt, true);
 
 static const uint8_t program_auto_zupt_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_zupt_response, enable)),
@@ -702,16 +396,8 @@ static const uint8_t program_auto_zupt_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_auto_zupt_response_codec = {
-    0x0D,
-    0x8D,
-    MIP_RESPONSE,
-    5,
-    sizeof(struct mip_filter_auto_zupt_response),
-    0,
-    0,
-    program_auto_zupt_response,
-    NULL};
+MIP_CODEC(mip_filter_auto_zupt_response, 0x0D, 0x8D, MIP_RESPONSE, 5, 0, 0,
+          program_auto_zupt_response, NULL);
 
 static const uint8_t program_external_heading_update_with_time[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_external_heading_update_with_time, tow)),
@@ -721,23 +407,10 @@ static const uint8_t program_external_heading_update_with_time[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
-    0x0D,
-    0x1F,
-    MIP_COMMAND,
-    19,
-    sizeof(struct mip_filter_external_heading_update_with_time),
-    0,
-    0,
-    program_external_heading_update_with_time,
-    NULL};
+MIP_CODEC(mip_filter_external_heading_update_with_time, 0x0D, 0x1F, MIP_COMMAND, 19, 0, 0,
+          program_external_heading_update_with_time, NULL);
 
-const struct mip_exchange mip_filter_external_heading_update_with_time_exchange = {0x0D, 0x1F, 0, 0,
-                                                                                   NULL};
-
-const struct mip_command mip_filter_external_heading_update_with_time_command = {
-    &mip_filter_external_heading_update_with_time_codec,
-    &mip_filter_external_heading_update_with_time_exchange, false};
+MIP_EXCHANGE(mip_filter_external_heading_update_with_time, 0x0D, 0x1F, 0, 0, NULL, false);
 
 static const uint8_t program_auto_angular_zupt[] = {
     MIP_REQUIRED(1, 2),
@@ -748,27 +421,14 @@ static const uint8_t program_auto_angular_zupt[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_auto_angular_zupt_codec = {
-    0x0D,
-    0x20,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_auto_angular_zupt),
-    0,
-    0,
-    program_auto_angular_zupt,
-    &mip_program};
+MIP_CODEC(mip_filter_auto_angular_zupt, 0x0D, 0x20, MIP_COMMAND, 0, 0, 0, program_auto_angular_zupt,
+          &mip_program);
 
 static const struct mip_response responses_auto_angular_zupt[] = {
     {NULL, 0x8E, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_auto_angular_zupt_exchange = {
-    0x0D, 0x20, 0, sizeof(responses_auto_angular_zupt) / sizeof(responses_auto_angular_zupt[0]),
-    responses_auto_angular_zupt};
-
-const struct mip_command mip_filter_auto_angular_zupt_command = {
-    &mip_filter_auto_angular_zupt_codec, &mip_filter_auto_angular_zupt_exchange, true};
+MIP_EXCHANGE(mip_filter_auto_angular_zupt, 0x0D, 0x20, 0, 1, responses_auto_angular_zupt, true);
 
 static const uint8_t program_auto_angular_zupt_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_angular_zupt_response, enable)),
@@ -776,16 +436,8 @@ static const uint8_t program_auto_angular_zupt_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
-    0x0D,
-    0x8E,
-    MIP_RESPONSE,
-    5,
-    sizeof(struct mip_filter_auto_angular_zupt_response),
-    0,
-    0,
-    program_auto_angular_zupt_response,
-    NULL};
+MIP_CODEC(mip_filter_auto_angular_zupt_response, 0x0D, 0x8E, MIP_RESPONSE, 5, 0, 0,
+          program_auto_angular_zupt_response, NULL);
 
 static const uint8_t program_tare_orientation[] = {
     MIP_REQUIRED(1, 1),
@@ -794,82 +446,40 @@ static const uint8_t program_tare_orientation[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_tare_orientation_codec = {
-    0x0D,
-    0x21,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_tare_orientation),
-    0,
-    0,
-    program_tare_orientation,
-    &mip_program};
+MIP_CODEC(mip_filter_tare_orientation, 0x0D, 0x21, MIP_COMMAND, 0, 0, 0, program_tare_orientation,
+          &mip_program);
 
 static const struct mip_response responses_tare_orientation[] = {
     {NULL, 0xA1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_tare_orientation_exchange = {
-    0x0D, 0x21, 0, sizeof(responses_tare_orientation) / sizeof(responses_tare_orientation[0]),
-    responses_tare_orientation};
-
-const struct mip_command mip_filter_tare_orientation_command = {
-    &mip_filter_tare_orientation_codec, &mip_filter_tare_orientation_exchange, true};
+MIP_EXCHANGE(mip_filter_tare_orientation, 0x0D, 0x21, 0, 1, responses_tare_orientation, true);
 
 static const uint8_t program_tare_orientation_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_tare_orientation_response, axes)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_tare_orientation_response_codec = {
-    0x0D,
-    0xA1,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_filter_tare_orientation_response),
-    0,
-    0,
-    program_tare_orientation_response,
-    NULL};
+MIP_CODEC(mip_filter_tare_orientation_response, 0x0D, 0xA1, MIP_RESPONSE, 1, 0, 0,
+          program_tare_orientation_response, NULL);
 
 static const uint8_t program_commanded_zupt[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_commanded_zupt_codec = {0x0D,
-                                                          0x22,
-                                                          MIP_COMMAND,
-                                                          0,
-                                                          sizeof(struct mip_filter_commanded_zupt),
-                                                          0,
-                                                          0,
-                                                          program_commanded_zupt,
-                                                          NULL};
+MIP_CODEC(mip_filter_commanded_zupt, 0x0D, 0x22, MIP_COMMAND, 0, 0, 0, program_commanded_zupt,
+          NULL);
 
-const struct mip_exchange mip_filter_commanded_zupt_exchange = {0x0D, 0x22, 0, 0, NULL};
-
-const struct mip_command mip_filter_commanded_zupt_command = {
-    &mip_filter_commanded_zupt_codec, &mip_filter_commanded_zupt_exchange, false};
+MIP_EXCHANGE(mip_filter_commanded_zupt, 0x0D, 0x22, 0, 0, NULL, false);
 
 static const uint8_t program_commanded_angular_zupt[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
-    0x0D,
-    0x23,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_commanded_angular_zupt),
-    0,
-    0,
-    program_commanded_angular_zupt,
-    NULL};
+MIP_CODEC(mip_filter_commanded_angular_zupt, 0x0D, 0x23, MIP_COMMAND, 0, 0, 0,
+          program_commanded_angular_zupt, NULL);
 
-const struct mip_exchange mip_filter_commanded_angular_zupt_exchange = {0x0D, 0x23, 0, 0, NULL};
-
-const struct mip_command mip_filter_commanded_angular_zupt_command = {
-    &mip_filter_commanded_angular_zupt_codec, &mip_filter_commanded_angular_zupt_exchange, false};
+MIP_EXCHANGE(mip_filter_commanded_angular_zupt, 0x0D, 0x23, 0, 0, NULL, false);
 
 static const uint8_t program_reference_position[] = {
     MIP_REQUIRED(1, 4),
@@ -884,27 +494,14 @@ static const uint8_t program_reference_position[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_reference_position_codec = {
-    0x0D,
-    0x26,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_reference_position),
-    0,
-    0,
-    program_reference_position,
-    &mip_program};
+MIP_CODEC(mip_filter_reference_position, 0x0D, 0x26, MIP_COMMAND, 0, 0, 0,
+          program_reference_position, &mip_program);
 
 static const struct mip_response responses_reference_position[] = {
     {NULL, 0x90, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_reference_position_exchange = {
-    0x0D, 0x26, 0, sizeof(responses_reference_position) / sizeof(responses_reference_position[0]),
-    responses_reference_position};
-
-const struct mip_command mip_filter_reference_position_command = {
-    &mip_filter_reference_position_codec, &mip_filter_reference_position_exchange, true};
+MIP_EXCHANGE(mip_filter_reference_position, 0x0D, 0x26, 0, 1, responses_reference_position, true);
 
 static const uint8_t program_reference_position_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_reference_position_response, enable)),
@@ -912,39 +509,18 @@ static const uint8_t program_reference_position_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_reference_position_response_codec = {
-    0x0D,
-    0x90,
-    MIP_RESPONSE,
-    25,
-    sizeof(struct mip_filter_reference_position_response),
-    0,
-    0,
-    program_reference_position_response,
-    NULL};
+MIP_CODEC(mip_filter_reference_position_response, 0x0D, 0x90, MIP_RESPONSE, 25, 0, 0,
+          program_reference_position_response, NULL);
 
 static const uint8_t program_mag_capture_auto_calibration[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_capture_auto_calibration, function)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
-    0x0D,
-    0x27,
-    MIP_COMMAND,
-    1,
-    sizeof(struct mip_filter_mag_capture_auto_calibration),
-    0,
-    0,
-    program_mag_capture_auto_calibration,
-    NULL};
+MIP_CODEC(mip_filter_mag_capture_auto_calibration, 0x0D, 0x27, MIP_COMMAND, 1, 0, 0,
+          program_mag_capture_auto_calibration, NULL);
 
-const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange = {0x0D, 0x27, 0, 0,
-                                                                              NULL};
-
-const struct mip_command mip_filter_mag_capture_auto_calibration_command = {
-    &mip_filter_mag_capture_auto_calibration_codec,
-    &mip_filter_mag_capture_auto_calibration_exchange, true};
+MIP_EXCHANGE(mip_filter_mag_capture_auto_calibration, 0x0D, 0x27, 0, 0, NULL, true);
 
 static const uint8_t program_gravity_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -953,36 +529,22 @@ static const uint8_t program_gravity_noise[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gravity_noise_codec = {
-    0x0D, 0x28, MIP_COMMAND,           0,           sizeof(struct mip_filter_gravity_noise),
-    0,    0,    program_gravity_noise, &mip_program};
+MIP_CODEC(mip_filter_gravity_noise, 0x0D, 0x28, MIP_COMMAND, 0, 0, 0, program_gravity_noise,
+          &mip_program);
 
 static const struct mip_response responses_gravity_noise[] = {
     {NULL, 0x93, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_gravity_noise_exchange = {
-    0x0D, 0x28, 0, sizeof(responses_gravity_noise) / sizeof(responses_gravity_noise[0]),
-    responses_gravity_noise};
-
-const struct mip_command mip_filter_gravity_noise_command = {
-    &mip_filter_gravity_noise_codec, &mip_filter_gravity_noise_exchange, true};
+MIP_EXCHANGE(mip_filter_gravity_noise, 0x0D, 0x28, 0, 1, responses_gravity_noise, true);
 
 static const uint8_t program_gravity_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gravity_noise_response, noise)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gravity_noise_response_codec = {
-    0x0D,
-    0x93,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_filter_gravity_noise_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_gravity_noise_response,
-    NULL};
+MIP_CODEC(mip_filter_gravity_noise_response, 0x0D, 0x93, MIP_RESPONSE, 12, 0, MIP_SHAPE(0, 3, 0),
+          program_gravity_noise_response, NULL);
 
 static const uint8_t program_pressure_altitude_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -991,44 +553,23 @@ static const uint8_t program_pressure_altitude_noise[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
-    0x0D,
-    0x29,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_pressure_altitude_noise),
-    0,
-    0,
-    program_pressure_altitude_noise,
-    &mip_program};
+MIP_CODEC(mip_filter_pressure_altitude_noise, 0x0D, 0x29, MIP_COMMAND, 0, 0, 0,
+          program_pressure_altitude_noise, &mip_program);
 
 static const struct mip_response responses_pressure_altitude_noise[] = {
     {NULL, 0x94, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_pressure_altitude_noise_exchange = {
-    0x0D, 0x29, 0,
-    sizeof(responses_pressure_altitude_noise) / sizeof(responses_pressure_altitude_noise[0]),
-    responses_pressure_altitude_noise};
-
-const struct mip_command mip_filter_pressure_altitude_noise_command = {
-    &mip_filter_pressure_altitude_noise_codec, &mip_filter_pressure_altitude_noise_exchange, true};
+MIP_EXCHANGE(mip_filter_pressure_altitude_noise, 0x0D, 0x29, 0, 1,
+             responses_pressure_altitude_noise, true);
 
 static const uint8_t program_pressure_altitude_noise_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_pressure_altitude_noise_response, noise)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
-    0x0D,
-    0x94,
-    MIP_RESPONSE,
-    4,
-    sizeof(struct mip_filter_pressure_altitude_noise_response),
-    0,
-    MIP_SHAPE(0, 1, 0),
-    program_pressure_altitude_noise_response,
-    NULL};
+MIP_CODEC(mip_filter_pressure_altitude_noise_response, 0x0D, 0x94, MIP_RESPONSE, 4, 0,
+          MIP_SHAPE(0, 1, 0), program_pressure_altitude_noise_response, NULL);
 
 static const uint8_t program_hard_iron_offset_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -1037,44 +578,23 @@ static const uint8_t program_hard_iron_offset_noise[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
-    0x0D,
-    0x2B,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_hard_iron_offset_noise),
-    0,
-    0,
-    program_hard_iron_offset_noise,
-    &mip_program};
+MIP_CODEC(mip_filter_hard_iron_offset_noise, 0x0D, 0x2B, MIP_COMMAND, 0, 0, 0,
+          program_hard_iron_offset_noise, &mip_program);
 
 static const struct mip_response responses_hard_iron_offset_noise[] = {
     {NULL, 0x96, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange = {
-    0x0D, 0x2B, 0,
-    sizeof(responses_hard_iron_offset_noise) / sizeof(responses_hard_iron_offset_noise[0]),
-    responses_hard_iron_offset_noise};
-
-const struct mip_command mip_filter_hard_iron_offset_noise_command = {
-    &mip_filter_hard_iron_offset_noise_codec, &mip_filter_hard_iron_offset_noise_exchange, true};
+MIP_EXCHANGE(mip_filter_hard_iron_offset_noise, 0x0D, 0x2B, 0, 1, responses_hard_iron_offset_noise,
+             true);
 
 static const uint8_t program_hard_iron_offset_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_hard_iron_offset_noise_response, noise)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
-    0x0D,
-    0x96,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_filter_hard_iron_offset_noise_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_hard_iron_offset_noise_response,
-    NULL};
+MIP_CODEC(mip_filter_hard_iron_offset_noise_response, 0x0D, 0x96, MIP_RESPONSE, 12, 0,
+          MIP_SHAPE(0, 3, 0), program_hard_iron_offset_noise_response, NULL);
 
 static const uint8_t program_soft_iron_matrix_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -1083,44 +603,23 @@ static const uint8_t program_soft_iron_matrix_noise[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
-    0x0D,
-    0x2C,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_soft_iron_matrix_noise),
-    0,
-    0,
-    program_soft_iron_matrix_noise,
-    &mip_program};
+MIP_CODEC(mip_filter_soft_iron_matrix_noise, 0x0D, 0x2C, MIP_COMMAND, 0, 0, 0,
+          program_soft_iron_matrix_noise, &mip_program);
 
 static const struct mip_response responses_soft_iron_matrix_noise[] = {
     {NULL, 0x97, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange = {
-    0x0D, 0x2C, 0,
-    sizeof(responses_soft_iron_matrix_noise) / sizeof(responses_soft_iron_matrix_noise[0]),
-    responses_soft_iron_matrix_noise};
-
-const struct mip_command mip_filter_soft_iron_matrix_noise_command = {
-    &mip_filter_soft_iron_matrix_noise_codec, &mip_filter_soft_iron_matrix_noise_exchange, true};
+MIP_EXCHANGE(mip_filter_soft_iron_matrix_noise, 0x0D, 0x2C, 0, 1, responses_soft_iron_matrix_noise,
+             true);
 
 static const uint8_t program_soft_iron_matrix_noise_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_soft_iron_matrix_noise_response, noise)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
-    0x0D,
-    0x97,
-    MIP_RESPONSE,
-    36,
-    sizeof(struct mip_filter_soft_iron_matrix_noise_response),
-    0,
-    MIP_SHAPE(0, 9, 0),
-    program_soft_iron_matrix_noise_response,
-    NULL};
+MIP_CODEC(mip_filter_soft_iron_matrix_noise_response, 0x0D, 0x97, MIP_RESPONSE, 36, 0,
+          MIP_SHAPE(0, 9, 0), program_soft_iron_matrix_noise_response, NULL);
 
 static const uint8_t program_enable_measurements[] = {
     MIP_REQUIRED(1, 1),
@@ -1129,43 +628,22 @@ static const uint8_t program_enable_measurements[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_enable_measurements_codec = {
-    0x0D,
-    0x41,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_enable_measurements),
-    0,
-    0,
-    program_enable_measurements,
-    &mip_program};
+MIP_CODEC(mip_filter_enable_measurements, 0x0D, 0x41, MIP_COMMAND, 0, 0, 0,
+          program_enable_measurements, &mip_program);
 
 static const struct mip_response responses_enable_measurements[] = {
     {NULL, 0xB0, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_enable_measurements_exchange = {
-    0x0D, 0x41, 0, sizeof(responses_enable_measurements) / sizeof(responses_enable_measurements[0]),
-    responses_enable_measurements};
-
-const struct mip_command mip_filter_enable_measurements_command = {
-    &mip_filter_enable_measurements_codec, &mip_filter_enable_measurements_exchange, true};
+MIP_EXCHANGE(mip_filter_enable_measurements, 0x0D, 0x41, 0, 1, responses_enable_measurements, true);
 
 static const uint8_t program_enable_measurements_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_filter_enable_measurements_response, control)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_enable_measurements_response_codec = {
-    0x0D,
-    0xB0,
-    MIP_RESPONSE,
-    2,
-    sizeof(struct mip_filter_enable_measurements_response),
-    0,
-    MIP_SHAPE(0, 0, 1),
-    program_enable_measurements_response,
-    NULL};
+MIP_CODEC(mip_filter_enable_measurements_response, 0x0D, 0xB0, MIP_RESPONSE, 2, 0,
+          MIP_SHAPE(0, 0, 1), program_enable_measurements_response, NULL);
 
 static const uint8_t program_mag_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -1174,36 +652,21 @@ static const uint8_t program_mag_noise[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_noise_codec = {
-    0x0D, 0x42, MIP_COMMAND,       0,           sizeof(struct mip_filter_mag_noise),
-    0,    0,    program_mag_noise, &mip_program};
+MIP_CODEC(mip_filter_mag_noise, 0x0D, 0x42, MIP_COMMAND, 0, 0, 0, program_mag_noise, &mip_program);
 
 static const struct mip_response responses_mag_noise[] = {
     {NULL, 0xB1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_mag_noise_exchange = {
-    0x0D, 0x42, 0, sizeof(responses_mag_noise) / sizeof(responses_mag_noise[0]),
-    responses_mag_noise};
-
-const struct mip_command mip_filter_mag_noise_command = {&mip_filter_mag_noise_codec,
-                                                         &mip_filter_mag_noise_exchange, true};
+MIP_EXCHANGE(mip_filter_mag_noise, 0x0D, 0x42, 0, 1, responses_mag_noise, true);
 
 static const uint8_t program_mag_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_mag_noise_response, noise)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_noise_response_codec = {
-    0x0D,
-    0xB1,
-    MIP_RESPONSE,
-    12,
-    sizeof(struct mip_filter_mag_noise_response),
-    0,
-    MIP_SHAPE(0, 3, 0),
-    program_mag_noise_response,
-    NULL};
+MIP_CODEC(mip_filter_mag_noise_response, 0x0D, 0xB1, MIP_RESPONSE, 12, 0, MIP_SHAPE(0, 3, 0),
+          program_mag_noise_response, NULL);
 
 static const uint8_t program_magnetic_declination_source[] = {
     MIP_REQUIRED(1, 2),
@@ -1214,30 +677,15 @@ static const uint8_t program_magnetic_declination_source[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_magnetic_declination_source_codec = {
-    0x0D,
-    0x43,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_magnetic_declination_source),
-    0,
-    0,
-    program_magnetic_declination_source,
-    &mip_program};
+MIP_CODEC(mip_filter_magnetic_declination_source, 0x0D, 0x43, MIP_COMMAND, 0, 0, 0,
+          program_magnetic_declination_source, &mip_program);
 
 static const struct mip_response responses_magnetic_declination_source[] = {
     {NULL, 0xB2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_magnetic_declination_source_exchange = {
-    0x0D, 0x43, 0,
-    sizeof(responses_magnetic_declination_source) /
-        sizeof(responses_magnetic_declination_source[0]),
-    responses_magnetic_declination_source};
-
-const struct mip_command mip_filter_magnetic_declination_source_command = {
-    &mip_filter_magnetic_declination_source_codec, &mip_filter_magnetic_declination_source_exchange,
-    true};
+MIP_EXCHANGE(mip_filter_magnetic_declination_source, 0x0D, 0x43, 0, 1,
+             responses_magnetic_declination_source, true);
 
 static const uint8_t program_magnetic_declination_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_declination_source_response, source)),
@@ -1245,16 +693,8 @@ static const uint8_t program_magnetic_declination_source_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
-    0x0D,
-    0xB2,
-    MIP_RESPONSE,
-    5,
-    sizeof(struct mip_filter_magnetic_declination_source_response),
-    0,
-    0,
-    program_magnetic_declination_source_response,
-    NULL};
+MIP_CODEC(mip_filter_magnetic_declination_source_response, 0x0D, 0xB2, MIP_RESPONSE, 5, 0, 0,
+          program_magnetic_declination_source_response, NULL);
 
 static const uint8_t program_accel_magnitude_adaptive[] = {
     MIP_REQUIRED(1, 1),
@@ -1275,29 +715,15 @@ static const uint8_t program_accel_magnitude_adaptive[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
-    0x0D,
-    0x44,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_accel_magnitude_adaptive),
-    0,
-    0,
-    program_accel_magnitude_adaptive,
-    &mip_program};
+MIP_CODEC(mip_filter_accel_magnitude_adaptive, 0x0D, 0x44, MIP_COMMAND, 0, 0, 0,
+          program_accel_magnitude_adaptive, &mip_program);
 
 static const struct mip_response responses_accel_magnitude_adaptive[] = {
     {NULL, 0xB3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange = {
-    0x0D, 0x44, 0,
-    sizeof(responses_accel_magnitude_adaptive) / sizeof(responses_accel_magnitude_adaptive[0]),
-    responses_accel_magnitude_adaptive};
-
-const struct mip_command mip_filter_accel_magnitude_adaptive_command = {
-    &mip_filter_accel_magnitude_adaptive_codec, &mip_filter_accel_magnitude_adaptive_exchange,
-    true};
+MIP_EXCHANGE(mip_filter_accel_magnitude_adaptive, 0x0D, 0x44, 0, 1,
+             responses_accel_magnitude_adaptive, true);
 
 static const uint8_t program_accel_magnitude_adaptive_response[] = {
     MIP_8_BITS(1,
@@ -1306,16 +732,8 @@ static const uint8_t program_accel_magnitude_adaptive_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec = {
-    0x0D,
-    0xB3,
-    MIP_RESPONSE,
-    25,
-    sizeof(struct mip_filter_accel_magnitude_adaptive_response),
-    0,
-    0,
-    program_accel_magnitude_adaptive_response,
-    NULL};
+MIP_CODEC(mip_filter_accel_magnitude_adaptive_response, 0x0D, 0xB3, MIP_RESPONSE, 25, 0, 0,
+          program_accel_magnitude_adaptive_response, NULL);
 
 static const uint8_t program_mag_magnitude_adaptive[] = {
     MIP_REQUIRED(1, 7),
@@ -1336,28 +754,15 @@ static const uint8_t program_mag_magnitude_adaptive[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
-    0x0D,
-    0x45,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_mag_magnitude_adaptive),
-    0,
-    0,
-    program_mag_magnitude_adaptive,
-    &mip_program};
+MIP_CODEC(mip_filter_mag_magnitude_adaptive, 0x0D, 0x45, MIP_COMMAND, 0, 0, 0,
+          program_mag_magnitude_adaptive, &mip_program);
 
 static const struct mip_response responses_mag_magnitude_adaptive[] = {
     {NULL, 0xB4, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange = {
-    0x0D, 0x45, 0,
-    sizeof(responses_mag_magnitude_adaptive) / sizeof(responses_mag_magnitude_adaptive[0]),
-    responses_mag_magnitude_adaptive};
-
-const struct mip_command mip_filter_mag_magnitude_adaptive_command = {
-    &mip_filter_mag_magnitude_adaptive_codec, &mip_filter_mag_magnitude_adaptive_exchange, true};
+MIP_EXCHANGE(mip_filter_mag_magnitude_adaptive, 0x0D, 0x45, 0, 1, responses_mag_magnitude_adaptive,
+             true);
 
 static const uint8_t program_mag_magnitude_adaptive_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive_response, adaptive_measurement)),
@@ -1365,16 +770,8 @@ static const uint8_t program_mag_magnitude_adaptive_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec = {
-    0x0D,
-    0xB4,
-    MIP_RESPONSE,
-    25,
-    sizeof(struct mip_filter_mag_magnitude_adaptive_response),
-    0,
-    0,
-    program_mag_magnitude_adaptive_response,
-    NULL};
+MIP_CODEC(mip_filter_mag_magnitude_adaptive_response, 0x0D, 0xB4, MIP_RESPONSE, 25, 0, 0,
+          program_mag_magnitude_adaptive_response, NULL);
 
 static const uint8_t program_mag_dip_angle_adaptive[] = {
     MIP_REQUIRED(1, 5),
@@ -1391,28 +788,15 @@ static const uint8_t program_mag_dip_angle_adaptive[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
-    0x0D,
-    0x46,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_mag_dip_angle_adaptive),
-    0,
-    0,
-    program_mag_dip_angle_adaptive,
-    &mip_program};
+MIP_CODEC(mip_filter_mag_dip_angle_adaptive, 0x0D, 0x46, MIP_COMMAND, 0, 0, 0,
+          program_mag_dip_angle_adaptive, &mip_program);
 
 static const struct mip_response responses_mag_dip_angle_adaptive[] = {
     {NULL, 0xB5, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange = {
-    0x0D, 0x46, 0,
-    sizeof(responses_mag_dip_angle_adaptive) / sizeof(responses_mag_dip_angle_adaptive[0]),
-    responses_mag_dip_angle_adaptive};
-
-const struct mip_command mip_filter_mag_dip_angle_adaptive_command = {
-    &mip_filter_mag_dip_angle_adaptive_codec, &mip_filter_mag_dip_angle_adaptive_exchange, true};
+MIP_EXCHANGE(mip_filter_mag_dip_angle_adaptive, 0x0D, 0x46, 0, 1, responses_mag_dip_angle_adaptive,
+             true);
 
 static const uint8_t program_mag_dip_angle_adaptive_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive_response, enable)),
@@ -1420,16 +804,8 @@ static const uint8_t program_mag_dip_angle_adaptive_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec = {
-    0x0D,
-    0xB5,
-    MIP_RESPONSE,
-    17,
-    sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
-    0,
-    0,
-    program_mag_dip_angle_adaptive_response,
-    NULL};
+MIP_CODEC(mip_filter_mag_dip_angle_adaptive_response, 0x0D, 0xB5, MIP_RESPONSE, 17, 0, 0,
+          program_mag_dip_angle_adaptive_response, NULL);
 
 static const uint8_t program_altitude_aiding[] = {
     MIP_REQUIRED(1, 1),
@@ -1438,43 +814,22 @@ static const uint8_t program_altitude_aiding[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_altitude_aiding_codec = {
-    0x0D,
-    0x47,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_altitude_aiding),
-    0,
-    0,
-    program_altitude_aiding,
-    &mip_program};
+MIP_CODEC(mip_filter_altitude_aiding, 0x0D, 0x47, MIP_COMMAND, 0, 0, 0, program_altitude_aiding,
+          &mip_program);
 
 static const struct mip_response responses_altitude_aiding[] = {
     {NULL, 0xB7, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_altitude_aiding_exchange = {
-    0x0D, 0x47, 0, sizeof(responses_altitude_aiding) / sizeof(responses_altitude_aiding[0]),
-    responses_altitude_aiding};
-
-const struct mip_command mip_filter_altitude_aiding_command = {
-    &mip_filter_altitude_aiding_codec, &mip_filter_altitude_aiding_exchange, true};
+MIP_EXCHANGE(mip_filter_altitude_aiding, 0x0D, 0x47, 0, 1, responses_altitude_aiding, true);
 
 static const uint8_t program_altitude_aiding_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_altitude_aiding_response, selector)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_altitude_aiding_response_codec = {
-    0x0D,
-    0xB7,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_filter_altitude_aiding_response),
-    0,
-    0,
-    program_altitude_aiding_response,
-    NULL};
+MIP_CODEC(mip_filter_altitude_aiding_response, 0x0D, 0xB7, MIP_RESPONSE, 1, 0, 0,
+          program_altitude_aiding_response, NULL);
 
 static const uint8_t program_pitch_roll_aiding[] = {
     MIP_REQUIRED(1, 1),
@@ -1483,43 +838,22 @@ static const uint8_t program_pitch_roll_aiding[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
-    0x0D,
-    0x4B,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_pitch_roll_aiding),
-    0,
-    0,
-    program_pitch_roll_aiding,
-    &mip_program};
+MIP_CODEC(mip_filter_pitch_roll_aiding, 0x0D, 0x4B, MIP_COMMAND, 0, 0, 0, program_pitch_roll_aiding,
+          &mip_program);
 
 static const struct mip_response responses_pitch_roll_aiding[] = {
     {NULL, 0xBB, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_pitch_roll_aiding_exchange = {
-    0x0D, 0x4B, 0, sizeof(responses_pitch_roll_aiding) / sizeof(responses_pitch_roll_aiding[0]),
-    responses_pitch_roll_aiding};
-
-const struct mip_command mip_filter_pitch_roll_aiding_command = {
-    &mip_filter_pitch_roll_aiding_codec, &mip_filter_pitch_roll_aiding_exchange, true};
+MIP_EXCHANGE(mip_filter_pitch_roll_aiding, 0x0D, 0x4B, 0, 1, responses_pitch_roll_aiding, true);
 
 static const uint8_t program_pitch_roll_aiding_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_pitch_roll_aiding_response, aiding)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
-    0x0D,
-    0xBB,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_filter_pitch_roll_aiding_response),
-    0,
-    0,
-    program_pitch_roll_aiding_response,
-    NULL};
+MIP_CODEC(mip_filter_pitch_roll_aiding_response, 0x0D, 0xBB, MIP_RESPONSE, 1, 0, 0,
+          program_pitch_roll_aiding_response, NULL);
 
 static const uint8_t program_magnetic_inclination_source[] = {
     MIP_REQUIRED(1, 2),
@@ -1530,30 +864,15 @@ static const uint8_t program_magnetic_inclination_source[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
-    0x0D,
-    0x4C,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_magnetic_inclination_source),
-    0,
-    0,
-    program_magnetic_inclination_source,
-    &mip_program};
+MIP_CODEC(mip_filter_magnetic_inclination_source, 0x0D, 0x4C, MIP_COMMAND, 0, 0, 0,
+          program_magnetic_inclination_source, &mip_program);
 
 static const struct mip_response responses_magnetic_inclination_source[] = {
     {NULL, 0xBC, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_magnetic_inclination_source_exchange = {
-    0x0D, 0x4C, 0,
-    sizeof(responses_magnetic_inclination_source) /
-        sizeof(responses_magnetic_inclination_source[0]),
-    responses_magnetic_inclination_source};
-
-const struct mip_command mip_filter_magnetic_inclination_source_command = {
-    &mip_filter_magnetic_inclination_source_codec, &mip_filter_magnetic_inclination_source_exchange,
-    true};
+MIP_EXCHANGE(mip_filter_magnetic_inclination_source, 0x0D, 0x4C, 0, 1,
+             responses_magnetic_inclination_source, true);
 
 static const uint8_t program_magnetic_inclination_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_inclination_source_response, source)),
@@ -1561,16 +880,8 @@ static const uint8_t program_magnetic_inclination_source_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
-    0x0D,
-    0xBC,
-    MIP_RESPONSE,
-    5,
-    sizeof(struct mip_filter_magnetic_inclination_source_response),
-    0,
-    0,
-    program_magnetic_inclination_source_response,
-    NULL};
+MIP_CODEC(mip_filter_magnetic_inclination_source_response, 0x0D, 0xBC, MIP_RESPONSE, 5, 0, 0,
+          program_magnetic_inclination_source_response, NULL);
 
 static const uint8_t program_magnetic_magnitude_source[] = {
     MIP_REQUIRED(1, 2),
@@ -1581,29 +892,15 @@ static const uint8_t program_magnetic_magnitude_source[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
-    0x0D,
-    0x4D,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_magnetic_magnitude_source),
-    0,
-    0,
-    program_magnetic_magnitude_source,
-    &mip_program};
+MIP_CODEC(mip_filter_magnetic_magnitude_source, 0x0D, 0x4D, MIP_COMMAND, 0, 0, 0,
+          program_magnetic_magnitude_source, &mip_program);
 
 static const struct mip_response responses_magnetic_magnitude_source[] = {
     {NULL, 0xBD, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange = {
-    0x0D, 0x4D, 0,
-    sizeof(responses_magnetic_magnitude_source) / sizeof(responses_magnetic_magnitude_source[0]),
-    responses_magnetic_magnitude_source};
-
-const struct mip_command mip_filter_magnetic_magnitude_source_command = {
-    &mip_filter_magnetic_magnitude_source_codec, &mip_filter_magnetic_magnitude_source_exchange,
-    true};
+MIP_EXCHANGE(mip_filter_magnetic_magnitude_source, 0x0D, 0x4D, 0, 1,
+             responses_magnetic_magnitude_source, true);
 
 static const uint8_t program_magnetic_magnitude_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_magnitude_source_response, source)),
@@ -1611,16 +908,8 @@ static const uint8_t program_magnetic_magnitude_source_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
-    0x0D,
-    0xBD,
-    MIP_RESPONSE,
-    5,
-    sizeof(struct mip_filter_magnetic_magnitude_source_response),
-    0,
-    0,
-    program_magnetic_magnitude_source_response,
-    NULL};
+MIP_CODEC(mip_filter_magnetic_magnitude_source_response, 0x0D, 0xBD, MIP_RESPONSE, 5, 0, 0,
+          program_magnetic_magnitude_source_response, NULL);
 
 static const uint8_t program_sensor_to_vehicle_rotation_dcm[] = {
     MIP_REQUIRED(1, 1),
@@ -1629,46 +918,23 @@ static const uint8_t program_sensor_to_vehicle_rotation_dcm[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
-    0x0D,
-    0x4E,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
-    0,
-    0,
-    program_sensor_to_vehicle_rotation_dcm,
-    &mip_program};
+MIP_CODEC(mip_filter_sensor_to_vehicle_rotation_dcm, 0x0D, 0x4E, MIP_COMMAND, 0, 0, 0,
+          program_sensor_to_vehicle_rotation_dcm, &mip_program);
 
 static const struct mip_response responses_sensor_to_vehicle_rotation_dcm[] = {
     {NULL, 0xBE, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_dcm_exchange = {
-    0x0D, 0x4E, 0,
-    sizeof(responses_sensor_to_vehicle_rotation_dcm) /
-        sizeof(responses_sensor_to_vehicle_rotation_dcm[0]),
-    responses_sensor_to_vehicle_rotation_dcm};
-
-const struct mip_command mip_filter_sensor_to_vehicle_rotation_dcm_command = {
-    &mip_filter_sensor_to_vehicle_rotation_dcm_codec,
-    &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, true};
+MIP_EXCHANGE(mip_filter_sensor_to_vehicle_rotation_dcm, 0x0D, 0x4E, 0, 1,
+             responses_sensor_to_vehicle_rotation_dcm, true);
 
 static const uint8_t program_sensor_to_vehicle_rotation_dcm_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_dcm_response, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec = {
-    0x0D,
-    0xBE,
-    MIP_RESPONSE,
-    36,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
-    0,
-    MIP_SHAPE(0, 9, 0),
-    program_sensor_to_vehicle_rotation_dcm_response,
-    NULL};
+MIP_CODEC(mip_filter_sensor_to_vehicle_rotation_dcm_response, 0x0D, 0xBE, MIP_RESPONSE, 36, 0,
+          MIP_SHAPE(0, 9, 0), program_sensor_to_vehicle_rotation_dcm_response, NULL);
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
     MIP_REQUIRED(1, 1),
@@ -1677,46 +943,23 @@ static const uint8_t program_sensor_to_vehicle_quaternion[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
-    0x0D,
-    0x4F,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
-    0,
-    0,
-    program_sensor_to_vehicle_quaternion,
-    &mip_program};
+MIP_CODEC(mip_filter_sensor_to_vehicle_quaternion, 0x0D, 0x4F, MIP_COMMAND, 0, 0, 0,
+          program_sensor_to_vehicle_quaternion, &mip_program);
 
 static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
     {NULL, 0xBF, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange = {
-    0x0D, 0x4F, 0,
-    sizeof(responses_sensor_to_vehicle_quaternion) /
-        sizeof(responses_sensor_to_vehicle_quaternion[0]),
-    responses_sensor_to_vehicle_quaternion};
-
-const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command = {
-    &mip_filter_sensor_to_vehicle_quaternion_codec,
-    &mip_filter_sensor_to_vehicle_quaternion_exchange, true};
+MIP_EXCHANGE(mip_filter_sensor_to_vehicle_quaternion, 0x0D, 0x4F, 0, 1,
+             responses_sensor_to_vehicle_quaternion, true);
 
 static const uint8_t program_sensor_to_vehicle_quaternion_response[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_sensor_to_vehicle_quaternion_response, q)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec = {
-    0x0D,
-    0xBF,
-    MIP_RESPONSE,
-    16,
-    sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
-    0,
-    MIP_SHAPE(0, 4, 0),
-    program_sensor_to_vehicle_quaternion_response,
-    NULL};
+MIP_CODEC(mip_filter_sensor_to_vehicle_quaternion_response, 0x0D, 0xBF, MIP_RESPONSE, 16, 0,
+          MIP_SHAPE(0, 4, 0), program_sensor_to_vehicle_quaternion_response, NULL);
 
 static const uint8_t program_aiding_measurement_enable[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -1727,29 +970,15 @@ static const uint8_t program_aiding_measurement_enable[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
-    0x0D,
-    0x50,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_aiding_measurement_enable),
-    0,
-    0,
-    program_aiding_measurement_enable,
-    &mip_program};
+MIP_CODEC(mip_filter_aiding_measurement_enable, 0x0D, 0x50, MIP_COMMAND, 0, 0, 0,
+          program_aiding_measurement_enable, &mip_program);
 
 static const struct mip_response responses_aiding_measurement_enable[] = {
     {NULL, 0xD0, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_aiding_measurement_enable_exchange = {
-    0x0D, 0x50, 0,
-    sizeof(responses_aiding_measurement_enable) / sizeof(responses_aiding_measurement_enable[0]),
-    responses_aiding_measurement_enable};
-
-const struct mip_command mip_filter_aiding_measurement_enable_command = {
-    &mip_filter_aiding_measurement_enable_codec, &mip_filter_aiding_measurement_enable_exchange,
-    true};
+MIP_EXCHANGE(mip_filter_aiding_measurement_enable, 0x0D, 0x50, 0, 1,
+             responses_aiding_measurement_enable, true);
 
 static const uint8_t program_aiding_measurement_enable_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_filter_aiding_measurement_enable_response, aiding_source)),
@@ -1757,16 +986,8 @@ static const uint8_t program_aiding_measurement_enable_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
-    0x0D,
-    0xD0,
-    MIP_RESPONSE,
-    3,
-    sizeof(struct mip_filter_aiding_measurement_enable_response),
-    0,
-    0,
-    program_aiding_measurement_enable_response,
-    NULL};
+MIP_CODEC(mip_filter_aiding_measurement_enable_response, 0x0D, 0xD0, MIP_RESPONSE, 3, 0, 0,
+          program_aiding_measurement_enable_response, NULL);
 
 static const uint8_t program_kinematic_constraint[] = {
     MIP_REQUIRED(1, 3),
@@ -1779,44 +1000,23 @@ static const uint8_t program_kinematic_constraint[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_kinematic_constraint_codec = {
-    0x0D,
-    0x51,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_kinematic_constraint),
-    0,
-    0,
-    program_kinematic_constraint,
-    &mip_program};
+MIP_CODEC(mip_filter_kinematic_constraint, 0x0D, 0x51, MIP_COMMAND, 0, 0, 0,
+          program_kinematic_constraint, &mip_program);
 
 static const struct mip_response responses_kinematic_constraint[] = {
     {NULL, 0xD1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_kinematic_constraint_exchange = {
-    0x0D, 0x51, 0,
-    sizeof(responses_kinematic_constraint) / sizeof(responses_kinematic_constraint[0]),
-    responses_kinematic_constraint};
-
-const struct mip_command mip_filter_kinematic_constraint_command = {
-    &mip_filter_kinematic_constraint_codec, &mip_filter_kinematic_constraint_exchange, true};
+MIP_EXCHANGE(mip_filter_kinematic_constraint, 0x0D, 0x51, 0, 1, responses_kinematic_constraint,
+             true);
 
 static const uint8_t program_kinematic_constraint_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_filter_kinematic_constraint_response, accel_constraint)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
-    0x0D,
-    0xD1,
-    MIP_RESPONSE,
-    3,
-    sizeof(struct mip_filter_kinematic_constraint_response),
-    0,
-    0,
-    program_kinematic_constraint_response,
-    NULL};
+MIP_CODEC(mip_filter_kinematic_constraint_response, 0x0D, 0xD1, MIP_RESPONSE, 3, 0, 0,
+          program_kinematic_constraint_response, NULL);
 
 static const uint8_t program_initialization_config[] = {
     MIP_REQUIRED(1, 9),
@@ -1841,28 +1041,15 @@ static const uint8_t program_initialization_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_initialization_config_codec = {
-    0x0D,
-    0x52,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_initialization_config),
-    0,
-    0,
-    program_initialization_config,
-    &mip_program};
+MIP_CODEC(mip_filter_initialization_config, 0x0D, 0x52, MIP_COMMAND, 0, 0, 0,
+          program_initialization_config, &mip_program);
 
 static const struct mip_response responses_initialization_config[] = {
     {NULL, 0xD2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_initialization_config_exchange = {
-    0x0D, 0x52, 0,
-    sizeof(responses_initialization_config) / sizeof(responses_initialization_config[0]),
-    responses_initialization_config};
-
-const struct mip_command mip_filter_initialization_config_command = {
-    &mip_filter_initialization_config_codec, &mip_filter_initialization_config_exchange, true};
+MIP_EXCHANGE(mip_filter_initialization_config, 0x0D, 0x52, 0, 1, responses_initialization_config,
+             true);
 
 static const uint8_t program_initialization_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_filter_initialization_config_response, wait_for_run_command)),
@@ -1872,16 +1059,8 @@ static const uint8_t program_initialization_config_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_initialization_config_response_codec = {
-    0x0D,
-    0xD2,
-    MIP_RESPONSE,
-    40,
-    sizeof(struct mip_filter_initialization_config_response),
-    0,
-    0,
-    program_initialization_config_response,
-    NULL};
+MIP_CODEC(mip_filter_initialization_config_response, 0x0D, 0xD2, MIP_RESPONSE, 40, 0, 0,
+          program_initialization_config_response, NULL);
 
 static const uint8_t program_adaptive_filter_options[] = {
     MIP_REQUIRED(1, 2),
@@ -1892,28 +1071,15 @@ static const uint8_t program_adaptive_filter_options[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_adaptive_filter_options_codec = {
-    0x0D,
-    0x53,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_adaptive_filter_options),
-    0,
-    0,
-    program_adaptive_filter_options,
-    &mip_program};
+MIP_CODEC(mip_filter_adaptive_filter_options, 0x0D, 0x53, MIP_COMMAND, 0, 0, 0,
+          program_adaptive_filter_options, &mip_program);
 
 static const struct mip_response responses_adaptive_filter_options[] = {
     {NULL, 0xD3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_adaptive_filter_options_exchange = {
-    0x0D, 0x53, 0,
-    sizeof(responses_adaptive_filter_options) / sizeof(responses_adaptive_filter_options[0]),
-    responses_adaptive_filter_options};
-
-const struct mip_command mip_filter_adaptive_filter_options_command = {
-    &mip_filter_adaptive_filter_options_codec, &mip_filter_adaptive_filter_options_exchange, true};
+MIP_EXCHANGE(mip_filter_adaptive_filter_options, 0x0D, 0x53, 0, 1,
+             responses_adaptive_filter_options, true);
 
 static const uint8_t program_adaptive_filter_options_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_adaptive_filter_options_response, level)),
@@ -1921,16 +1087,8 @@ static const uint8_t program_adaptive_filter_options_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
-    0x0D,
-    0xD3,
-    MIP_RESPONSE,
-    3,
-    sizeof(struct mip_filter_adaptive_filter_options_response),
-    0,
-    0,
-    program_adaptive_filter_options_response,
-    NULL};
+MIP_CODEC(mip_filter_adaptive_filter_options_response, 0x0D, 0xD3, MIP_RESPONSE, 3, 0, 0,
+          program_adaptive_filter_options_response, NULL);
 
 static const uint8_t program_multi_antenna_offset[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -1941,28 +1099,15 @@ static const uint8_t program_multi_antenna_offset[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_multi_antenna_offset_codec = {
-    0x0D,
-    0x54,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_multi_antenna_offset),
-    0,
-    0,
-    program_multi_antenna_offset,
-    &mip_program};
+MIP_CODEC(mip_filter_multi_antenna_offset, 0x0D, 0x54, MIP_COMMAND, 0, 0, 0,
+          program_multi_antenna_offset, &mip_program);
 
 static const struct mip_response responses_multi_antenna_offset[] = {
     {NULL, 0xD4, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_multi_antenna_offset_exchange = {
-    0x0D, 0x54, 0,
-    sizeof(responses_multi_antenna_offset) / sizeof(responses_multi_antenna_offset[0]),
-    responses_multi_antenna_offset};
-
-const struct mip_command mip_filter_multi_antenna_offset_command = {
-    &mip_filter_multi_antenna_offset_codec, &mip_filter_multi_antenna_offset_exchange, true};
+MIP_EXCHANGE(mip_filter_multi_antenna_offset, 0x0D, 0x54, 0, 1, responses_multi_antenna_offset,
+             true);
 
 static const uint8_t program_multi_antenna_offset_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_multi_antenna_offset_response, receiver_id)),
@@ -1970,16 +1115,8 @@ static const uint8_t program_multi_antenna_offset_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
-    0x0D,
-    0xD4,
-    MIP_RESPONSE,
-    13,
-    sizeof(struct mip_filter_multi_antenna_offset_response),
-    0,
-    0,
-    program_multi_antenna_offset_response,
-    NULL};
+MIP_CODEC(mip_filter_multi_antenna_offset_response, 0x0D, 0xD4, MIP_RESPONSE, 13, 0, 0,
+          program_multi_antenna_offset_response, NULL);
 
 static const uint8_t program_relative_position_config[] = {
     MIP_REQUIRED(1, 3),
@@ -1992,29 +1129,15 @@ static const uint8_t program_relative_position_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_relative_position_config_codec = {
-    0x0D,
-    0x55,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_relative_position_config),
-    0,
-    0,
-    program_relative_position_config,
-    &mip_program};
+MIP_CODEC(mip_filter_relative_position_config, 0x0D, 0x55, MIP_COMMAND, 0, 0, 0,
+          program_relative_position_config, &mip_program);
 
 static const struct mip_response responses_relative_position_config[] = {
     {NULL, 0xD5, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_relative_position_config_exchange = {
-    0x0D, 0x55, 0,
-    sizeof(responses_relative_position_config) / sizeof(responses_relative_position_config[0]),
-    responses_relative_position_config};
-
-const struct mip_command mip_filter_relative_position_config_command = {
-    &mip_filter_relative_position_config_codec, &mip_filter_relative_position_config_exchange,
-    true};
+MIP_EXCHANGE(mip_filter_relative_position_config, 0x0D, 0x55, 0, 1,
+             responses_relative_position_config, true);
 
 static const uint8_t program_relative_position_config_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_filter_relative_position_config_response, source)),
@@ -2023,16 +1146,8 @@ static const uint8_t program_relative_position_config_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_relative_position_config_response_codec = {
-    0x0D,
-    0xD5,
-    MIP_RESPONSE,
-    26,
-    sizeof(struct mip_filter_relative_position_config_response),
-    0,
-    0,
-    program_relative_position_config_response,
-    NULL};
+MIP_CODEC(mip_filter_relative_position_config_response, 0x0D, 0xD5, MIP_RESPONSE, 26, 0, 0,
+          program_relative_position_config_response, NULL);
 
 static const uint8_t program_reference_point_lever_arm[] = {
     MIP_REQUIRED(1, 2),
@@ -2043,29 +1158,15 @@ static const uint8_t program_reference_point_lever_arm[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
-    0x0D,
-    0x56,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_reference_point_lever_arm),
-    0,
-    0,
-    program_reference_point_lever_arm,
-    &mip_program};
+MIP_CODEC(mip_filter_reference_point_lever_arm, 0x0D, 0x56, MIP_COMMAND, 0, 0, 0,
+          program_reference_point_lever_arm, &mip_program);
 
 static const struct mip_response responses_reference_point_lever_arm[] = {
     {NULL, 0xD6, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_reference_point_lever_arm_exchange = {
-    0x0D, 0x56, 0,
-    sizeof(responses_reference_point_lever_arm) / sizeof(responses_reference_point_lever_arm[0]),
-    responses_reference_point_lever_arm};
-
-const struct mip_command mip_filter_reference_point_lever_arm_command = {
-    &mip_filter_reference_point_lever_arm_codec, &mip_filter_reference_point_lever_arm_exchange,
-    true};
+MIP_EXCHANGE(mip_filter_reference_point_lever_arm, 0x0D, 0x56, 0, 1,
+             responses_reference_point_lever_arm, true);
 
 static const uint8_t program_reference_point_lever_arm_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_reference_point_lever_arm_response, reference_point)),
@@ -2073,16 +1174,8 @@ static const uint8_t program_reference_point_lever_arm_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
-    0x0D,
-    0xD6,
-    MIP_RESPONSE,
-    13,
-    sizeof(struct mip_filter_reference_point_lever_arm_response),
-    0,
-    0,
-    program_reference_point_lever_arm_response,
-    NULL};
+MIP_CODEC(mip_filter_reference_point_lever_arm_response, 0x0D, 0xD6, MIP_RESPONSE, 13, 0, 0,
+          program_reference_point_lever_arm_response, NULL);
 
 static const uint8_t program_speed_measurement[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_speed_measurement, source)),
@@ -2090,21 +1183,10 @@ static const uint8_t program_speed_measurement[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_speed_measurement_codec = {
-    0x0D,
-    0x60,
-    MIP_COMMAND,
-    13,
-    sizeof(struct mip_filter_speed_measurement),
-    0,
-    0,
-    program_speed_measurement,
-    NULL};
+MIP_CODEC(mip_filter_speed_measurement, 0x0D, 0x60, MIP_COMMAND, 13, 0, 0,
+          program_speed_measurement, NULL);
 
-const struct mip_exchange mip_filter_speed_measurement_exchange = {0x0D, 0x60, 0, 0, NULL};
-
-const struct mip_command mip_filter_speed_measurement_command = {
-    &mip_filter_speed_measurement_codec, &mip_filter_speed_measurement_exchange, false};
+MIP_EXCHANGE(mip_filter_speed_measurement, 0x0D, 0x60, 0, 0, NULL, false);
 
 static const uint8_t program_speed_lever_arm[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -2116,27 +1198,14 @@ static const uint8_t program_speed_lever_arm[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_speed_lever_arm_codec = {
-    0x0D,
-    0x61,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_speed_lever_arm),
-    0,
-    0,
-    program_speed_lever_arm,
-    &mip_program};
+MIP_CODEC(mip_filter_speed_lever_arm, 0x0D, 0x61, MIP_COMMAND, 0, 0, 0, program_speed_lever_arm,
+          &mip_program);
 
 static const struct mip_response responses_speed_lever_arm[] = {
     {NULL, 0xE1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_speed_lever_arm_exchange = {
-    0x0D, 0x61, 0, sizeof(responses_speed_lever_arm) / sizeof(responses_speed_lever_arm[0]),
-    responses_speed_lever_arm};
-
-const struct mip_command mip_filter_speed_lever_arm_command = {
-    &mip_filter_speed_lever_arm_codec, &mip_filter_speed_lever_arm_exchange, true};
+MIP_EXCHANGE(mip_filter_speed_lever_arm, 0x0D, 0x61, 0, 1, responses_speed_lever_arm, true);
 
 static const uint8_t program_speed_lever_arm_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_speed_lever_arm_response, source)),
@@ -2144,16 +1213,8 @@ static const uint8_t program_speed_lever_arm_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
-    0x0D,
-    0xE1,
-    MIP_RESPONSE,
-    13,
-    sizeof(struct mip_filter_speed_lever_arm_response),
-    0,
-    0,
-    program_speed_lever_arm_response,
-    NULL};
+MIP_CODEC(mip_filter_speed_lever_arm_response, 0x0D, 0xE1, MIP_RESPONSE, 13, 0, 0,
+          program_speed_lever_arm_response, NULL);
 
 static const uint8_t program_vertical_gyro_constraint_control[] = {
     MIP_REQUIRED(1, 1),
@@ -2162,46 +1223,23 @@ static const uint8_t program_vertical_gyro_constraint_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
-    0x0D,
-    0x62,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_vertical_gyro_constraint_control),
-    0,
-    0,
-    program_vertical_gyro_constraint_control,
-    &mip_program};
+MIP_CODEC(mip_filter_vertical_gyro_constraint_control, 0x0D, 0x62, MIP_COMMAND, 0, 0, 0,
+          program_vertical_gyro_constraint_control, &mip_program);
 
 static const struct mip_response responses_vertical_gyro_constraint_control[] = {
     {NULL, 0xE2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_vertical_gyro_constraint_control_exchange = {
-    0x0D, 0x62, 0,
-    sizeof(responses_vertical_gyro_constraint_control) /
-        sizeof(responses_vertical_gyro_constraint_control[0]),
-    responses_vertical_gyro_constraint_control};
-
-const struct mip_command mip_filter_vertical_gyro_constraint_control_command = {
-    &mip_filter_vertical_gyro_constraint_control_codec,
-    &mip_filter_vertical_gyro_constraint_control_exchange, true};
+MIP_EXCHANGE(mip_filter_vertical_gyro_constraint_control, 0x0D, 0x62, 0, 1,
+             responses_vertical_gyro_constraint_control, true);
 
 static const uint8_t program_vertical_gyro_constraint_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint_control_response, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec = {
-    0x0D,
-    0xE2,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
-    0,
-    0,
-    program_vertical_gyro_constraint_control_response,
-    NULL};
+MIP_CODEC(mip_filter_vertical_gyro_constraint_control_response, 0x0D, 0xE2, MIP_RESPONSE, 1, 0, 0,
+          program_vertical_gyro_constraint_control_response, NULL);
 
 static const uint8_t program_wheeled_vehicle_constraint_control[] = {
     MIP_REQUIRED(1, 1),
@@ -2210,46 +1248,23 @@ static const uint8_t program_wheeled_vehicle_constraint_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
-    0x0D,
-    0x63,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
-    0,
-    0,
-    program_wheeled_vehicle_constraint_control,
-    &mip_program};
+MIP_CODEC(mip_filter_wheeled_vehicle_constraint_control, 0x0D, 0x63, MIP_COMMAND, 0, 0, 0,
+          program_wheeled_vehicle_constraint_control, &mip_program);
 
 static const struct mip_response responses_wheeled_vehicle_constraint_control[] = {
     {NULL, 0xE3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_wheeled_vehicle_constraint_control_exchange = {
-    0x0D, 0x63, 0,
-    sizeof(responses_wheeled_vehicle_constraint_control) /
-        sizeof(responses_wheeled_vehicle_constraint_control[0]),
-    responses_wheeled_vehicle_constraint_control};
-
-const struct mip_command mip_filter_wheeled_vehicle_constraint_control_command = {
-    &mip_filter_wheeled_vehicle_constraint_control_codec,
-    &mip_filter_wheeled_vehicle_constraint_control_exchange, true};
+MIP_EXCHANGE(mip_filter_wheeled_vehicle_constraint_control, 0x0D, 0x63, 0, 1,
+             responses_wheeled_vehicle_constraint_control, true);
 
 static const uint8_t program_wheeled_vehicle_constraint_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint_control_response, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec = {
-    0x0D,
-    0xE3,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
-    0,
-    0,
-    program_wheeled_vehicle_constraint_control_response,
-    NULL};
+MIP_CODEC(mip_filter_wheeled_vehicle_constraint_control_response, 0x0D, 0xE3, MIP_RESPONSE, 1, 0, 0,
+          program_wheeled_vehicle_constraint_control_response, NULL);
 
 static const uint8_t program_gnss_antenna_calibration_control[] = {
     MIP_REQUIRED(1, 2),
@@ -2260,30 +1275,15 @@ static const uint8_t program_gnss_antenna_calibration_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec = {
-    0x0D,
-    0x64,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_filter_gnss_antenna_calibration_control),
-    0,
-    0,
-    program_gnss_antenna_calibration_control,
-    &mip_program};
+MIP_CODEC(mip_filter_gnss_antenna_calibration_control, 0x0D, 0x64, MIP_COMMAND, 0, 0, 0,
+          program_gnss_antenna_calibration_control, &mip_program);
 
 static const struct mip_response responses_gnss_antenna_calibration_control[] = {
     {NULL, 0xE4, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_gnss_antenna_calibration_control_exchange = {
-    0x0D, 0x64, 0,
-    sizeof(responses_gnss_antenna_calibration_control) /
-        sizeof(responses_gnss_antenna_calibration_control[0]),
-    responses_gnss_antenna_calibration_control};
-
-const struct mip_command mip_filter_gnss_antenna_calibration_control_command = {
-    &mip_filter_gnss_antenna_calibration_control_codec,
-    &mip_filter_gnss_antenna_calibration_control_exchange, true};
+MIP_EXCHANGE(mip_filter_gnss_antenna_calibration_control, 0x0D, 0x64, 0, 1,
+             responses_gnss_antenna_calibration_control, true);
 
 static const uint8_t program_gnss_antenna_calibration_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control_response, enable)),
@@ -2291,13 +1291,5 @@ static const uint8_t program_gnss_antenna_calibration_control_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec = {
-    0x0D,
-    0xE4,
-    MIP_RESPONSE,
-    5,
-    sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
-    0,
-    0,
-    program_gnss_antenna_calibration_control_response,
-    NULL};
+MIP_CODEC(mip_filter_gnss_antenna_calibration_control_response, 0x0D, 0xE4, MIP_RESPONSE, 5, 0, 0,
+          program_gnss_antenna_calibration_control_response, NULL);

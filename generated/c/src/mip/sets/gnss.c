@@ -7,20 +7,13 @@ static const uint8_t program_receiver_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_receiver_info_codec = {
-    0x0E, 0x01, MIP_COMMAND,           0,   sizeof(struct mip_gnss_receiver_info),
-    0,    0,    program_receiver_info, NULL};
+MIP_CODEC(mip_gnss_receiver_info, 0x0E, 0x01, MIP_COMMAND, 0, 0, 0, program_receiver_info, NULL);
 
 static const struct mip_response responses_receiver_info[] = {
     {NULL, 0x81, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_gnss_receiver_info_exchange = {
-    0x0E, 0x01, 0, sizeof(responses_receiver_info) / sizeof(responses_receiver_info[0]),
-    responses_receiver_info};
-
-const struct mip_command mip_gnss_receiver_info_command = {&mip_gnss_receiver_info_codec,
-                                                           &mip_gnss_receiver_info_exchange, false};
+MIP_EXCHANGE(mip_gnss_receiver_info, 0x0E, 0x01, 0, 1, responses_receiver_info, false);
 
 static const uint8_t program_receiver_info_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_receiver_info_response, num_receivers)),
@@ -33,16 +26,8 @@ static const uint8_t program_receiver_info_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_receiver_info_response_codec = {
-    0x0E,
-    0x81,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_gnss_receiver_info_response),
-    0,
-    0,
-    program_receiver_info_response,
-    &mip_program};
+MIP_CODEC(mip_gnss_receiver_info_response, 0x0E, 0x81, MIP_RESPONSE, 0, 0, 0,
+          program_receiver_info_response, &mip_program);
 
 static const uint8_t program_signal_config[] = {
     MIP_REQUIRED(1, 5),
@@ -59,56 +44,31 @@ static const uint8_t program_signal_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_signal_config_codec = {
-    0x0E, 0x02, MIP_COMMAND,           0,           sizeof(struct mip_gnss_signal_config),
-    0,    0,    program_signal_config, &mip_program};
+MIP_CODEC(mip_gnss_signal_config, 0x0E, 0x02, MIP_COMMAND, 0, 0, 0, program_signal_config,
+          &mip_program);
 
 static const struct mip_response responses_signal_config[] = {
     {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_gnss_signal_config_exchange = {
-    0x0E, 0x02, 0, sizeof(responses_signal_config) / sizeof(responses_signal_config[0]),
-    responses_signal_config};
-
-const struct mip_command mip_gnss_signal_config_command = {&mip_gnss_signal_config_codec,
-                                                           &mip_gnss_signal_config_exchange, true};
+MIP_EXCHANGE(mip_gnss_signal_config, 0x0E, 0x02, 0, 1, responses_signal_config, true);
 
 static const uint8_t program_signal_config_response[] = {
     MIP_8_BITS(8, MIP_AT(struct mip_gnss_signal_config_response, gps_enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_signal_config_response_codec = {
-    0x0E,
-    0x82,
-    MIP_RESPONSE,
-    8,
-    sizeof(struct mip_gnss_signal_config_response),
-    0,
-    0,
-    program_signal_config_response,
-    NULL};
+MIP_CODEC(mip_gnss_signal_config_response, 0x0E, 0x82, MIP_RESPONSE, 8, 0, 0,
+          program_signal_config_response, NULL);
 
 static const uint8_t program_receiver_reset[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_receiver_reset, receiver_id)),
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_receiver_reset_codec = {0x0E,
-                                                        0x03,
-                                                        MIP_COMMAND,
-                                                        2,
-                                                        sizeof(struct mip_gnss_receiver_reset),
-                                                        0,
-                                                        0,
-                                                        program_receiver_reset,
-                                                        NULL};
+MIP_CODEC(mip_gnss_receiver_reset, 0x0E, 0x03, MIP_COMMAND, 2, 0, 0, program_receiver_reset, NULL);
 
-const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, 0, NULL};
-
-const struct mip_command mip_gnss_receiver_reset_command = {
-    &mip_gnss_receiver_reset_codec, &mip_gnss_receiver_reset_exchange, false};
+MIP_EXCHANGE(mip_gnss_receiver_reset, 0x0E, 0x03, 0, 0, NULL, false);
 
 static const uint8_t program_rtk_config[] = {
     MIP_REQUIRED(1, 2),
@@ -119,36 +79,21 @@ static const uint8_t program_rtk_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_rtk_config_codec = {
-    0x0E, 0x04, MIP_COMMAND,        0,           sizeof(struct mip_gnss_rtk_config),
-    0,    0,    program_rtk_config, &mip_program};
+MIP_CODEC(mip_gnss_rtk_config, 0x0E, 0x04, MIP_COMMAND, 0, 0, 0, program_rtk_config, &mip_program);
 
 static const struct mip_response responses_rtk_config[] = {
     {NULL, 0x84, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_gnss_rtk_config_exchange = {
-    0x0E, 0x04, 0, sizeof(responses_rtk_config) / sizeof(responses_rtk_config[0]),
-    responses_rtk_config};
-
-const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec,
-                                                        &mip_gnss_rtk_config_exchange, true};
+MIP_EXCHANGE(mip_gnss_rtk_config, 0x0E, 0x04, 0, 1, responses_rtk_config, true);
 
 static const uint8_t program_rtk_config_response[] = {
     MIP_8_BITS(5, MIP_AT(struct mip_gnss_rtk_config_response, ambiguity_fix_mode)),
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_rtk_config_response_codec = {
-    0x0E,
-    0x84,
-    MIP_RESPONSE,
-    5,
-    sizeof(struct mip_gnss_rtk_config_response),
-    0,
-    0,
-    program_rtk_config_response,
-    NULL};
+MIP_CODEC(mip_gnss_rtk_config_response, 0x0E, 0x84, MIP_RESPONSE, 5, 0, 0,
+          program_rtk_config_response, NULL);
 
 static const uint8_t program_rtk_dongle_config[] = {
     MIP_REQUIRED(1, 2),
@@ -159,43 +104,22 @@ static const uint8_t program_rtk_dongle_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
-    0x0E,
-    0x10,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_gnss_rtk_dongle_config),
-    0,
-    0,
-    program_rtk_dongle_config,
-    &mip_program};
+MIP_CODEC(mip_gnss_rtk_dongle_config, 0x0E, 0x10, MIP_COMMAND, 0, 0, 0, program_rtk_dongle_config,
+          &mip_program);
 
 static const struct mip_response responses_rtk_dongle_config[] = {
     {NULL, 0x90, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_gnss_rtk_dongle_config_exchange = {
-    0x0E, 0x10, 0, sizeof(responses_rtk_dongle_config) / sizeof(responses_rtk_dongle_config[0]),
-    responses_rtk_dongle_config};
-
-const struct mip_command mip_gnss_rtk_dongle_config_command = {
-    &mip_gnss_rtk_dongle_config_codec, &mip_gnss_rtk_dongle_config_exchange, true};
+MIP_EXCHANGE(mip_gnss_rtk_dongle_config, 0x0E, 0x10, 0, 1, responses_rtk_dongle_config, true);
 
 static const uint8_t program_rtk_dongle_config_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_gnss_rtk_dongle_config_response, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
-    0x0E,
-    0x90,
-    MIP_RESPONSE,
-    4,
-    sizeof(struct mip_gnss_rtk_dongle_config_response),
-    0,
-    0,
-    program_rtk_dongle_config_response,
-    NULL};
+MIP_CODEC(mip_gnss_rtk_dongle_config_response, 0x0E, 0x90, MIP_RESPONSE, 4, 0, 0,
+          program_rtk_dongle_config_response, NULL);
 
 static const uint8_t program_spartn_config[] = {
     MIP_FAR,
@@ -219,20 +143,14 @@ static const uint8_t program_spartn_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_spartn_config_codec = {
-    0x0E, 0x20, MIP_COMMAND,           0,           sizeof(struct mip_gnss_spartn_config),
-    0,    0,    program_spartn_config, &mip_program};
+MIP_CODEC(mip_gnss_spartn_config, 0x0E, 0x20, MIP_COMMAND, 0, 0, 0, program_spartn_config,
+          &mip_program);
 
 static const struct mip_response responses_spartn_config[] = {
     {NULL, 0xA0, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_gnss_spartn_config_exchange = {
-    0x0E, 0x20, 0, sizeof(responses_spartn_config) / sizeof(responses_spartn_config[0]),
-    responses_spartn_config};
-
-const struct mip_command mip_gnss_spartn_config_command = {&mip_gnss_spartn_config_codec,
-                                                           &mip_gnss_spartn_config_exchange, true};
+MIP_EXCHANGE(mip_gnss_spartn_config, 0x0E, 0x20, 0, 1, responses_spartn_config, true);
 
 static const uint8_t program_spartn_config_response[] = {
     MIP_FAR,
@@ -246,34 +164,15 @@ static const uint8_t program_spartn_config_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_spartn_config_response_codec = {
-    0x0E,
-    0xA0,
-    MIP_RESPONSE,
-    0,
-    sizeof(struct mip_gnss_spartn_config_response),
-    0,
-    0,
-    program_spartn_config_response,
-    &mip_program};
+MIP_CODEC(mip_gnss_spartn_config_response, 0x0E, 0xA0, MIP_RESPONSE, 0, 0, 0,
+          program_spartn_config_response, &mip_program);
 
 static const uint8_t program_receiver_safe_mode[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_receiver_safe_mode, receiver_id)),
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_receiver_safe_mode_codec = {
-    0x0E,
-    0x60,
-    MIP_COMMAND,
-    2,
-    sizeof(struct mip_gnss_receiver_safe_mode),
-    0,
-    0,
-    program_receiver_safe_mode,
-    NULL};
+MIP_CODEC(mip_gnss_receiver_safe_mode, 0x0E, 0x60, MIP_COMMAND, 2, 0, 0, program_receiver_safe_mode,
+          NULL);
 
-const struct mip_exchange mip_gnss_receiver_safe_mode_exchange = {0x0E, 0x60, 0, 0, NULL};
-
-const struct mip_command mip_gnss_receiver_safe_mode_command = {
-    &mip_gnss_receiver_safe_mode_codec, &mip_gnss_receiver_safe_mode_exchange, false};
+MIP_EXCHANGE(mip_gnss_receiver_safe_mode, 0x0E, 0x60, 0, 0, NULL, false);

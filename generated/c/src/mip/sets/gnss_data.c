@@ -10,16 +10,8 @@ static const uint8_t program_llh_position[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_llh_position_codec = {
-    0x81,
-    0x03,
-    MIP_DATA,
-    42,
-    sizeof(struct mip_gnss_data_llh_position),
-    5,
-    MIP_SHAPE(4, 2, 1),
-    program_llh_position + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_llh_position, 0x81, 0x03, MIP_DATA, 42, 5, MIP_SHAPE(4, 2, 1),
+          program_llh_position + 5, NULL);
 
 static const uint8_t program_ecef_position[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -29,16 +21,8 @@ static const uint8_t program_ecef_position[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_ecef_position_codec = {
-    0x81,
-    0x04,
-    MIP_DATA,
-    30,
-    sizeof(struct mip_gnss_data_ecef_position),
-    5,
-    MIP_SHAPE(3, 1, 1),
-    program_ecef_position + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_ecef_position, 0x81, 0x04, MIP_DATA, 30, 5, MIP_SHAPE(3, 1, 1),
+          program_ecef_position + 5, NULL);
 
 static const uint8_t program_ned_velocity[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -47,16 +31,8 @@ static const uint8_t program_ned_velocity[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_ned_velocity_codec = {
-    0x81,
-    0x05,
-    MIP_DATA,
-    34,
-    sizeof(struct mip_gnss_data_ned_velocity),
-    5,
-    MIP_SHAPE(0, 8, 1),
-    program_ned_velocity + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_ned_velocity, 0x81, 0x05, MIP_DATA, 34, 5, MIP_SHAPE(0, 8, 1),
+          program_ned_velocity + 5, NULL);
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -65,16 +41,8 @@ static const uint8_t program_ecef_velocity[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_ecef_velocity_codec = {
-    0x81,
-    0x06,
-    MIP_DATA,
-    18,
-    sizeof(struct mip_gnss_data_ecef_velocity),
-    5,
-    MIP_SHAPE(0, 4, 1),
-    program_ecef_velocity + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_ecef_velocity, 0x81, 0x06, MIP_DATA, 18, 5, MIP_SHAPE(0, 4, 1),
+          program_ecef_velocity + 5, NULL);
 
 static const uint8_t program_dop[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -83,15 +51,8 @@ static const uint8_t program_dop[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_dop_codec = {0x81,
-                                                  0x07,
-                                                  MIP_DATA,
-                                                  30,
-                                                  sizeof(struct mip_gnss_data_dop),
-                                                  5,
-                                                  MIP_SHAPE(0, 7, 1),
-                                                  program_dop + 5,
-                                                  NULL};
+MIP_CODEC(mip_gnss_data_dop, 0x81, 0x07, MIP_DATA, 30, 5, MIP_SHAPE(0, 7, 1), program_dop + 5,
+          NULL);
 
 static const uint8_t program_utc_time[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -102,9 +63,7 @@ static const uint8_t program_utc_time[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_utc_time_codec = {
-    0x81, 0x08, MIP_DATA, 13, sizeof(struct mip_gnss_data_utc_time), 5, 0, program_utc_time + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_utc_time, 0x81, 0x08, MIP_DATA, 13, 5, 0, program_utc_time + 5, NULL);
 
 static const uint8_t program_gps_time[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -113,15 +72,8 @@ static const uint8_t program_gps_time[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_gps_time_codec = {0x81,
-                                                       0x09,
-                                                       MIP_DATA,
-                                                       12,
-                                                       sizeof(struct mip_gnss_data_gps_time),
-                                                       5,
-                                                       MIP_SHAPE(1, 0, 2),
-                                                       program_gps_time + 5,
-                                                       NULL};
+MIP_CODEC(mip_gnss_data_gps_time, 0x81, 0x09, MIP_DATA, 12, 5, MIP_SHAPE(1, 0, 2),
+          program_gps_time + 5, NULL);
 
 static const uint8_t program_clock_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -130,15 +82,8 @@ static const uint8_t program_clock_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_clock_info_codec = {0x81,
-                                                         0x0A,
-                                                         MIP_DATA,
-                                                         26,
-                                                         sizeof(struct mip_gnss_data_clock_info),
-                                                         5,
-                                                         MIP_SHAPE(3, 0, 1),
-                                                         program_clock_info + 5,
-                                                         NULL};
+MIP_CODEC(mip_gnss_data_clock_info, 0x81, 0x0A, MIP_DATA, 26, 5, MIP_SHAPE(3, 0, 1),
+          program_clock_info + 5, NULL);
 
 static const uint8_t program_fix_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -147,9 +92,7 @@ static const uint8_t program_fix_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_fix_info_codec = {
-    0x81, 0x0B, MIP_DATA, 6, sizeof(struct mip_gnss_data_fix_info), 5, 0, program_fix_info + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_fix_info, 0x81, 0x0B, MIP_DATA, 6, 5, 0, program_fix_info + 5, NULL);
 
 static const uint8_t program_sv_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -158,9 +101,7 @@ static const uint8_t program_sv_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_sv_info_codec = {
-    0x81, 0x0C, MIP_DATA, 12, sizeof(struct mip_gnss_data_sv_info), 5, 0, program_sv_info + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_sv_info, 0x81, 0x0C, MIP_DATA, 12, 5, 0, program_sv_info + 5, NULL);
 
 static const uint8_t program_hardware_status[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -169,16 +110,8 @@ static const uint8_t program_hardware_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_hardware_status_codec = {
-    0x81,
-    0x0D,
-    MIP_DATA,
-    5,
-    sizeof(struct mip_gnss_data_hardware_status),
-    5,
-    0,
-    program_hardware_status + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_hardware_status, 0x81, 0x0D, MIP_DATA, 5, 5, 0, program_hardware_status + 5,
+          NULL);
 
 static const uint8_t program_dgps_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -188,15 +121,8 @@ static const uint8_t program_dgps_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_dgps_info_codec = {0x81,
-                                                        0x0E,
-                                                        MIP_DATA,
-                                                        0,
-                                                        sizeof(struct mip_gnss_data_dgps_info),
-                                                        5,
-                                                        0,
-                                                        program_dgps_info + 5,
-                                                        &mip_layout};
+MIP_CODEC(mip_gnss_data_dgps_info, 0x81, 0x0E, MIP_DATA, 0, 5, 0, program_dgps_info + 5,
+          &mip_layout);
 
 static const uint8_t program_dgps_info_satellite[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -207,16 +133,8 @@ static const uint8_t program_dgps_info_satellite[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_dgps_info_satellite_codec = {
-    0x81,
-    0x0E,
-    MIP_DATA,
-    0,
-    sizeof(struct mip_gnss_data_dgps_info_satellite),
-    5,
-    0,
-    program_dgps_info_satellite + 5,
-    &mip_layout};
+MIP_CODEC(mip_gnss_data_dgps_info_satellite, 0x81, 0x0E, MIP_DATA, 0, 5, 0,
+          program_dgps_info_satellite + 5, &mip_layout);
 
 static const uint8_t program_dgps_channel[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -226,16 +144,8 @@ static const uint8_t program_dgps_channel[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_dgps_channel_codec = {
-    0x81,
-    0x0F,
-    MIP_DATA,
-    15,
-    sizeof(struct mip_gnss_data_dgps_channel),
-    5,
-    0,
-    program_dgps_channel + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_dgps_channel, 0x81, 0x0F, MIP_DATA, 15, 5, 0, program_dgps_channel + 5,
+          NULL);
 
 static const uint8_t program_clock_info_2[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -244,16 +154,8 @@ static const uint8_t program_clock_info_2[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_clock_info_2_codec = {
-    0x81,
-    0x10,
-    MIP_DATA,
-    34,
-    sizeof(struct mip_gnss_data_clock_info_2),
-    5,
-    MIP_SHAPE(4, 0, 1),
-    program_clock_info_2 + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_clock_info_2, 0x81, 0x10, MIP_DATA, 34, 5, MIP_SHAPE(4, 0, 1),
+          program_clock_info_2 + 5, NULL);
 
 static const uint8_t program_gps_leap_seconds[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -262,16 +164,8 @@ static const uint8_t program_gps_leap_seconds[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_gps_leap_seconds_codec = {
-    0x81,
-    0x11,
-    MIP_DATA,
-    3,
-    sizeof(struct mip_gnss_data_gps_leap_seconds),
-    5,
-    0,
-    program_gps_leap_seconds + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_gps_leap_seconds, 0x81, 0x11, MIP_DATA, 3, 5, 0,
+          program_gps_leap_seconds + 5, NULL);
 
 static const uint8_t program_sbas_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -282,9 +176,7 @@ static const uint8_t program_sbas_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_sbas_info_codec = {
-    0x81, 0x12, MIP_DATA, 16, sizeof(struct mip_gnss_data_sbas_info), 5, 0, program_sbas_info + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_sbas_info, 0x81, 0x12, MIP_DATA, 16, 5, 0, program_sbas_info + 5, NULL);
 
 static const uint8_t program_sbas_correction[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -297,16 +189,8 @@ static const uint8_t program_sbas_correction[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_sbas_correction_codec = {
-    0x81,
-    0x13,
-    MIP_DATA,
-    25,
-    sizeof(struct mip_gnss_data_sbas_correction),
-    5,
-    0,
-    program_sbas_correction + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_sbas_correction, 0x81, 0x13, MIP_DATA, 25, 5, 0,
+          program_sbas_correction + 5, NULL);
 
 static const uint8_t program_rf_error_detection[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -317,16 +201,8 @@ static const uint8_t program_rf_error_detection[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_rf_error_detection_codec = {
-    0x81,
-    0x14,
-    MIP_DATA,
-    9,
-    sizeof(struct mip_gnss_data_rf_error_detection),
-    5,
-    0,
-    program_rf_error_detection + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_rf_error_detection, 0x81, 0x14, MIP_DATA, 9, 5, 0,
+          program_rf_error_detection + 5, NULL);
 
 static const uint8_t program_heading[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -336,9 +212,7 @@ static const uint8_t program_heading[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_heading_codec = {
-    0x81, 0x15, MIP_DATA, 11, sizeof(struct mip_gnss_data_heading), 5, 0, program_heading + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_heading, 0x81, 0x15, MIP_DATA, 11, 5, 0, program_heading + 5, NULL);
 
 static const uint8_t program_satellite_status[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -352,16 +226,8 @@ static const uint8_t program_satellite_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_satellite_status_codec = {
-    0x81,
-    0x20,
-    MIP_DATA,
-    25,
-    sizeof(struct mip_gnss_data_satellite_status),
-    5,
-    0,
-    program_satellite_status + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_satellite_status, 0x81, 0x20, MIP_DATA, 25, 5, 0,
+          program_satellite_status + 5, NULL);
 
 static const uint8_t program_raw[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -377,8 +243,7 @@ static const uint8_t program_raw[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_raw_codec = {
-    0x81, 0x22, MIP_DATA, 61, sizeof(struct mip_gnss_data_raw), 5, 0, program_raw + 5, NULL};
+MIP_CODEC(mip_gnss_data_raw, 0x81, 0x22, MIP_DATA, 61, 5, 0, program_raw + 5, NULL);
 
 static const uint8_t program_base_station_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -390,16 +255,8 @@ static const uint8_t program_base_station_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_base_station_info_codec = {
-    0x81,
-    0x30,
-    MIP_DATA,
-    44,
-    sizeof(struct mip_gnss_data_base_station_info),
-    5,
-    0,
-    program_base_station_info + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_base_station_info, 0x81, 0x30, MIP_DATA, 44, 5, 0,
+          program_base_station_info + 5, NULL);
 
 static const uint8_t program_rtk_corrections_status[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -410,16 +267,8 @@ static const uint8_t program_rtk_corrections_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_rtk_corrections_status_codec = {
-    0x81,
-    0x31,
-    MIP_DATA,
-    50,
-    sizeof(struct mip_gnss_data_rtk_corrections_status),
-    5,
-    0,
-    program_rtk_corrections_status + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_rtk_corrections_status, 0x81, 0x31, MIP_DATA, 50, 5, 0,
+          program_rtk_corrections_status + 5, NULL);
 
 static const uint8_t program_gps_ephemeris[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -433,16 +282,8 @@ static const uint8_t program_gps_ephemeris[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_gps_ephemeris_codec = {
-    0x81,
-    0x61,
-    MIP_DATA,
-    0,
-    sizeof(struct mip_gnss_data_gps_ephemeris),
-    5,
-    0,
-    program_gps_ephemeris + 5,
-    &mip_program};
+MIP_CODEC(mip_gnss_data_gps_ephemeris, 0x81, 0x61, MIP_DATA, 0, 5, 0, program_gps_ephemeris + 5,
+          &mip_program);
 
 static const uint8_t program_glonass_ephemeris[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -462,16 +303,8 @@ static const uint8_t program_glonass_ephemeris[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_glonass_ephemeris_codec = {
-    0x81,
-    0x62,
-    MIP_DATA,
-    0,
-    sizeof(struct mip_gnss_data_glonass_ephemeris),
-    5,
-    0,
-    program_glonass_ephemeris + 5,
-    &mip_program};
+MIP_CODEC(mip_gnss_data_glonass_ephemeris, 0x81, 0x62, MIP_DATA, 0, 5, 0,
+          program_glonass_ephemeris + 5, &mip_program);
 
 static const uint8_t program_galileo_ephemeris[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -485,16 +318,8 @@ static const uint8_t program_galileo_ephemeris[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_galileo_ephemeris_codec = {
-    0x81,
-    0x63,
-    MIP_DATA,
-    0,
-    sizeof(struct mip_gnss_data_galileo_ephemeris),
-    5,
-    0,
-    program_galileo_ephemeris + 5,
-    &mip_program};
+MIP_CODEC(mip_gnss_data_galileo_ephemeris, 0x81, 0x63, MIP_DATA, 0, 5, 0,
+          program_galileo_ephemeris + 5, &mip_program);
 
 static const uint8_t program_beidou_ephemeris[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -508,16 +333,8 @@ static const uint8_t program_beidou_ephemeris[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_beidou_ephemeris_codec = {
-    0x81,
-    0x64,
-    MIP_DATA,
-    0,
-    sizeof(struct mip_gnss_data_beidou_ephemeris),
-    5,
-    0,
-    program_beidou_ephemeris + 5,
-    &mip_program};
+MIP_CODEC(mip_gnss_data_beidou_ephemeris, 0x81, 0x64, MIP_DATA, 0, 5, 0,
+          program_beidou_ephemeris + 5, &mip_program);
 
 static const uint8_t program_gps_iono_correction[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -528,16 +345,8 @@ static const uint8_t program_gps_iono_correction[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_gps_iono_correction_codec = {
-    0x81,
-    0x71,
-    MIP_DATA,
-    76,
-    sizeof(struct mip_gnss_data_gps_iono_correction),
-    5,
-    0,
-    program_gps_iono_correction + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_gps_iono_correction, 0x81, 0x71, MIP_DATA, 76, 5, 0,
+          program_gps_iono_correction + 5, NULL);
 
 static const uint8_t program_galileo_iono_correction[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -549,16 +358,8 @@ static const uint8_t program_galileo_iono_correction[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_galileo_iono_correction_codec = {
-    0x81,
-    0x73,
-    MIP_DATA,
-    37,
-    sizeof(struct mip_gnss_data_galileo_iono_correction),
-    5,
-    0,
-    program_galileo_iono_correction + 5,
-    NULL};
+MIP_CODEC(mip_gnss_data_galileo_iono_correction, 0x81, 0x73, MIP_DATA, 37, 5, 0,
+          program_galileo_iono_correction + 5, NULL);
 
 static const uint8_t program_beidou_iono_correction[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -570,13 +371,5 @@ static const uint8_t program_beidou_iono_correction[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_beidou_iono_correction_codec = {
-    0x81,
-    0x74,
-    MIP_DATA,
-    0,
-    sizeof(struct mip_gnss_data_beidou_iono_correction),
-    5,
-    0,
-    program_beidou_iono_correction + 5,
-    &mip_program};
+MIP_CODEC(mip_gnss_data_beidou_iono_correction, 0x81, 0x74, MIP_DATA, 0, 5, 0,
+          program_beidou_iono_correction + 5, &mip_program);

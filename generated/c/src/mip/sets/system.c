@@ -14,27 +14,14 @@ static const uint8_t program_interface_control[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_system_interface_control_codec = {
-    0x7F,
-    0x02,
-    MIP_COMMAND,
-    0,
-    sizeof(struct mip_system_interface_control),
-    0,
-    0,
-    program_interface_control,
-    &mip_program};
+MIP_CODEC(mip_system_interface_control, 0x7F, 0x02, MIP_COMMAND, 0, 0, 0, program_interface_control,
+          &mip_program);
 
 static const struct mip_response responses_interface_control[] = {
     {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_system_interface_control_exchange = {
-    0x7F, 0x02, 0, sizeof(responses_interface_control) / sizeof(responses_interface_control[0]),
-    responses_interface_control};
-
-const struct mip_command mip_system_interface_control_command = {
-    &mip_system_interface_control_codec, &mip_system_interface_control_exchange, true};
+MIP_EXCHANGE(mip_system_interface_control, 0x7F, 0x02, 0, 1, responses_interface_control, true);
 
 static const uint8_t program_interface_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_system_interface_control_response, port)),
@@ -42,16 +29,8 @@ static const uint8_t program_interface_control_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_system_interface_control_response_codec = {
-    0x7F,
-    0x82,
-    MIP_RESPONSE,
-    9,
-    sizeof(struct mip_system_interface_control_response),
-    0,
-    0,
-    program_interface_control_response,
-    NULL};
+MIP_CODEC(mip_system_interface_control_response, 0x7F, 0x82, MIP_RESPONSE, 9, 0, 0,
+          program_interface_control_response, NULL);
 
 static const uint8_t program_comm_mode[] = {
     MIP_REQUIRED(1, 1),
@@ -60,33 +39,18 @@ static const uint8_t program_comm_mode[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_system_comm_mode_codec = {
-    0x7F, 0x10, MIP_COMMAND,       0,           sizeof(struct mip_system_comm_mode),
-    0,    0,    program_comm_mode, &mip_program};
+MIP_CODEC(mip_system_comm_mode, 0x7F, 0x10, MIP_COMMAND, 0, 0, 0, program_comm_mode, &mip_program);
 
 static const struct mip_response responses_comm_mode[] = {
     {NULL, 0x90, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_system_comm_mode_exchange = {
-    0x7F, 0x10, 0, sizeof(responses_comm_mode) / sizeof(responses_comm_mode[0]),
-    responses_comm_mode};
-
-const struct mip_command mip_system_comm_mode_command = {&mip_system_comm_mode_codec,
-                                                         &mip_system_comm_mode_exchange, true};
+MIP_EXCHANGE(mip_system_comm_mode, 0x7F, 0x10, 0, 1, responses_comm_mode, true);
 
 static const uint8_t program_comm_mode_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_system_comm_mode_response, mode)),
     MIP_END,
 };
 
-const struct mip_codec mip_system_comm_mode_response_codec = {
-    0x7F,
-    0x90,
-    MIP_RESPONSE,
-    1,
-    sizeof(struct mip_system_comm_mode_response),
-    0,
-    0,
-    program_comm_mode_response,
-    NULL};
+MIP_CODEC(mip_system_comm_mode_response, 0x7F, 0x90, MIP_RESPONSE, 1, 0, 0,
+          program_comm_mode_response, NULL);

@@ -16,6 +16,17 @@
 extern "C" {
 #endif
 
+/** Defines the codec of a field. The values are in the order of struct mip_codec. */
+#define MIP_CODEC(name, set, descriptor, role, numbers, sets, shape, program, interpreter) \
+    const struct mip_codec name##_codec = {                                                \
+        set, descriptor, role, numbers, sizeof(struct name), sets, shape, program, interpreter}
+
+/** Defines how a command is answered, and the command. The values are in the order of struct
+ * mip_exchange and struct mip_command. */
+#define MIP_EXCHANGE(name, set, descriptor, quarters, count, responses, functions)             \
+    const struct mip_exchange name##_exchange = {set, descriptor, quarters, count, responses}; \
+    const struct mip_command name##_command = {&name##_codec, &name##_exchange, functions}
+
 /** The size of a member in bytes. */
 #define MIP_SIZE(type, member) sizeof(((type *)0)->member)
 

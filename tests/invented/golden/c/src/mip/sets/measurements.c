@@ -9,15 +9,8 @@ static const uint8_t program_accel[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_accel_codec = {0x80,
-                                                       0x01,
-                                                       MIP_DATA,
-                                                       14,
-                                                       sizeof(struct mip_measurements_accel),
-                                                       2,
-                                                       MIP_SHAPE(0, 3, 1),
-                                                       program_accel + 2,
-                                                       NULL};
+MIP_CODEC(mip_measurements_accel, 0x80, 0x01, MIP_DATA, 14, 2, MIP_SHAPE(0, 3, 1),
+          program_accel + 2, NULL);
 
 static const uint8_t program_numbers[] = {
     MIP_MORE_SETS(0x92),
@@ -35,9 +28,7 @@ static const uint8_t program_numbers[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_numbers_codec = {
-    0x80, 0x02, MIP_DATA, 44, sizeof(struct mip_measurements_numbers), 1, 0, program_numbers + 1,
-    NULL};
+MIP_CODEC(mip_measurements_numbers, 0x80, 0x02, MIP_DATA, 44, 1, 0, program_numbers + 1, NULL);
 
 static const uint8_t program_strings[] = {
     MIP_MORE_SETS(0x81, 0x92),
@@ -52,15 +43,8 @@ static const uint8_t program_strings[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_strings_codec = {0x80,
-                                                         0x03,
-                                                         MIP_DATA,
-                                                         0,
-                                                         sizeof(struct mip_measurements_strings),
-                                                         2,
-                                                         0,
-                                                         program_strings + 2,
-                                                         &mip_program};
+MIP_CODEC(mip_measurements_strings, 0x80, 0x03, MIP_DATA, 0, 2, 0, program_strings + 2,
+          &mip_program);
 
 static const uint8_t program_health[] = {
     MIP_MORE_SETS(0x92),
@@ -69,9 +53,7 @@ static const uint8_t program_health[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_health_codec = {
-    0x80, 0x04, MIP_DATA,           20,  sizeof(struct mip_measurements_health),
-    1,    0,    program_health + 1, NULL};
+MIP_CODEC(mip_measurements_health, 0x80, 0x04, MIP_DATA, 20, 1, 0, program_health + 1, NULL);
 
 static const uint8_t program_arrays[] = {
     MIP_MORE_SETS(0x92),
@@ -89,9 +71,7 @@ static const uint8_t program_arrays[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_arrays_codec = {
-    0x80, 0x05, MIP_DATA,           0,           sizeof(struct mip_measurements_arrays),
-    1,    0,    program_arrays + 1, &mip_program};
+MIP_CODEC(mip_measurements_arrays, 0x80, 0x05, MIP_DATA, 0, 1, 0, program_arrays + 1, &mip_program);
 
 static const uint8_t program_growing[] = {
     MIP_MORE_SETS(0x92),
@@ -104,15 +84,8 @@ static const uint8_t program_growing[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_growing_codec = {0x80,
-                                                         0x06,
-                                                         MIP_DATA,
-                                                         0,
-                                                         sizeof(struct mip_measurements_growing),
-                                                         1,
-                                                         0,
-                                                         program_growing + 1,
-                                                         &mip_program};
+MIP_CODEC(mip_measurements_growing, 0x80, 0x06, MIP_DATA, 0, 1, 0, program_growing + 1,
+          &mip_program);
 
 static const uint8_t program_radio[] = {
     MIP_MORE_SETS(0x92),
@@ -122,16 +95,14 @@ static const uint8_t program_radio[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_radio_codec = {
-    0x80, 0x07, MIP_DATA, 29, sizeof(struct mip_measurements_radio), 1, 0, program_radio + 1, NULL};
+MIP_CODEC(mip_measurements_radio, 0x80, 0x07, MIP_DATA, 29, 1, 0, program_radio + 1, NULL);
 
 static const uint8_t program_own[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_measurements_own, mode)),
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_own_codec = {
-    0x81, 0x07, MIP_DATA, 1, sizeof(struct mip_measurements_own), 0, 0, program_own, NULL};
+MIP_CODEC(mip_measurements_own, 0x81, 0x07, MIP_DATA, 1, 0, 0, program_own, NULL);
 
 static const uint8_t program_cloud[] = {
     MIP_MORE_SETS(0x92),
@@ -146,9 +117,7 @@ static const uint8_t program_cloud[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_cloud_codec = {
-    0x80, 0x08, MIP_DATA,          0,           sizeof(struct mip_measurements_cloud),
-    1,    0,    program_cloud + 1, &mip_program};
+MIP_CODEC(mip_measurements_cloud, 0x80, 0x08, MIP_DATA, 0, 1, 0, program_cloud + 1, &mip_program);
 
 static const uint8_t program_gust[] = {
     MIP_MORE_SETS(0x92),
@@ -160,9 +129,7 @@ static const uint8_t program_gust[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_gust_codec = {
-    0x80, 0x09, MIP_DATA,         0,           sizeof(struct mip_measurements_gust),
-    1,    0,    program_gust + 1, &mip_program};
+MIP_CODEC(mip_measurements_gust, 0x80, 0x09, MIP_DATA, 0, 1, 0, program_gust + 1, &mip_program);
 
 static const uint8_t program_breeze[] = {
     MIP_MORE_SETS(0x92),
@@ -171,6 +138,4 @@ static const uint8_t program_breeze[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_breeze_codec = {
-    0x80, 0x0A, MIP_DATA,           24,  sizeof(struct mip_measurements_breeze),
-    1,    0,    program_breeze + 1, NULL};
+MIP_CODEC(mip_measurements_breeze, 0x80, 0x0A, MIP_DATA, 24, 1, 0, program_breeze + 1, NULL);
