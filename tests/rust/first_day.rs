@@ -1,14 +1,18 @@
-//! The first minutes with a device, at a scripted port; with the real specification.
+//! The first minutes with a device, at a scripted port; with the real specification. The program chooses
+//! the `Device`: one that blocks, or one that is awaited.
 
 use std::collections::VecDeque;
+use std::convert::Infallible;
 
-use mip_protocol::device::{Device, DeviceError, Port};
+use mip_protocol::device::{DeviceError, Port};
 use mip_protocol::protocol::AckCode;
 use mip_protocol::session::{Rate, StreamError, BAUD_RATES};
 use mip_protocol::{
     base, checksum, filter_data, mip_3dm, sensor, shared, CommandError, DescriptorSet, Packet,
     Reason, RequestError,
 };
+
+use crate::Device;
 
 /// A device, and its faults.
 #[derive(Clone, Debug)]
@@ -34,9 +38,13 @@ struct Fake {
 }
 
 fn device(baud: u32) -> Device<Fake> {
+    at_rate(115_200, baud)
+}
+
+fn at_rate(rate: u32, baud: u32) -> Device<Fake> {
     Device::new(Fake {
         baud,
-        rate: 115_200,
+        rate,
         fastest: u32::MAX,
         changes: true,
         now: 0xFFFF_F000, // it wraps around
@@ -73,7 +81,7 @@ impl Fake {
 }
 
 impl Port for Fake {
-    type Error = &'static str;
+    type Error = Infallible;
 
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Self::Error> {
         self.now = self.now.wrapping_add(10);
@@ -199,13 +207,11 @@ fn nobody_is_there() {
     assert_eq!(none.port().tried, BAUD_RATES);
     assert_eq!(none.port().sent.len(), 2 * BAUD_RATES.len());
 
-    let mut silent = device(115_200);
-    silent.port_mut().rate = 0; // a port without rates
+    let mut silent = at_rate(0, 115_200); // a port without rates
     assert_eq!(silent.connect(&BAUD_RATES), Err(failed("base.set_idle", Reason::TimedOut)));
     assert_eq!(silent.port().commands(), [0x0102; 3]);
 
-    let mut slow = device(0);
-    slow.port_mut().rate = 0;
+    let mut slow = at_rate(0, 0);
     assert_eq!(slow.connect(&BAUD_RATES), Ok(None));
 }
 
@@ -360,7 +366,6 @@ fn the_baud_rate_changes() {
     assert_eq!(device.change_baud(&mip_3dm::UartBaudRate::write(9600)), Err(gone));
     assert_eq!(device.port().rate, 921_600); // that of before
 
-    device.port_mut().rate = 0;
-    let none = device.change_baud(&base::CommSpeed::write(1, 9600));
+    let none = at_rate(0, 0).change_baud(&base::CommSpeed::write(1, 9600));
     assert_eq!(none, Err(DeviceError::NoBaudRate));
 }

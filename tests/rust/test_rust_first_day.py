@@ -10,9 +10,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from crates import passes, project, rendered
+from crates import WORK, passes, rendered, write
 from mipgen.targets.rust import session
-from support import PATIENCE, PYTHONPATH, heavy, model, simulated
+from support import PATIENCE, PYTHONPATH, heavy, locked, model, simulated
 from test_rust import HERE
 from test_rust_examples import EXAMPLES, FEATURES, SETS, crate, programs, ran
 from virtual import test_datagrams as datagrams
@@ -23,14 +23,38 @@ CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
 LINE = re.compile(r" +-?0\.0\d{3} +-?0\.0\d{3} +-(?:0\.9|1\.0)\d{3} g")
 
 
+#: Programs whose devices block, and are awaited.
+DEVICES = {
+    "blocking": "use mip_protocol::device::Device;\n",
+    "awaited": f'#[path = "{HERE / "awaited.rs"}"]\nmod awaited;\nuse awaited::Device;\n',
+}
+
+
 @heavy("the Rust crate in many more builds")
 def test_connect_and_stream_at_a_scripted_port() -> None:
     """With few sets: building the crate with all of them takes longer than everything else."""
-    target = f'[[test]]\nname = "first_day"\npath = "{HERE / "first_day.rs"}"\n'
-    features = '"base", "mip_3dm", "sensor", "filter_data", "shared", "std", "devices", "registry"'
-    folder = project("real", "first-day", target, features, default=False)
-    out = passes(folder, "test", "--offline", "--quiet", "--test", "first_day")
-    assert "test result: ok" in out
+    features = '"base", "mip_3dm", "sensor", "filter_data", "shared", "std", "devices", "registry", "embedded-io-async"'
+    manifest = f"""[package]
+name = "first-day"
+version = "0.0.0"
+edition = "2021"
+
+[dependencies]
+mip-protocol = {{ path = "{crate()}", default-features = false, features = [{features}] }}
+embedded-io-async = "0.7"
+
+[workspace]
+"""
+    files = {"Cargo.toml": manifest.encode(), "Cargo.lock": (HERE / "Cargo.lock").read_bytes(), "src/lib.rs": b""}
+    for name, device in DEVICES.items():
+        module = f'#[path = "{HERE / "first_day.rs"}"]\nmod first_day;\n'
+        files[f"tests/{name}.rs"] = f"{device}{module}".encode()
+    folder = WORK / "real/first-day"
+    with locked(WORK / "real-first-day"):
+        write(files, folder)
+    out = passes(folder, "test", "--quiet")
+    first, second = (n for n in re.findall(r"test result: ok. (\d+) passed", out) if n != "0")
+    assert first == second and int(first) > 12
 
 
 def test_a_part_without_these_commands_has_no_such_module() -> None:

@@ -3,7 +3,8 @@
 The finished source is in runtime/rust. Where to change what, and its tests in `tests/rust`:
 
 - a device at a port: src/device*; `cases/device.rs`, `features/embedded.rs`, `test_rust_examples.py`
-- finding a device, starting its data, a lost port: `session`, session.rs.j2, device/line.rs; `test_rust_first_day.py`
+- finding a device, starting its data, a lost port: `session`, session.rs.j2, device/line.rs; `test_rust_first_day.py`,
+  with devices that block and that are awaited
 - which field a device rejects: src/devices/rejected.rs, devices/lists.rs.j2; the rule, lower/lists; `test_rust_time.py`
 - the time of packets and the validity of values: src/time.rs, `view/clocks`, `Validity` in `view/records`; the rule,
   lower/validity; `test_rust_time.py`, which compares with Python
