@@ -412,8 +412,8 @@ export declare const Gx4SystemState: Enumeration<Gx4SystemState> & {
 /**
  * IMU message format response (0x0C,0x80).
  *
- * Response to `ImuMessageFormat`. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35, -45,
- * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 14 more.
+ * Response to `ImuMessageFormat`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 14 more.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
@@ -427,8 +427,8 @@ export declare class ImuMessageFormatResponse extends Response {
 /**
  * GNSS message format response (0x0C,0x81).
  *
- * Response to `GnssMessageFormat`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST; likely or
- * assumed on 4 more.
+ * Response to `GnssMessageFormat`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+ * likely or assumed on 4 more.
  *
  * - mip-sdk-4: GNSS message format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -443,8 +443,8 @@ export declare class GnssMessageFormatResponse extends Response {
 /**
  * Estimation filter message format response (0x0C,0x82).
  *
- * Response to `FilterMessageFormat`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST;
- * likely or assumed on 9 more.
+ * Response to `FilterMessageFormat`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST; likely or assumed on 9 more.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
@@ -458,8 +458,8 @@ export declare class FilterMessageFormatResponse extends Response {
 /**
  * Get IMU data base rate response (0x0C,0x83).
  *
- * Also called `imu_get_base_rate_response`. Response to `GetImuBaseRate`. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10,
- * 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 15 more.
+ * Also called `imu_get_base_rate_response`. Response to `GetImuBaseRate`. Confirmed on 3DM-CV5-10, 3DM-CV5-15,
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 15 more.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -472,8 +472,8 @@ export declare class GetImuBaseRateResponse extends Response {
 /**
  * Get GNSS data base rate response (0x0C,0x84).
  *
- * Also called `gnss_get_base_rate_response`. Response to `GetGnssBaseRate`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, -45,
- * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 4 more. Known only from the MicroStrain MIP SDK.
+ * Also called `gnss_get_base_rate_response`. Response to `GetGnssBaseRate`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4 more. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -486,8 +486,9 @@ export declare class GetGnssBaseRateResponse extends Response {
 /**
  * Data stream control response (0x0C,0x85).
  *
- * Also called `datastream_control_response`. Response to `DataStreamControl`. Confirmed on 3DM-CV7-AHRS, -AR,
- * -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 25 more.
+ * Also called `datastream_control_response`. Response to `DataStreamControl`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed
+ * on 25 more.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -497,11 +498,11 @@ export declare class DataStreamControlResponse extends Response {
     /**
      * Stream specified in the command.
      *
-     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR:
-     *   values of `LegacyDataStream`; only `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and
-     *   `LegacyDataStream.FILTER`.
-     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST:
-     *   values of `LegacyDataStream`.
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
+     *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `LegacyDataStream`; only
+     *   `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
+     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45,
+     *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
      * - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
      */
     descriptorSet: number;
@@ -542,7 +543,7 @@ export declare class ImuSignalConditioningResponse extends Response {
  * UART baud rate response (0x0C,0x87).
  *
  * Also called `uart_baudrate_response`. Response to `UartBaudRate`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 12 more.
+ * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 12 more.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -591,7 +592,7 @@ export declare class DevicePowerStateResponse extends Response {
  * Get estimation filter data base rate response (0x0C,0x8A).
  *
  * Also called `filter_get_base_rate_response`. Response to `GetFilterBaseRate`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45,
- * 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
+ * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -604,8 +605,9 @@ export declare class GetFilterBaseRateResponse extends Response {
 /**
  * Advanced low-pass filter settings response (0x0C,0x8B).
  *
- * Also called `imu_lowpass_filter_response`. Response to `ImuLowPassFilter`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS,
- * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 20 more.
+ * Also called `imu_lowpass_filter_response`. Response to `ImuLowPassFilter`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 20
+ * more.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -644,8 +646,8 @@ export declare class NmeaMessageFormatResponse extends Response {
 /**
  * Get data base rate response (0x0C,0x8E).
  *
- * Response to `GetBaseRate`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7
- * more.
+ * Response to `GetBaseRate`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or
+ * assumed on 7 more.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -704,7 +706,8 @@ export declare class DeviceStatusBasicRq1ImuResponse extends Response {
  *
  * Response to `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
  * `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
- * Confirmed on 3DM-GQ4-45, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
+ * Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9
+ * more.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -721,7 +724,7 @@ export declare class DeviceStatusBasicResponse extends Response {
     /**
      * State of the system; the meaning of its values is not documented.
      *
-     * - On the 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: values of `Gx4SystemState`.
+     * - On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `Gx4SystemState`.
      */
     systemState: number;
     /** Time since start-up. Unit: ms. */
@@ -816,10 +819,10 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
  * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-35 and -45; likely or assumed on 2 more. Uncertain: MSCL uses
- * it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the
- * names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system
- * timer.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 2 more. Uncertain:
+ * MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL
+ * lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like
+ * the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -961,9 +964,9 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
  * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
  * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and -45-ST. Uncertain: No known manual documents it.
- * Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed
- * to be in ms like the system timer.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual documents
+ * it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are
+ * assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1424,8 +1427,8 @@ export declare class ImuTimestampResponse extends Response {
 /**
  * Complementary filter configuration response (0x0C,0x97).
  *
- * Response to `ComplementaryFilter`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed
- * on 22 more.
+ * Response to `ComplementaryFilter`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35; likely or
+ * assumed on 22 more.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -1445,8 +1448,8 @@ export declare class ComplementaryFilterResponse extends Response {
 /**
  * Accelerometer bias configuration response (0x0C,0x9A).
  *
- * Response to `AccelBias`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely
- * or assumed on 24 more.
+ * Response to `AccelBias`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST; likely or assumed on 24 more.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -1463,8 +1466,8 @@ export declare class AccelBiasResponse extends Response {
  * The bias in use.
  *
  * Also called `capture_gyro_bias_response`. Response to `GyroBias` and `CaptureGyroBias`. Confirmed on 3DM-CV7-AHRS,
- * -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 21
- * more.
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+ * likely or assumed on 21 more.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -1478,8 +1481,8 @@ export declare class GyroBiasResponse extends Response {
 /**
  * Magnetometer hard iron offset response (0x0C,0x9C).
  *
- * Response to `MagHardIronOffset`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * -45-ST; likely or assumed on 14 more.
+ * Response to `MagHardIronOffset`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT
+ * and 3DM-RQ1-45-ST; likely or assumed on 14 more.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -1495,8 +1498,8 @@ export declare class MagHardIronOffsetResponse extends Response {
 /**
  * Magnetometer soft iron matrix response (0x0C,0x9D).
  *
- * Response to `MagSoftIronMatrix`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and
- * -45-ST; likely or assumed on 14 more.
+ * Response to `MagSoftIronMatrix`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT
+ * and 3DM-RQ1-45-ST; likely or assumed on 14 more.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)
@@ -1513,8 +1516,8 @@ export declare class MagSoftIronMatrixResponse extends Response {
 /**
  * Coning and sculling enable response (0x0C,0x9E).
  *
- * Response to `ConingScullingEnable`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed
- * on 15 more.
+ * Response to `ConingScullingEnable`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+ * assumed on 15 more.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -1669,7 +1672,8 @@ export declare class SensorToVehicleTransformDcmResponse extends Response {
 /**
  * Get supported events response (0x0C,0xB4).
  *
- * Response to `GetEventSupport`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+ * Response to `GetEventSupport`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8
+ * more.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -1735,8 +1739,8 @@ export declare class GetEventActionStatusResponse extends Response {
 /**
  * Event trigger configuration response (0x0C,0xB8).
  *
- * Also called `event_trigger_response`. Response to `EventTriggerConfig`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS;
- * likely or assumed on 8 more.
+ * Also called `event_trigger_response`. Response to `EventTriggerConfig`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
@@ -1760,8 +1764,8 @@ export declare class EventTriggerConfigResponse extends Response {
 /**
  * Event action configuration response (0x0C,0xB9).
  *
- * Also called `event_action_response`. Response to `EventActionConfig`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS;
- * likely or assumed on 8 more.
+ * Also called `event_action_response`. Response to `EventActionConfig`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Event Cycle
@@ -1787,7 +1791,7 @@ export declare class EventActionConfigResponse extends Response {
 /**
  * GPIO configuration response (0x0C,0xC1).
  *
- * Response to `GpioConfig`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+ * Response to `GpioConfig`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -1890,8 +1894,8 @@ export declare class GetCalibratedSensorRangesResponse extends Response {
 /**
  * Low-pass anti-aliasing filter response (0x0C,0xD4).
  *
- * Also called `lowpass_filter_response`. Response to `LowPassFilter`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and
- * 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
+ * Also called `lowpass_filter_response`. Response to `LowPassFilter`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
@@ -1914,8 +1918,8 @@ export declare class LowPassFilterResponse extends Response {
  *
  * Requests one sensor data packet (0x80) with the listed fields, in the listed order.
  *
- * Also called `poll_imu_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10,
- * 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 15 more.
+ * Also called `poll_imu_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV5-10, 3DM-CV5-15,
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 15 more.
  *
  * An empty list polls the fields that `ImuMessageFormat` stores; if nothing is stored, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.
@@ -1937,7 +1941,8 @@ export declare class PollImuData extends Command<undefined> {
  * Requests one GNSS data packet with the listed fields, in the listed order.
  *
  * Also called `poll_gnss_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-GQ4-45, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 5 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 5 more. Known only from the MicroStrain MIP SDK. Requires a
+ * receiver.
  *
  * An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device rejects the command.
  * Descriptors that the device does not know are omitted. The data is sent in a separate packet after the reply.
@@ -1962,7 +1967,7 @@ export declare class PollGnssData extends Command<undefined> {
  * Requests one filter data packet (0x82) with the listed fields, in the listed order.
  *
  * Also called `poll_filter_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV5-15, 3DM-GQ4-45,
- * 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 8 more.
+ * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 8 more.
  *
  * An empty list polls the fields that `FilterMessageFormat` stores; if none are, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.
@@ -2006,8 +2011,8 @@ export declare class PollNmeaData extends Command<undefined> {
  *
  * Gets the base rate, which is divided by the decimations of `ImuMessageFormat`.
  *
- * Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10,
- * 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 15 more.
+ * Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10,
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 15 more.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -2020,8 +2025,9 @@ export declare class GetImuBaseRate extends Command<GetImuBaseRateResponse> {
  *
  * Gets the base rate, which is divided by the decimations of `GnssMessageFormat`.
  *
- * Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, -45,
- * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 4 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
+ * Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4 more. Known only from the MicroStrain MIP SDK.
+ * Requires a receiver.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -2035,8 +2041,8 @@ export declare class GetGnssBaseRate extends Command<GetGnssBaseRateResponse> {
  * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ImuMessageFormatResponse`. Confirmed on
- * 3DM-CV5-10, -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 14
- * more.
+ * 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+ * likely or assumed on 14 more.
  *
  * The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate. The list replaces the
  * previous one. If any descriptor is unknown, the device rejects the command and changes nothing.
@@ -2070,7 +2076,8 @@ export declare class ImuMessageFormat<R extends Response | undefined = undefined
  * Sets the fields of the GNSS data packets, their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssMessageFormatResponse`. Confirmed on
- * 3DM-GQ4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 4 more. Requires a receiver.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4 more. Requires a
+ * receiver.
  *
  * The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
  *
@@ -2105,7 +2112,7 @@ export declare class GnssMessageFormat<R extends Response | undefined = undefine
  * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FilterMessageFormatResponse`. Confirmed on
- * 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
+ * 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
  *
  * The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate. The list replaces
  * the previous one. If any descriptor is unknown, the device rejects the command and changes nothing.
@@ -2139,7 +2146,7 @@ export declare class FilterMessageFormat<R extends Response | undefined = undefi
  * Gets the base rate, which is divided by the decimations of `FilterMessageFormat`.
  *
  * Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45,
- * 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
+ * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -2209,8 +2216,8 @@ export declare class PollData extends Command<undefined> {
  *
  * Gets the base rate, which is divided by the decimations of a descriptor set.
  *
- * Response: `GetBaseRateResponse`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on
- * 7 more.
+ * Response: `GetBaseRateResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely
+ * or assumed on 7 more.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -2279,8 +2286,8 @@ export declare class FactoryStreaming extends Command<undefined> {
  * Switches a data stream on or off.
  *
  * Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `DataStreamControlResponse`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35,
- * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 25 more.
+ * `DataStreamControlResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 25 more.
  *
  * Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other devices by its
  * descriptor set. A newly enabled stream starts with current data, without any from before.
@@ -2295,11 +2302,11 @@ export declare class DataStreamControl<R extends Response | undefined = undefine
     /**
      * Data descriptor set; 0 means all streams (save, load, default).
      *
-     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR:
-     *   values of `LegacyDataStream`; only `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and
-     *   `LegacyDataStream.FILTER`.
-     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST:
-     *   values of `LegacyDataStream`.
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
+     *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `LegacyDataStream`; only
+     *   `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
+     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45,
+     *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
      * - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
      */
     descriptorSet?: number;
@@ -2325,7 +2332,7 @@ export declare class DataStreamControl<R extends Response | undefined = undefine
  *
  * Sends RTCM 2.3 corrections to the GNSS receiver.
  *
- * Supported by 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and -45-ST. Requires a receiver.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Requires a receiver.
  *
  * The receiver uses the RTCM messages 1, 2, 3 and 9. A message may be split at any byte and sent with several of these
  * commands.
@@ -2522,8 +2529,8 @@ export declare class PpsSourceControl<R extends Response | undefined = undefined
     /**
      * Source of the pulse. Required for `write`.
      *
-     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GV7-AHRS, -AR and -INS: only `PpsSource.DISABLED`,
-     *   `PpsSource.GPIO` and `PpsSource.GENERATED`.
+     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR
+     *   and 3DM-GV7-INS: only `PpsSource.DISABLED`, `PpsSource.GPIO` and `PpsSource.GENERATED`.
      * - On the 3DM-CV7-GNSS/INS: default `PpsSource.RECEIVER_1`.
      * - On the 3DM-GQ7-GNSS/INS: only `PpsSource.DISABLED`, `PpsSource.RECEIVER_1`, `PpsSource.RECEIVER_2`,
      *   `PpsSource.GPIO` and `PpsSource.GENERATED`.
@@ -2546,7 +2553,8 @@ export declare class PpsSourceControl<R extends Response | undefined = undefined
  *
  * Gets the types of event triggers or actions that the device supports, and the number of each.
  *
- * Response: `GetEventSupportResponse`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+ * Response: `GetEventSupportResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on
+ * 8 more.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -2632,7 +2640,8 @@ export declare class GetEventActionStatus extends Command<GetEventActionStatusRe
  * Configures the kind and the condition of an event trigger.
  *
  * Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `EventTriggerConfigResponse`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+ * `EventTriggerConfigResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8
+ * more.
  *
  * The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin configured by
  * `GpioConfig`.
@@ -2674,7 +2683,7 @@ export declare class EventTriggerConfig<R extends Response | undefined = undefin
  * Configures the trigger and the effect of an event action.
  *
  * Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `EventActionConfigResponse`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+ * `EventActionConfigResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger. A GPIO action needs
  * its pin configured as an output with the gpio feature. In each event cycle, the device updates all triggers first and
@@ -2719,7 +2728,7 @@ export declare class EventActionConfig<R extends Response | undefined = undefine
  * Saves, loads or resets all settings of the device at once.
  *
  * Functions: `save`, `load` and `default`. The device may take 2 s to reply. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 22 more.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 22 more.
  *
  * A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply time-out of at least 2 s.
  *
@@ -2991,8 +3000,8 @@ export declare class ImuTimestamp<R extends Response | undefined = undefined | I
  *
  * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `AccelBiasResponse`.
  * Affects `sensor.ScaledAccel`. Probably affects `sensor.DeltaVelocity` and `filter_data.AccelBias`. Confirmed on
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 24 more. On the
- * 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 24 more.
+ * On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -3027,9 +3036,10 @@ export declare class AccelBias<R extends Response | undefined = undefined | Acce
  *
  * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `GyroBiasResponse`.
  * Affects `sensor.ScaledGyro`. Probably affects `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`.
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 23
- * more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`,
- * `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+ * likely or assumed on 23 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the
+ * 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
+ * `load` and `default` only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3063,8 +3073,9 @@ export declare class GyroBias<R extends Response | undefined = undefined | GyroB
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
  * Response: `GyroBiasResponse`. Affects `sensor.ScaledGyro`. Probably affects `sensor.DeltaTheta`,
- * `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to reply. Confirmed on 3DM-CV7-AHRS, -AR,
- * -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 21 more.
+ * `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to reply. Confirmed on 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+ * likely or assumed on 21 more.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time. The reply arrives after the
  * averaging time. The bias is not saved; to save it, send `GyroBias` with save. The 3DM-GX5-15 also initializes its
@@ -3085,9 +3096,9 @@ export declare class CaptureGyroBias extends Command<GyroBiasResponse> {
  * Sets the offset that corrects the scaled magnetic field for hard iron.
  *
  * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagHardIronOffsetResponse`. Affects
- * `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and -45-ST; likely or
- * assumed on 14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
- * `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
+ * `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST; likely or assumed on 14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only.
+ * On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
  * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The device applies the
@@ -3127,9 +3138,9 @@ export declare class MagHardIronOffset<R extends Response | undefined = undefine
  * Sets the matrix that corrects the scaled magnetic field for soft iron.
  *
  * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagSoftIronMatrixResponse`. Affects
- * `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and -45-ST; likely or
- * assumed on 14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
- * `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
+ * `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST; likely or assumed on 14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only.
+ * On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
  * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The device applies the
@@ -3167,8 +3178,8 @@ export declare class MagSoftIronMatrix<R extends Response | undefined = undefine
  * Enables or disables coning and sculling compensation.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ConingScullingEnableResponse`. Probably affects
- * `sensor.DeltaTheta` and `sensor.DeltaVelocity`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely
- * or assumed on 15 more.
+ * `sensor.DeltaTheta` and `sensor.DeltaVelocity`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+ * likely or assumed on 15 more.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -3196,8 +3207,8 @@ export declare class ConingScullingEnable<R extends Response | undefined = undef
  * Sets the baud rate of the main port.
  *
  * Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `UartBaudRateResponse`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely
- * or assumed on 12 more.
+ * `UartBaudRateResponse`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST; likely or assumed on 12 more.
  *
  * The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The 3DM-CV7 applies the
  * rate when the port is empty, after at most 250 ms; until then, commands and data may be lost. Set the device to idle
@@ -3213,7 +3224,7 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
     /**
      * New baud rate; the port must support it. Unit: Bd. Required for `write`.
      *
-     * - On the 3DM-GX5-15 and -45: default 115200.
+     * - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
      */
     baud?: number;
     /** Apply the new setting. */
@@ -3234,8 +3245,8 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
  * Sets the use of a GPIO pin.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GpioConfigResponse`. Probably affects
- * `system_data.GpioState` and `system_data.GpioAnalogValue`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or
- * assumed on 8 more.
+ * `system_data.GpioState` and `system_data.GpioAnalogValue`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * Not every pin has every feature. For an output with a feature other than gpio, configure the function that drives it
  * before the pin; otherwise, the level of the pin is undefined in the meantime. For an input, configure the pin before
@@ -3347,11 +3358,12 @@ export declare class OdometerConfig<R extends Response | undefined = undefined |
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
  * Response: `ImuLowPassFilterResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag` and
- * `sensor.ScaledPressure`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
- * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 20 more. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead.
- * Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter`
- * instead. Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On
- * the 3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
+ * `sensor.ScaledPressure`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
+ * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 20 more. Deprecated on the 3DM-CV7-AHRS: use
+ * `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the
+ * 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead.
+ * Requires firmware up to 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware up to 1.0.10 on the
+ * 3DM-GQ7-GNSS/INS.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message format.
  *
@@ -3401,8 +3413,8 @@ export declare class ImuLowPassFilter<R extends Response | undefined = undefined
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ComplementaryFilterResponse`. Affects
  * `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably affects
- * `sensor.NorthVector` and `sensor.UpVector`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or
- * assumed on 22 more.
+ * `sensor.NorthVector` and `sensor.UpVector`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35;
+ * likely or assumed on 22 more.
  *
  * Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero. The heading follows
  * the magnetometer, if the device has one. The device rejects time constants out of range. The attitude of the
@@ -3424,7 +3436,7 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
     /**
      * True enables the heading correction, which 5-series manuals call north compensation. Required for `write`.
      *
-     * - On the 3DM-CV5-10, -15, 3DM-CX5-10 and -15: MSCL has no support for it.
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15: MSCL has no support for it.
      * - On the 3DM-GX5-15: default true.
      */
     headingEnable?: boolean;
@@ -3512,8 +3524,9 @@ export declare class GetCalibratedSensorRanges extends Command<GetCalibratedSens
  * Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `LowPassFilterResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
  * `sensor.ScaledPressure`, `filter_data.CompAccel`, `filter_data.CompAngularRate` and `filter_data.LinearAccel`.
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more. On the 3DM-CV7-AHRS:
- * firmware > 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more. Requires
+ * firmware later than 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware later than 1.0.10 on the
+ * 3DM-GQ7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are meant.
  *
@@ -3607,7 +3620,7 @@ export declare class DevicePowerState<R extends Response | undefined = undefined
     /**
      * The sensor.
      *
-     * - On the 3DM-GX3-15 and -25: only `InternalSensor.IMU`.
+     * - On the 3DM-GX3-15 and 3DM-GX3-25: only `InternalSensor.IMU`.
      */
     device?: InternalSensor;
     /** Power state of an internal sensor. Required for `write`. */
@@ -3659,8 +3672,8 @@ export declare class GpsAdvancedSettings extends Command<undefined> {
  * `DeviceStatusBasicWithoutStateResponse`, `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`,
- * `DeviceStatusBasicGx3Response` or `DeviceStatusDiagnosticGx3Response`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, -35, -45,
- * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 17 more.
+ * `DeviceStatusBasicGx3Response` or `DeviceStatusDiagnosticGx3Response`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 17 more.
  *
  * The device expects its own model number, which `base.GetDeviceInfo` returns. Device families reply in different
  * layouts. The selector and the length distinguish them.

@@ -84,7 +84,8 @@ export declare const LlhAxisFlags: Bitfield<LlhAxisFlags> & {
 /**
  * Frame configuration response (0x13,0x81).
  *
- * Response to `FrameConfig`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and -INS; likely or assumed on 7 more.
+ * Response to `FrameConfig`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or assumed
+ * on 7 more.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -130,7 +131,7 @@ export declare class SensorFrameMapResponse extends Response {
 /**
  * Echo control response (0x13,0x9F).
  *
- * Response to `EchoControl`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+ * Response to `EchoControl`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -148,7 +149,7 @@ export declare class EchoControlResponse extends Response {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FrameConfigResponse`. Affects
  * `filter_data.AidingFrameConfigError`. Probably affects `filter_data.AidingFrameConfigErrorUncertainty`. Confirmed on
- * 3DM-CV7-AHRS, -AR, -GNSS/INS and -INS; likely or assumed on 7 more.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or assumed on 7 more.
  *
  * Aiding measurements refer to the frame by its number. `p_vehicle = R * p_frame + t`, with the rotation R and the
  * translation t. For GNSS positions and velocities the rotation does not matter. Send the identity: Euler angles 0, 0,
@@ -232,7 +233,7 @@ export declare class SensorFrameMap<R extends Response | undefined = undefined |
  * Sets how the device replies to aiding measurements.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EchoControlResponse`. Confirmed on 3DM-CV7-AHRS,
- * -AR and -GNSS/INS; likely or assumed on 8 more.
+ * 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * The manual does not contain the layout of the responses that carry the data back.
  *
@@ -503,7 +504,7 @@ export declare class BodyFrameVelocity extends Command<undefined> {
  * Sends a measured heading relative to true north.
  *
  * Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed
- * on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+ * on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *
@@ -529,8 +530,8 @@ export declare class TrueHeading extends Command<undefined> {
  *
  * Sends a magnetic field measured by an external magnetometer.
  *
- * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on 3DM-CV7-AHRS, -AR and
- * -GNSS/INS; likely or assumed on 7 more.
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR
+ * and 3DM-CV7-GNSS/INS; likely or assumed on 7 more.
  *
  * The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the data back in a
  * response of unknown layout.

@@ -42,8 +42,8 @@ export declare const GpsTimeField: Enumeration<GpsTimeField> & {
 /**
  * Get device information response (0x01,0x81).
  *
- * Response to `GetDeviceInfo`. Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
- * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST.
+ * Response to `GetDeviceInfo`. Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS,
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -57,8 +57,9 @@ export declare class GetDeviceInfoResponse extends Response {
 /**
  * Get device descriptors response (0x01,0x82).
  *
- * Response to `GetDeviceDescriptors`. Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-AHRS, -AR,
- * -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST.
+ * Response to `GetDeviceDescriptors`. Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -72,8 +73,8 @@ export declare class GetDeviceDescriptorsResponse extends Response {
 /**
  * Built-in test response (0x01,0x83).
  *
- * Response to `BuiltInTest`. Confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-RQ1-45-LT and -45-ST; likely or assumed on 27 more.
+ * Response to `BuiltInTest`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 27 more.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -84,13 +85,15 @@ export declare class BuiltInTestResponse extends Response {
     /**
      * Failure flags, defined by each device. Zero means that every test passed.
      *
-     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25 and 3DM-GX5-25: values of `types.Gx5BuiltInTest` (inferred:
-     *   the 3DM-GX5-15 has it).
-     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR, -INS and 3DM-RTK:
-     *   values of `types.Cv7BuiltInTest` (inferred: the 3DM-CV7-GNSS/INS has it).
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25 and 3DM-GX5-25: values of
+     *   `types.Gx5BuiltInTest` (inferred: the 3DM-GX5-15 has it).
+     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+     *   3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of `types.Cv7BuiltInTest` (inferred: the
+     *   3DM-CV7-GNSS/INS has it).
      * - On the 3DM-CV7-GNSS/INS: values of `types.Cv7BuiltInTest`.
-     * - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, -25, -35, -45, 3DM-GX4-15, -25, -45, -IMU, 3DM-GX5-35, -45,
-     *   3DM-RQ1-45-LT, -45-ST and -IMU: the values are unknown.
+     * - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+     *   3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are
+     *   unknown.
      * - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
      */
     result: number;
@@ -101,8 +104,8 @@ export declare class BuiltInTestResponse extends Response {
  *
  * The current week number.
  *
- * Response to `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.WEEK_NUMBER`. Confirmed on 3DM-CV5-10, -15,
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 16 more.
+ * Response to `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.WEEK_NUMBER`. Confirmed on 3DM-CV5-10, 3DM-CV5-15,
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35; likely or assumed on 16 more.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -119,8 +122,8 @@ export declare class GpsTimeUpdateWeekNumberResponse extends Response {
  *
  * The current time of week.
  *
- * Response to `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.TOW`. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10,
- * 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 16 more.
+ * Response to `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.TOW`. Confirmed on 3DM-CV5-10, 3DM-CV5-15,
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35; likely or assumed on 16 more.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -135,8 +138,8 @@ export declare class GpsTimeUpdateTowResponse extends Response {
 /**
  * Get device descriptors (extended) response (0x01,0x86).
  *
- * Response to `GetExtendedDescriptors`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GX5-15, -35 and -45; likely or assumed on 12 more.
+ * Response to `GetExtendedDescriptors`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 12 more.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -150,8 +153,8 @@ export declare class GetExtendedDescriptorsResponse extends Response {
 /**
  * Continuous built-in test response (0x01,0x88).
  *
- * Also called `continuous_bit_response`. Response to `ContinuousBuiltInTest`. Confirmed on 3DM-CV7-AR and -GNSS/INS;
- * likely or assumed on 9 more.
+ * Also called `continuous_bit_response`. Response to `ContinuousBuiltInTest`. Confirmed on 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
@@ -160,8 +163,8 @@ export declare class ContinuousBuiltInTestResponse extends Response {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte.
      *
-     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values
-     *   of `types.Cv7InertialContinuousBuiltInTest`.
+     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+     *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `types.Cv7InertialContinuousBuiltInTest`.
      * - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
      */
     result: number[];
@@ -170,7 +173,8 @@ export declare class ContinuousBuiltInTestResponse extends Response {
 /**
  * Comm port speed response (0x01,0x89).
  *
- * Response to `CommSpeed`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 8 more.
+ * Response to `CommSpeed`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or
+ * assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
@@ -179,8 +183,9 @@ export declare class CommSpeedResponse extends Response {
     /**
      * Port id of the device.
      *
-     * - On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of `types.CommInterface`; only
-     *   `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and `types.CommInterface.USB_1`.
+     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of
+     *   `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
+     *   `types.CommInterface.USB_1`.
      * - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
      * - On the 3DM-CV7-INS and 3DM-CX7-INS: values of `types.CommInterface`; only `types.CommInterface.MAIN`,
      *   `types.CommInterface.UART_1`, `types.CommInterface.UART_2`, `types.CommInterface.UART_3` and
@@ -200,8 +205,8 @@ export declare class CommSpeedResponse extends Response {
  *
  * Checks whether a device is present and replies to commands.
  *
- * Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35,
- * 3DM-RQ1-45-LT and -45-ST.
+ * Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * A device that is not in a normal operating mode may reject the command.
  *
@@ -217,8 +222,8 @@ export declare class Ping extends Command<undefined> {
  *
  * Stops all data streams, and wakes a sleeping device, so that it can be configured.
  *
- * Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-RQ1-45-LT and -45-ST.
+ * Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * `Resume` restores the previous mode. While idle, the device does not send NMEA sentences either.
  *
@@ -234,8 +239,8 @@ export declare class SetIdle extends Command<undefined> {
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Response: `GetDeviceInfoResponse`. Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS,
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST.
+ * Response: `GetDeviceInfoResponse`. Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS,
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -249,8 +254,9 @@ export declare class GetDeviceInfo extends Command<GetDeviceInfoResponse> {
  *
  * Gets the command and data descriptors that the device supports.
  *
- * Response: `GetDeviceDescriptorsResponse`. Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-AHRS, -AR,
- * -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST.
+ * Response: `GetDeviceDescriptorsResponse`. Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15,
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * If the list contains the descriptor of `GetExtendedDescriptors`, that command returns further descriptors.
  *
@@ -266,9 +272,9 @@ export declare class GetDeviceDescriptors extends Command<GetDeviceDescriptorsRe
  *
  * Runs the self test of the device and gets its result.
  *
- * Response: `BuiltInTestResponse`. The device may take 10 s to reply. Confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS,
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 27 more. Uncertain: The maximum
- * duration of 10 s is assumed; the manual of the 3DM-CV7 states several seconds.
+ * Response: `BuiltInTestResponse`. The device may take 10 s to reply. Confirmed on 3DM-CV5-10, 3DM-CV5-15,
+ * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 27 more.
+ * Uncertain: The maximum duration of 10 s is assumed; the manual of the 3DM-CV7 states several seconds.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile. The device must be at
  * rest; acceleration, rotation or vibration cause false failures. The continuous built-in test, if the device has it,
@@ -287,8 +293,8 @@ export declare class BuiltInTest extends Command<BuiltInTestResponse> {
  *
  * Ends idle mode and returns the device to the mode that it was in before.
  *
- * Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -45,
- * 3DM-RQ1-45-LT and -45-ST.
+ * Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * If the device was not idle, it enters its default mode (3DM-GX5-15).
  *
@@ -304,8 +310,8 @@ export declare class Resume extends Command<undefined> {
  *
  * Gets the supported descriptors that did not fit into the reply of `GetDeviceDescriptors`.
  *
- * Response: `GetExtendedDescriptorsResponse`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GX5-15, -35 and -45; likely or assumed on 12 more.
+ * Response: `GetExtendedDescriptorsResponse`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 12 more.
  *
  * Only supported if `GetDeviceDescriptors` lists it.
  *
@@ -321,8 +327,8 @@ export declare class GetExtendedDescriptors extends Command<GetExtendedDescripto
  *
  * Gets the flags of the tests that run all the time. It does not interrupt operation.
  *
- * Also called `continuous_bit`. Response: `ContinuousBuiltInTestResponse`. Confirmed on 3DM-CV7-AR and -GNSS/INS;
- * likely or assumed on 9 more.
+ * Also called `continuous_bit`. Response: `ContinuousBuiltInTestResponse`. Confirmed on 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
  *
  * It is less thorough than `BuiltInTest`. Each flag stays set until this command reports it; the streamed field has its
  * own copy of the flags. The self-test flags change only when `BuiltInTest` runs.
@@ -339,7 +345,7 @@ export declare class ContinuousBuiltInTest extends Command<ContinuousBuiltInTest
  * Sets the baud rate of one communication port.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommSpeedResponse`. Confirmed on 3DM-CV7-AHRS,
- * -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 8 more.
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 8 more.
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms. Send it alone in a packet while
  * the device is idle, and wait 250 ms before you continue. Commands and data during the change may be lost, or sent at
@@ -354,8 +360,9 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
     /**
      * Port id of the device; 0 means all ports, and is for save, load and default only.
      *
-     * - On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of `types.CommInterface`; only
-     *   `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and `types.CommInterface.USB_1`.
+     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of
+     *   `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
+     *   `types.CommInterface.USB_1`.
      * - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
      * - On the 3DM-CV7-INS and 3DM-CX7-INS: values of `types.CommInterface`; only `types.CommInterface.MAIN`,
      *   `types.CommInterface.UART_1`, `types.CommInterface.UART_2`, `types.CommInterface.UART_3` and
@@ -387,8 +394,8 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
  *
  * Functions: `write`, `read` and `apply`. Response: `GpsTimeUpdateWeekNumberResponse` or `GpsTimeUpdateTowResponse`.
  * Affects `filter_data.Timestamp`, `sensor.GpsTimestamp`, `shared.GpsTimestamp` and `shared.ExternalTimestamp`.
- * Confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 16
- * more. On the 3DM-CV7-GNSS/INS: `write` only.
+ * Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35; likely or
+ * assumed on 16 more. On the 3DM-CV7-GNSS/INS: `write` only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked. On the 3DM-CV7-GNSS/INS, the
  * time may have a different epoch from GPS time, for example the Unix epoch; `shared.ExternalTimestamp` then has the
@@ -427,8 +434,8 @@ export declare class GpsTimeUpdate<R extends Response | undefined = undefined | 
  *
  * Acknowledges the command, then resets the device immediately.
  *
- * Confirmed on 3DM-CV5-10, -15, 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT
- * and -45-ST; likely or assumed on 18 more.
+ * Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 18 more.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
  * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

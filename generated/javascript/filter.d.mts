@@ -313,7 +313,7 @@ export declare class VehicleDynamicsModeResponse extends Response {
 /**
  * Sensor to vehicle frame transformation response (0x0D,0x81).
  *
- * Response to `SensorToVehicleRotationEuler`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
+ * Response to `SensorToVehicleRotationEuler`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 12 more.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -349,7 +349,7 @@ export declare class SensorToVehicleOffsetResponse extends Response {
 /**
  * GNSS antenna offset response (0x0D,0x83).
  *
- * Response to `AntennaOffset`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GX5-45; likely or assumed on 8 more.
+ * Response to `AntennaOffset`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -368,7 +368,7 @@ export declare class AntennaOffsetResponse extends Response {
 /**
  * Estimation control flags response (0x0D,0x84).
  *
- * Response to `EstimationControl`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 13 more.
+ * Response to `EstimationControl`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 13 more.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -395,7 +395,7 @@ export declare class GnssSourceResponse extends Response {
 /**
  * Heading update control response (0x0D,0x87).
  *
- * Response to `HeadingSource`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
+ * Response to `HeadingSource`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 12 more.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -408,8 +408,8 @@ export declare class HeadingSourceResponse extends Response {
 /**
  * Automatic initialization response (0x0D,0x88).
  *
- * Also called `auto_init_control_response`. Response to `AutoInitializationControl`. Confirmed on 3DM-GX5-15 and -45;
- * likely or assumed on 13 more.
+ * Also called `auto_init_control_response`. Response to `AutoInitializationControl`. Confirmed on 3DM-GX5-15 and
+ * 3DM-GX5-45; likely or assumed on 13 more.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -422,7 +422,7 @@ export declare class AutoInitializationControlResponse extends Response {
 /**
  * Accelerometer noise response (0x0D,0x89).
  *
- * Response to `AccelNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
+ * Response to `AccelNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 23 more.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -436,7 +436,7 @@ export declare class AccelNoiseResponse extends Response {
 /**
  * Gyroscope noise response (0x0D,0x8A).
  *
- * Response to `GyroNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
+ * Response to `GyroNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 23 more.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -465,7 +465,7 @@ export declare class AccelBiasModelResponse extends Response {
 /**
  * Gyroscope bias model response (0x0D,0x8C).
  *
- * Response to `GyroBiasModel`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
+ * Response to `GyroBiasModel`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 23 more.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -497,8 +497,8 @@ export declare class AutoZuptResponse extends Response {
 /**
  * Zero angular rate update response (0x0D,0x8E).
  *
- * Response to `AutoAngularZupt`. Confirmed on 3DM-CV7-GNSS/INS, -INS, 3DM-CX5-25, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45;
- * likely or assumed on 19 more.
+ * Response to `AutoAngularZupt`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX5-25, 3DM-GQ7-GNSS/INS, 3DM-GX5-15
+ * and 3DM-GX5-45; likely or assumed on 19 more.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -536,7 +536,7 @@ export declare class ReferencePositionResponse extends Response {
 /**
  * Gravity noise response (0x0D,0x93).
  *
- * Response to `GravityNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 16 more.
+ * Response to `GravityNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 16 more.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -637,8 +637,8 @@ export declare class MagNoiseResponse extends Response {
 /**
  * Magnetic declination source response (0x0D,0xB2).
  *
- * Response to `MagneticDeclinationSource`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45;
- * likely or assumed on 14 more.
+ * Response to `MagneticDeclinationSource`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
+ * 3DM-GX5-45; likely or assumed on 14 more.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -659,7 +659,8 @@ export declare class MagneticDeclinationSourceResponse extends Response {
 /**
  * Gravity magnitude error adaptive measurement response (0x0D,0xB3).
  *
- * Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 13 more.
+ * Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 13
+ * more.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -770,7 +771,7 @@ export declare class AltitudeAidingResponse extends Response {
 /**
  * Pitch and roll aiding response (0x0D,0xBB).
  *
- * Response to `PitchRollAiding`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 6 more.
+ * Response to `PitchRollAiding`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 6 more.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -849,7 +850,8 @@ export declare class SensorToVehicleRotationQuaternionResponse extends Response 
 /**
  * Aiding measurement control response (0x0D,0xD0).
  *
- * Response to `AidingMeasurementEnable`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+ * Response to `AidingMeasurementEnable`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed
+ * on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -882,7 +884,7 @@ export declare class KinematicConstraintResponse extends Response {
  * Navigation filter initialization response (0x0D,0xD2).
  *
  * Also called `initialization_configuration_response`. Response to `InitializationConfig`. Confirmed on
- * 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or assumed on 2 more.
+ * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS; likely or assumed on 2 more.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -1057,8 +1059,8 @@ export declare class GnssAntennaCalibrationControlResponse extends Response {
  *
  * Returns the filter to its initialization state.
  *
- * Affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely
- * or assumed on 20 more.
+ * Affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST; likely or assumed on 20 more.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs again. 3DM-CV7: send
  * it after a large jump of the system time, for example when the PPS is first detected.
@@ -1076,7 +1078,7 @@ export declare class Reset extends Command<undefined> {
  * Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.
  *
  * Affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on
- * 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 12 more.
+ * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 12 more.
  *
  * Accepted only in the initialization state.
  *
@@ -1098,7 +1100,8 @@ export declare class SetInitialAttitude extends Command<undefined> {
  * Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
  *
  * Affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on
- * 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 19 more.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+ * assumed on 19 more.
  *
  * 3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if magnetometer aiding is
  * on, the value of this command is ignored.
@@ -1192,8 +1195,8 @@ export declare class VehicleDynamicsMode<R extends Response | undefined = undefi
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
  * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Confirmed on 3DM-GX5-15 and
- * -45; likely or assumed on 12 more. Uncertain: The text of the manual lacks the formula; it is the inverse of that of
- * `3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
+ * 3DM-GX5-45; likely or assumed on 12 more. Uncertain: The text of the manual lacks the formula; it is the inverse of
+ * that of `3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
  *
  * The 3DM-CV7 uses the inverse instead: `3dm.SensorToVehicleTransformEuler`. `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll)
  * * v_vehicle`
@@ -1272,8 +1275,8 @@ export declare class SensorToVehicleOffset<R extends Response | undefined = unde
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AntennaOffsetResponse`. Probably affects
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
- * `filter_data.AntennaOffsetCorrection`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GX5-45; likely or assumed on 8
- * more.
+ * `filter_data.AntennaOffsetCorrection`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45; likely or assumed
+ * on 8 more.
  *
  * 5-series devices expect the sensor frame. On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the
  * aiding commands uses `aiding.FrameConfig`.
@@ -1314,8 +1317,8 @@ export declare class AntennaOffset<R extends Response | undefined = undefined | 
  * `filter_data.AntennaOffsetCorrection`, `filter_data.MagOffset` and `filter_data.MagMatrix`. Probably affects
  * `filter_data.GyroBiasUncertainty`, `filter_data.AccelBiasUncertainty`, `filter_data.GyroScaleFactorUncertainty`,
  * `filter_data.AccelScaleFactorUncertainty`, `filter_data.AntennaOffsetCorrectionUncertainty`,
- * `filter_data.MagOffsetUncertainty` and `filter_data.MagMatrixUncertainty`. Confirmed on 3DM-GX5-15 and -45; likely or
- * assumed on 13 more.
+ * `filter_data.MagOffsetUncertainty` and `filter_data.MagMatrixUncertainty`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45;
+ * likely or assumed on 13 more.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -1326,10 +1329,11 @@ export declare class EstimationControl<R extends Response | undefined = undefine
     /**
      * States to estimate. Required for `write`.
      *
-     * - On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, -25 and 3DM-GX5-15: only `EstimatedStates.GYRO_BIAS`.
+     * - On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
+     *   `EstimatedStates.GYRO_BIAS`.
      * - On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only `EstimatedStates.GYRO_BIAS`,
      *   `EstimatedStates.AUTO_HARD_IRON` and `EstimatedStates.AUTO_SOFT_IRON`.
-     * - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only `EstimatedStates.GYRO_BIAS`,
+     * - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `EstimatedStates.GYRO_BIAS`,
      *   `EstimatedStates.ACCEL_BIAS`, `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR` and
      *   `EstimatedStates.ANTENNA_OFFSET`.
      */
@@ -1368,7 +1372,7 @@ export declare class GnssSource<R extends Response | undefined = undefined | Gns
      * Source of the GNSS data. Required for `write`.
      *
      * - On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `GnssAidingSource.EXTERNAL`.
-     * - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
+     * - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
      *   `GnssAidingSource.ALL_INTERNAL`, `GnssAidingSource.EXTERNAL` and `GnssAidingSource.INTERNAL_1`.
      * - On the 3DM-GX5-45: only `GnssAidingSource.ALL_INTERNAL` and `GnssAidingSource.EXTERNAL`.
      */
@@ -1421,7 +1425,7 @@ export declare class ExternalGnssUpdate extends Command<undefined> {
  *
  * Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
  *
- * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 15 more.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 15 more.
  *
  * Rejected unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
  * `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination
@@ -1450,7 +1454,7 @@ export declare class ExternalHeadingUpdate extends Command<undefined> {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `HeadingSourceResponse`. Affects
  * `filter_data.HeadingUpdateState`. Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
- * `filter_data.EulerAngles`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
+ * `filter_data.EulerAngles`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 12 more.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -1467,8 +1471,8 @@ export declare class HeadingSource<R extends Response | undefined = undefined | 
      *   `HeadingUpdateSource.MAG` and `HeadingUpdateSource.EXTERNAL`.
      * - On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only `HeadingUpdateSource.NONE`, `HeadingUpdateSource.MAG`,
      *   `HeadingUpdateSource.GNSS_VELOCITY` and `HeadingUpdateSource.EXTERNAL`.
-     * - On the 3DM-RQ1-45-LT and -45-ST: only `HeadingUpdateSource.NONE`, `HeadingUpdateSource.GNSS_VELOCITY` and
-     *   `HeadingUpdateSource.EXTERNAL`.
+     * - On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `HeadingUpdateSource.NONE`, `HeadingUpdateSource.GNSS_VELOCITY`
+     *   and `HeadingUpdateSource.EXTERNAL`.
      */
     source?: HeadingUpdateSource;
     /** Apply the new setting. */
@@ -1489,7 +1493,7 @@ export declare class HeadingSource<R extends Response | undefined = undefined | 
  * Sets whether the filter initializes automatically at power-up.
  *
  * Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
- * `AutoInitializationControlResponse`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 13 more.
+ * `AutoInitializationControlResponse`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 13 more.
  *
  * Automatic initialization needs a valid heading source.
  *
@@ -1521,7 +1525,7 @@ export declare class AutoInitializationControl<R extends Response | undefined = 
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelNoiseResponse`. Probably affects
  * `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`, `filter_data.NedVelocityUncertainty`,
  * `filter_data.EcefVelocityUncertainty` and `filter_data.AccelBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS,
- * 3DM-GX5-15 and -45; likely or assumed on 23 more.
+ * 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 23 more.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1553,7 +1557,8 @@ export declare class AccelNoise<R extends Response | undefined = undefined | Acc
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroNoiseResponse`. Probably affects
  * `filter_data.EulerAnglesUncertainty`, `filter_data.QuaternionAttitudeUncertainty` and
- * `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
+ * `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 23
+ * more.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1618,8 +1623,8 @@ export declare class AccelBiasModel<R extends Response | undefined = undefined |
  * Sets the parameters of the gyroscope bias drift model.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroBiasModelResponse`. Probably affects
- * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45;
- * likely or assumed on 23 more.
+ * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
+ * 3DM-GX5-45; likely or assumed on 23 more.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -1686,7 +1691,7 @@ export declare class AutoZupt<R extends Response | undefined = undefined | AutoZ
  *
  * Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
  *
- * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 15 more.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 15 more.
  *
  * Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate. Rejected unless
  * external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by `AidingMeasurementEnable` on the
@@ -1720,8 +1725,8 @@ export declare class ExternalHeadingUpdateWithTime extends Command<undefined> {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoAngularZuptResponse`. Probably affects
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.GyroBias` and
- * `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, -INS, 3DM-CX5-25, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
- * -45; likely or assumed on 19 more.
+ * `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX5-25, 3DM-GQ7-GNSS/INS,
+ * 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 19 more.
  *
  * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
@@ -1757,8 +1762,8 @@ export declare class AutoAngularZupt<R extends Response | undefined = undefined 
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
  * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Confirmed on 3DM-CX5-25,
- * 3DM-GX5-15 and -45; likely or assumed on 11 more. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On
- * the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
+ * 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 11 more. On the 3DM-GX5-15: `write`, `save`, `load` and `default`
+ * only. On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
  *
  * Rejected while the filter has no valid attitude.
  *
@@ -1806,8 +1811,8 @@ export declare class CommandedZupt extends Command<undefined> {
  * Informs the filter once that the device is not rotating.
  *
  * Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on
- * 12 more.
+ * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or
+ * assumed on 12 more.
  *
  * At most 10 per second.
  *
@@ -1886,7 +1891,7 @@ export declare class MagCaptureAutoCalibration extends Command<undefined> {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GravityNoiseResponse`. Probably affects
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-CV7-GNSS/INS,
- * 3DM-GX5-15 and -45; likely or assumed on 16 more.
+ * 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 16 more.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -2074,7 +2079,8 @@ export declare class MagNoise<R extends Response | undefined = undefined | MagNo
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagneticDeclinationSourceResponse`. Probably
  * affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on
- * 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 14 more. Requires a magnetometer.
+ * 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 14 more. Requires a
+ * magnetometer.
  *
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
@@ -2119,7 +2125,7 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelMagnitudeErrorAdaptiveMeasurementResponse`.
  * Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-15 and
- * -45; likely or assumed on 13 more.
+ * 3DM-GX5-45; likely or assumed on 13 more.
  *
  * Also called accelerometer magnitude error adaptive measurement. All parameters after the selector keep their values
  * if they are omitted. The low-pass filter and the limits take effect only with `fixed`. Raise the limits where
@@ -2135,7 +2141,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
     /**
      * Kind of adaptation. Required for `write`.
      *
-     * - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, -25, -45, 3DM-RQ1-45-LT and -45-ST: only
+     * - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
      *   `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
      */
     adaptiveMeasurement?: AdaptiveMeasurementSelector;
@@ -2186,7 +2192,7 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
     /**
      * Kind of adaptation. Required for `write`.
      *
-     * - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, -45, 3DM-RQ1-45-LT and -45-ST: only
+     * - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
      *   `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
      */
     adaptiveMeasurement?: AdaptiveMeasurementSelector;
@@ -2322,7 +2328,7 @@ export declare class AltitudeAiding<R extends Response | undefined = undefined |
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `PitchRollAidingResponse`. Probably affects
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-15 and
- * -45; likely or assumed on 6 more.
+ * 3DM-GX5-45; likely or assumed on 6 more.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -2502,8 +2508,8 @@ export declare class SensorToVehicleRotationQuaternion<R extends Response | unde
  * Enables or disables one source of aiding measurements.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AidingMeasurementEnableResponse`. Affects
- * `filter_data.AidingMeasurementSummary`. Probably affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, -AR and
- * -GNSS/INS; likely or assumed on 8 more.
+ * `filter_data.AidingMeasurementSummary`. Probably affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR
+ * and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -2582,8 +2588,8 @@ export declare class KinematicConstraint<R extends Response | undefined = undefi
  * Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `InitializationConfigResponse`. Probably affects `filter_data.Status`, `filter_data.LlhPosition`,
  * `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`,
- * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS;
- * likely or assumed on 2 more.
+ * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+ * 3DM-GQ7-GNSS/INS; likely or assumed on 2 more.
  *
  * The initial angles are in degrees, unlike those of `SetInitialAttitude`, which are in radians. Single precision
  * resolves the latitude and longitude of the initial position to about a metre only. Kinematic alignment sets the

@@ -447,7 +447,8 @@ export declare class NedVelocity extends Data {
  *
  * Estimated orientation of the vehicle frame in the NED frame as a quaternion.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17
+ * more.
  *
  * `v_ned = q * v_vehicle * q^-1` The 3DM-GX5-15 manual documents the inverse rotation, which is taken for a misprint.
  *
@@ -470,7 +471,7 @@ export declare class AttitudeQuaternion extends Data {
  *
  * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 17 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 17 more.
  *
  * The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`.
  *
@@ -493,8 +494,8 @@ export declare class AttitudeDcm extends Data {
  *
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 20 more.
- * Uncertain: The ranges of the angles are inferred; no source states them.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or
+ * assumed on 20 more. Uncertain: The ranges of the angles are inferred; no source states them.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
@@ -527,7 +528,7 @@ export declare class EulerAngles extends Data {
  *
  * Estimated bias of the gyroscope.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
  * - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -698,7 +699,8 @@ export declare class AccelBiasUncertainty extends Data {
  *
  * Rate of change of the velocity, with the effect of gravity removed.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17
+ * more.
  *
  * - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
  * - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -719,7 +721,8 @@ export declare class LinearAccel extends Data {
  *
  * Angular rate with the estimated bias removed.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 16 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or
+ * assumed on 16 more.
  *
  * - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
  * - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -762,7 +765,8 @@ export declare class Wgs84GravityMagnitude extends Data {
  *
  * State, dynamics mode, condition and warnings of the filter.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 17
+ * more.
  *
  * 7-series: state 1 is initialization, 2 vertical gyro, 3 AHRS, 4 full navigation. On the 3DM-CV7, normal operation is
  * state 4, mode 1, flags 1 (stable). 5-series and older: state 0 is start-up, 1 initialization, 2 a valid solution, 3 a
@@ -776,12 +780,12 @@ export declare class Status extends Data {
     /**
      * Progress of the filter from start-up to its full solution.
      *
-     * - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of
-     *   `Gx5FilterState` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up
-     *   to the fifth).
-     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values
-     *   of `Cv7FilterState` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
-     *   generation).
+     * - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+     *   3DM-GX5-25 and 3DM-GX5-45: values of `Gx5FilterState` (inferred: the 3DM-GX5-15 has them, and the SDK lists the
+     *   same states for all generations up to the fifth).
+     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+     *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7FilterState` (inferred: the 3DM-CV7-GNSS/INS has them,
+     *   and the SDK lists the same states for its generation).
      * - On the 3DM-CV7-GNSS/INS: values of `Cv7FilterState`.
      * - On the 3DM-GX5-15: values of `Gx5FilterState`.
      */
@@ -789,12 +793,12 @@ export declare class Status extends Data {
     /**
      * Motion for which the filter is configured.
      *
-     * - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of
-     *   `Gx5DynamicsMode` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up
-     *   to the fifth).
-     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values
-     *   of `Cv7DynamicsMode` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
-     *   generation).
+     * - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+     *   3DM-GX5-25 and 3DM-GX5-45: values of `Gx5DynamicsMode` (inferred: the 3DM-GX5-15 has them, and the SDK lists
+     *   the same states for all generations up to the fifth).
+     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+     *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7DynamicsMode` (inferred: the 3DM-CV7-GNSS/INS has them,
+     *   and the SDK lists the same states for its generation).
      * - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
      * - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
      */
@@ -802,12 +806,12 @@ export declare class Status extends Data {
     /**
      * Condition and warnings.
      *
-     * - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of
-     *   `Gx5StatusFlags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up
-     *   to the fifth).
-     * - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR and -INS: values
-     *   of `Cv7StatusFlags` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
-     *   generation).
+     * - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+     *   3DM-GX5-25 and 3DM-GX5-45: values of `Gx5StatusFlags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the
+     *   same states for all generations up to the fifth).
+     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+     *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7StatusFlags` (inferred: the 3DM-CV7-GNSS/INS has them,
+     *   and the SDK lists the same states for its generation).
      * - On the 3DM-CV7-GNSS/INS: values of `Cv7StatusFlags`.
      * - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
      */
@@ -867,7 +871,7 @@ export declare class QuaternionAttitudeUncertainty extends Data {
  *
  * Estimated gravity.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
  *
  * - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
  * - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -888,7 +892,7 @@ export declare class GravityVector extends Data {
  *
  * The last heading that updated the filter, and its source.
  *
- * Confirmed on 3DM-GX5-15 and -45; likely or assumed on 8 more.
+ * Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 8 more.
  *
  * The valid bit means that the source provided data within the last 2 seconds.
  *
@@ -1076,7 +1080,8 @@ export declare class MagBiasUncertainty extends Data {
  *
  * Specific force with the estimated bias removed.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 14 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 14
+ * more.
  *
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1681,7 +1686,8 @@ export declare class OdometerScaleFactorErrorUncertainty extends Data {
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Requires 2 antennas.
  *
- * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ * It is a measurement that aids the filter. The heading of `EulerAngles` is the estimate of the filter from all
+ * measurements. Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
  * - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
  */
@@ -1715,7 +1721,7 @@ export declare class GnssDualAntennaStatus extends Data {
  *
  * Estimated error of a frame that `aiding.FrameConfig` defines. The filter corrects for it.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and -INS; likely or assumed on 2 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or assumed on 2 more.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */

@@ -101,8 +101,8 @@ export declare class RawMag extends Data {
  *
  * Specific force, temperature compensated: about -1 g on z when level and at rest.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and -45; likely or assumed
- * on 24 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
+ * 3DM-GX5-45; likely or assumed on 24 more.
  *
  * At rest, it is the opposite of the gravity vector.
  *
@@ -123,8 +123,8 @@ export declare class ScaledAccel extends Data {
  *
  * Measured angular rate, temperature compensated.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and -45; likely or assumed
- * on 24 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
+ * 3DM-GX5-45; likely or assumed on 24 more.
  *
  * - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -143,8 +143,8 @@ export declare class ScaledGyro extends Data {
  *
  * Measured magnetic field, temperature compensated.
  *
- * Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and -45; likely or assumed on 16 more.
- * Requires a magnetometer.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45; likely or
+ * assumed on 16 more. Requires a magnetometer.
  *
  * - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
  */
@@ -159,7 +159,7 @@ export declare class ScaledMag extends Data {
  *
  * Time integral of the angular rate over the period set by the message format.
  *
- * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -35; likely or assumed on 21 more.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35; likely or assumed on 21 more.
  *
  * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -223,7 +223,8 @@ export declare class CompOrientationMatrix extends Data {
  *
  * Attitude from the complementary filter as a quaternion, relative to the NED frame.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on 18
+ * more.
  *
  * The 3DM-GX5-15 uses the sensor frame in place of the vehicle frame. `v_ned = q * v_vehicle * q^-1`
  *
@@ -264,8 +265,8 @@ export declare class CompOrientationUpdateMatrix extends Data {
  *
  * Attitude from the complementary filter as Euler angles, relative to the NED frame.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 19 more. Uncertain: The ranges of the
- * angles are inferred; no source states them.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 19 more. Uncertain: The
+ * ranges of the angles are inferred; no source states them.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -395,7 +396,7 @@ export declare class NorthVector extends Data {
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * Confirmed on 3DM-GX5-15 and -35; likely or assumed on 10 more.
+ * Confirmed on 3DM-GX5-15 and 3DM-GX5-35; likely or assumed on 10 more.
  *
  * At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation moves the latter out of the
  * sensor frame.
@@ -418,7 +419,7 @@ export declare class UpVector extends Data {
  *
  * GPS time of the sensor data.
  *
- * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -35; likely or assumed on 12 more.
+ * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35; likely or assumed on 12 more.
  *
  * Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction of the time of week is
  * the time since the last pulse. Without external synchronization it is the internal system time. Where the device has
@@ -433,25 +434,30 @@ export declare class GpsTimestamp extends Data {
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
      * `types.SensorGpsTimestampFlags.TOW_VALID` of `validFlags` is set.
      *
-     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: valid if
-     *   `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set (inferred: the 3DM-GX5-15 has it).
-     * - On the 3DM-GX5-15 and -35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set.
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15,
+     *   3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
+     *   of `validFlags` is set (inferred: the 3DM-GX5-15 has it).
+     * - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags`
+     *   is set.
      */
     tow: number;
     /**
      * GPS week number. Unit: week. Valid if `types.SensorGpsTimestampFlags.WEEK_NUMBER_VALID` of `validFlags` is set.
      *
-     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: valid if
-     *   `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set (inferred: the 3DM-GX5-15 has it).
-     * - On the 3DM-GX5-15 and -35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set.
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15,
+     *   3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
+     *   of `validFlags` is set (inferred: the 3DM-GX5-15 has it).
+     * - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags`
+     *   is set.
      */
     weekNumber: number;
     /**
      * State of the time.
      *
-     * - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values of
-     *   `types.Gx5SensorGpsTimestampFlags` (inferred: the 3DM-GX5-15 has it).
-     * - On the 3DM-GX5-15 and -35: values of `types.Gx5SensorGpsTimestampFlags`.
+     * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15,
+     *   3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `types.Gx5SensorGpsTimestampFlags` (inferred: the
+     *   3DM-GX5-15 has it).
+     * - On the 3DM-GX5-15 and 3DM-GX5-35: values of `types.Gx5SensorGpsTimestampFlags`.
      */
     validFlags: types.SensorGpsTimestampFlags;
 }
@@ -497,8 +503,8 @@ export declare class RawPressure extends Data {
  *
  * Measured ambient pressure, temperature compensated.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -35; likely or assumed on 17 more.
- * Requires a pressure sensor.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35; likely or
+ * assumed on 17 more. Requires a pressure sensor.
  *
  * - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
  * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -514,7 +520,7 @@ export declare class ScaledPressure extends Data {
  *
  * Sensor axes that are near or outside their range.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
  *
  * - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
  */

@@ -41,7 +41,7 @@ export declare const ExternalTimeDeltaFlags: Bitfield<ExternalTimeDeltaFlags> & 
  *
  * The event trigger that caused the packet.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
  *
  * Put it first in the format of event messages, to distinguish their packets from scheduled ones.
  *
@@ -95,7 +95,7 @@ export declare class DeltaTicks extends Data {
  *
  * External time of the data as GPS time of week and week number.
  *
- * Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
+ * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
  *
  * In event messages it is the time of the trigger. It becomes valid after the PPS is locked and `base.GpsTimeUpdate`
  * has set the time of week and the week number. With an internal GNSS receiver as PPS source, the device usually sets
@@ -124,7 +124,7 @@ export declare class GpsTimestamp extends Data {
  *
  * External time since this field was last sent in the same set and event instance.
  *
- * Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+ * Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
  *
  * It is the same as `ExternalTimeDelta`, in other units. Sending either restarts the counter that both share, so use
  * only one of them.
@@ -142,7 +142,7 @@ export declare class DeltaTime extends Data {
  *
  * Time of the data by the internal reference clock.
  *
- * Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+ * Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
  *
  * The clock starts at power-on, only moves forward and never jumps; the value is always valid. In event messages it is
  * the time of the trigger.
@@ -160,7 +160,7 @@ export declare class ReferenceTimestamp extends Data {
  *
  * Reference time since this field was last sent in the same set and event instance.
  *
- * Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+ * Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
  *
  * The value is always valid.
  *
@@ -177,7 +177,7 @@ export declare class ReferenceTimeDelta extends Data {
  *
  * Time of the data in the external clock domain.
  *
- * Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+ * Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
  *
  * It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes valid when the
  * external clock is synchronized through the PPS. Its epoch is the epoch of the time sent with `base.GpsTimeUpdate`: in
@@ -202,7 +202,7 @@ export declare class ExternalTimestamp extends Data {
  *
  * External time since this field was last sent in the same set and event instance.
  *
- * Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+ * Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
  *
  * It is the same as `DeltaTime`, in other units. Sending either restarts the counter that both share, so use only one
  * of them.

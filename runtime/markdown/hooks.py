@@ -222,9 +222,11 @@ def _plain(markup: str) -> str:
 
 
 def _languages(match: re.Match[str], folder: Path) -> str:
-    """A program of a guide in all languages, from their page, and the sentence below it."""
+    """A program of a guide in all languages, those but Python from their page, and the sentence below it."""
     part = (folder / match[2]).read_text("utf-8").partition(f'<a id="{match[3]}"></a>')[2]
-    return f"{_PROGRAMS.search(part)[0]}\n{match[1]}"  # type: ignore[index]
+    others = _PROGRAMS.search(part)[0]  # type: ignore[index]
+    fences = {fence[1]: fence[0] for fence in _FENCE.finditer(match[0] + others)}
+    return f"{''.join(fences[language] for language in _LANGUAGES)}\n{match[1]}"
 
 
 def _tab(match: re.Match[str]) -> str:

@@ -109,7 +109,7 @@ def prose(text: str, of: m.Model) -> str:
 def limited(limit: m.Limit) -> str:
     """The value of a limit."""
     unit = "bytes" if limit.unit == "byte" and limit.value != 1 else limit.unit or ""
-    firmware = f"(firmware {limit.firmware})" if limit.firmware else ""
+    firmware = f"({describe.firmware(limit.firmware)})" if limit.firmware else ""
     return " ".join(x for x in (f"{limit.value:.15g}", unit, firmware) if x)
 
 

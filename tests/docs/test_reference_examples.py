@@ -26,7 +26,7 @@ def test_every_example_has_its_section(manual: Manual) -> None:
     for e in manual.model.examples:
         section = manual.example(e)
         seen = words(section)
-        (block,) = re.findall(r"^```text\n(.*)\n```$", section, re.M)
+        (block,) = re.findall(r"^`(.*)`$", section, re.M)
         rows = table_with(section, "Bytes", "Part")
         assert bytes.fromhex(block) == shown(e)
         assert bytes.fromhex(" ".join(words(row["Bytes"]) for row in rows)) == shown(e), e.id

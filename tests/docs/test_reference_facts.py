@@ -29,7 +29,7 @@ from support import some
 
 #: Facts about a field that have sections of their own, with a line each.
 RELATIONS = ("affects", "may_affect", "affected", "flags")
-DEVICES = ("devices", "likely", "assumed", "refused", "deprecation", "firmware", "support")
+DEVICES = ("devices", "likely", "assumed", "refused", "deprecation", "support")
 
 #: Which column of the table of parameters has which facts.
 COLUMNS = {
@@ -58,8 +58,8 @@ def test_every_fact_of_a_field(manual: Manual) -> None:
         is_ = f"{f.full_name}, {f.role}. {prose(f.description, manual.model)}".strip()
         above = ["commands"] if f.role == m.RESPONSE and len(manual.model.commands(f)) == 1 else []
         facts = [x for x in describe.field(f, manual.model) if x.topic not in ("functions", "responses", *above)]
-        said = " ".join(sentences([x for x in facts if x.topic not in (*RELATIONS, *DEVICES, "note")]))
-        notes = sentences(describe.topics(facts, "note"))
+        said = " ".join(sentences([x for x in facts if x.topic not in (*RELATIONS, *DEVICES, "firmware", "note")]))
+        notes = sentences(describe.topics(facts, "note", *(["firmware"] if f.role != m.RESPONSE else [])))
         wanted = [x for x in (said, "\n".join(f"- {n}" for n in notes)) if x]
         if f.role == m.RESPONSE:  # in one paragraph
             assert what.startswith(" ".join([is_, *([said] if said else []), "Field length: "])), f.full_name

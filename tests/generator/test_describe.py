@@ -47,7 +47,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "flags": "Status flags about it: <sensor> of <model_a_faults>.",
                 "devices": A,
                 "deprecation": "Deprecated on the <Model C>: use <tools.bias> instead.",
-                "firmware": "On the <Model C>: firmware >= 1.0, < 1.1.",
+                "firmware": "Requires firmware 1.0 or later and before 1.1 on the <Model C>.",
             },
         ),
         (
@@ -93,7 +93,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "flags": "Status flags about it: <sensor> of <model_a_faults>.",
                 "devices": "Supported by <Model A>, <Model B> and <Model C>.",
                 "refused": "Not supported by <Old 1>.",
-                "firmware": "On the <Model C>: firmware > 1.0.07.",
+                "firmware": "Requires firmware later than 1.0.07 on the <Model C>.",
             },
         ),
         (
@@ -307,7 +307,7 @@ def test_devices(device: str, facts: list[str]) -> None:
 
 def test_valid_by_device_is_a_bit_of_its_own_type() -> None:
     *inferred, stated = variants("sensor.gps_timestamp:tow", REAL)
-    assert stated == "On the <3DM-GX5-15> and <-35>: valid if <valid_flags.time_initialized> is set."
+    assert stated == "On the <3DM-GX5-15> and <3DM-GX5-35>: valid if <valid_flags.time_initialized> is set."
     assert all("<valid_flags.time_initialized> is set (inferred: the 3DM-GX5-15 has it)" in text for text in inferred)
 
 

@@ -11,8 +11,8 @@ const VENDOR = 0.5;
 const BEGINNING = 1;
 export const WORDS = 2; // it only has the words
 
-/** Weights of a word in names and keywords, in the title of the set, in parameters and values, in descriptions. */
-export const WEIGHTS = [6, 2, 1.5, 1];
+/** Weights of a word in names, in keywords, in the title of the set, in parameters and values, in descriptions. */
+export const WEIGHTS = [6, 5, 2, 1.5, 1];
 
 const ASKED_CODE =
     /^(?:mip )?(?:error|nack|n?ack code|ack\/nack|return code|code|err|result|reply)(?: code)?\s*[:=#]?\s*(?:0x([0-9a-f]{1,2})|(\d{1,2}))$/i;
@@ -26,11 +26,7 @@ export function indexOf(protocol) {
     for (const field of protocol.model.fields) for (const name of field.responses ?? []) commands.set(name, field);
     const vendorWords = vendorWordsOf(protocol);
     const entries = protocol.model.fields.map((field) => entryOf(protocol, field, commands, vendorWords));
-    const ranking = new Ranking(
-        entries.map(({ texts }) => texts),
-        WEIGHTS,
-        synonymsOf(protocol.model),
-    );
+    const ranking = new Ranking(entries, WEIGHTS, synonymsOf(protocol.model));
     return { protocol, vendorWords, entries, ranking };
 }
 
@@ -196,8 +192,10 @@ function entryOf(protocol, field, commands, vendorWords) {
         vendor: new Set([name, ...also].flatMap((one) => sets.map((set) => vendorWords(`${set}.${one}`)))),
         parts: new Set(types.map((one) => squash(one.name))),
         constants: new Set(field.parameters.flatMap((parameter) => constantsOf(protocol, parameter))),
+        phrases: [field.title, ...keywords],
         texts: [
-            [field.title, name, ...also, ...keywords],
+            [field.title, name, ...also],
+            keywords,
             [...sets, ...titles, ...sections],
             types.map((one) => one.name),
             [field.description, asked?.description, ...types.map((one) => one.description)],

@@ -3,15 +3,16 @@
 
 const SATURATION = 1.2; // how soon more of the same word counts for nothing
 const BY_LENGTH = 0.6; // how much a long text counts less
-const SYNONYM = 0.6;
+const SYNONYM = 0.7;
 const LONGER = 0.7; // a word that begins with the query's
 
 /** Words of questions that do not describe their subject. */
 const FILLING = new Set(
     (
-        "a about am an and any are as at be by can cannot could did do does doesn don for from get got had has have how i if in into is it " +
-        "its just like me mean means much my need no not of on one only or our please set should so still t than that the their then " +
-        "there they this to use using want was way we what when where which while who why will with without work works would you your"
+        "a about am an and any are as at be between by can cannot could did do does doesn don for from get got had has have how " +
+        "i if in into is it its just know like me mean means much my need no not of on one only or our please possible same set " +
+        "several should so some still t than that the their then there they this to try trying use using want was way we what " +
+        "when where which while who why will with without work works would you your"
     ).split(" "),
 );
 
@@ -29,8 +30,10 @@ export function telling(text) {
 /** Removes the endings in which forms of a word differ. */
 export function stem(word) {
     if (word.length < 4 || /[0-9]/.test(word)) return word;
-    const plain = word.replace(/(?:ies|y)$/, "i").replace(/(?<!s)s$/, "");
-    return plain.length > 4 ? plain.replace(/(?:at(?:ions?|e[ds]?|ing|ors?)|ions?|ing|ed|es|e)$/, "") : plain;
+    const plain = word.replace(/(?:ies|ied|y)$/, "i").replace(/(?<!s)s$/, "");
+    if (plain.length < 5) return plain;
+    const root = plain.replace(/(?:(?<=.{4})(?:li|ness|able)|(?<=.{5})e?ment|at(?:ions?|e[ds]?|ing|ors?)|ions?|ing|ed|es|e)$/, "");
+    return root.length < plain.length ? root.replace(/([bdgmnprt])\1$/, "$1") : root; // stopped, mapping
 }
 
 /** Counts the letters that are wrong, missing, superfluous, or swapped with the next one. */
@@ -56,15 +59,21 @@ export class Ranking {
     #words = new Map(); // word -> how often it occurs, to correct others
     #count;
     #synonyms = new Map();
+    #phrases; // of each document: lists of stems
 
-    /** `documents` are lists of texts, one of each weight; `synonyms` are groups of words with the same meaning. */
+    /**
+     * `documents` have `texts`, one of each weight, and `phrases`, a title and keywords; `synonyms` are groups of words with the
+     * same meaning.
+     */
     constructor(documents, weights, synonyms = []) {
         this.#count = documents.length;
-        const words = documents.map((texts) => texts.map(wordsOf));
-        const sums = weights.map((_, i) => words.reduce((sum, texts) => sum + texts[i].length, 0) / (documents.length || 1) || 1);
+        this.#phrases = documents.map(({ phrases }) => phrases.map((phrase) => telling(phrase).map(stem)));
+        const words = documents.map(({ texts }) => texts.map(wordsOf));
+        const lengths = weights.map((_, i) => words.map((texts) => texts[i].length).filter(Boolean));
+        const means = lengths.map((some) => some.reduce((sum, one) => sum + one, 0) / (some.length || 1) || 1);
         for (const [at, texts] of words.entries()) {
             for (const [i, some] of texts.entries()) {
-                const amount = weights[i] / (1 - BY_LENGTH + (BY_LENGTH * some.length) / sums[i]);
+                const amount = weights[i] / (1 - BY_LENGTH + (BY_LENGTH * some.length) / means[i]);
                 for (const word of some) {
                     const root = stem(word);
                     if (!this.#postings.has(root)) this.#postings.set(root, new Map());
@@ -79,6 +88,12 @@ export class Ranking {
             const roots = group.map(stem);
             for (const root of roots) this.#synonyms.set(root, [...(this.#synonyms.get(root) ?? []), ...roots]);
         }
+    }
+
+    /** Returns how rare a stem is in documents. */
+    #rarityOf(root) {
+        const { size } = this.#postings.get(root);
+        return Math.log(1 + (this.#count - size + 0.5) / (size + 0.5));
     }
 
     /** Returns stems that begin with the letters. */
@@ -99,7 +114,13 @@ export class Ranking {
         if (word.length < 4 || /[0-9]/.test(word)) return undefined;
         const near = [...this.#words.keys()].filter((one) => Math.abs(one.length - word.length) < 3 && !/[0-9]/.test(one));
         const ranked = near.map((one) => [slips(word, one), -this.#words.get(one), one]).filter(([far]) => far <= word.length / 4);
-        return ranked.sort((a, b) => a[0] - b[0] || a[1] - b[1])[0]?.[2];
+        return ranked.sort((a, b) => a[0] - b[0] || a[1] - b[1])[0]?.[2] ?? this.#beginningOf(word);
+    }
+
+    /** Returns the longest known word with which one begins that is not known, at least two thirds of it. */
+    #beginningOf(word) {
+        const parts = Array.from({ length: Math.floor(word.length / 3) }, (_, cut) => word.slice(0, word.length - cut - 1));
+        return parts.find((part) => part.length > 3 && this.#words.has(part));
     }
 
     /** Returns the stems that a word stands for, with how much each counts. */
@@ -113,27 +134,53 @@ export class Ranking {
         return meant;
     }
 
-    /** Returns the parts of a query: stems with weights each. `instead` are words that were taken for unknown ones. */
+    /**
+     * Returns the parts of a query: stems with weights each; those of two words written as one are `beside` those of the words.
+     * `instead` are words that were taken for unknown ones.
+     */
     #partsOf(words) {
-        const [parts, instead] = [[], []];
-        for (let i = 0; i < words.length; i++) {
-            const meant = this.#meant(words[i]);
-            const joined = words[i + 1] && stem(words[i] + words[i + 1]);
-            if (joined && this.#postings.has(joined)) meant.set(joined, 1);
-            if (i && this.#postings.has(stem(words[i - 1] + words[i]))) meant.set(stem(words[i - 1] + words[i]), 1);
+        const [parts, beside, instead] = [[], [], []];
+        const pairs = words.map((word, i) => stem(word + (words[i + 1] ?? ""))).slice(0, -1);
+        for (const [i, word] of words.entries()) {
+            const meant = this.#meant(word);
+            const joined = [pairs[i], pairs[i - 1]].filter((pair) => this.#postings.has(pair));
+            for (const pair of joined) meant.set(pair, 1);
+            beside.push(...joined.map((pair) => new Map([[pair, 0.5]])));
             if (meant.size) {
                 parts.push(meant);
                 continue;
             }
-            const near = this.#nearest(words[i]);
-            const cuts = Array.from({ length: Math.max(words[i].length - 5, 0) }, (_, at) => at + 3);
-            const halves = cuts.map((at) => [words[i].slice(0, at), words[i].slice(at)]);
+            const near = this.#nearest(word);
+            const cuts = Array.from({ length: Math.max(word.length - 5, 0) }, (_, at) => at + 3);
+            const halves = cuts.map((at) => [word.slice(0, at), word.slice(at)]);
             const both = halves.find((two) => two.every((one) => this.#postings.has(stem(one)))) ?? [];
             if (near) parts.push(this.#meant(near));
             else parts.push(...(both.length ? both.map((one) => this.#meant(one)) : [new Map()]));
-            if (near) instead.push([words[i], near]);
+            if (near) instead.push([word, near]);
         }
-        return { parts, instead };
+        return { parts, beside, instead };
+    }
+
+    /** Returns how much of a document's title was asked for, from 0 to 1; 1 if one of its keywords was. */
+    #shareOf(at, stems) {
+        const [title, ...keywords] = this.#phrases[at].map((phrase) => phrase.filter((one) => stems.has(one)).length / (phrase.length || 1));
+        return Math.max(title, ...keywords.filter((share) => share === 1));
+    }
+
+    /** Returns the documents that have stems: how much of it they have, and how rare it is. The best of a document counts. */
+    #having(meant) {
+        const found = new Map();
+        const own = [...meant].find(([, weight]) => weight === 1)?.[0];
+        const most = own === undefined ? Infinity : this.#rarityOf(own); // "dataframe" is not rarer than "data"
+        for (const [root, weight] of meant) {
+            const rarity = Math.min(this.#rarityOf(root), most);
+            for (const [at, amount] of this.#postings.get(root)) {
+                const before = found.get(at) ?? { score: 0, rarity: 0 };
+                const score = (weight * rarity * amount) / (SATURATION + amount);
+                found.set(at, { score: Math.max(score, before.score), rarity: Math.max(rarity, before.rarity) });
+            }
+        }
+        return found;
     }
 
     /**
@@ -141,27 +188,23 @@ export class Ranking {
      * the text they have; and the words that were taken `instead` of unknown ones.
      */
     search(text) {
-        const { parts, instead } = this.#partsOf(telling(text));
+        const { parts, beside, instead } = this.#partsOf(telling(text));
         const scores = new Map();
         let whole = 0;
         for (const meant of parts) {
-            const amounts = new Map();
-            for (const [root, weight] of meant) {
-                for (const [at, amount] of this.#postings.get(root)) amounts.set(at, (amounts.get(at) ?? 0) + weight * amount);
-            }
-            const rarity = Math.log(1 + (this.#count - amounts.size + 0.5) / (amounts.size + 0.5));
-            whole += rarity;
-            for (const [at, amount] of amounts) {
+            const having = this.#having(meant);
+            whole += Math.max(0, ...[...having.values()].map(({ rarity }) => rarity)) || Math.log(1 + this.#count);
+            for (const [at, { score, rarity }] of having) {
                 const one = scores.get(at) ?? { at, score: 0, covered: 0 };
-                scores.set(at, one);
-                one.score += (rarity * amount) / (SATURATION + amount);
-                one.covered += rarity;
+                scores.set(at, { at, score: one.score + score, covered: one.covered + rarity });
             }
         }
+        for (const meant of beside) for (const [at, { score }] of this.#having(meant)) scores.get(at).score += score;
+        const stems = new Set(parts.flatMap((meant) => [...meant].filter(([, weight]) => weight === 1).map(([one]) => one)));
         const found = [...scores.values()].map(({ at, score, covered }) => ({
             at,
             covered: covered / whole,
-            score: score * (covered / whole) ** 2,
+            score: score * (covered / whole) ** 2 * (1 + this.#shareOf(at, stems)),
         }));
         return { found: found.sort((a, b) => b.score - a.score || a.at - b.at), instead };
     }

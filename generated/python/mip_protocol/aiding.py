@@ -132,8 +132,8 @@ class LlhAxisFlags(IntFlag):
 class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
-    Response to `FrameConfig`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and -INS; likely or assumed
-    on 7 more.
+    Response to `FrameConfig`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-CV7-INS; likely or assumed on 7 more.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -253,8 +253,8 @@ class SensorFrameMapResponse(Response):
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
-    Response to `EchoControl`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8
-    more.
+    Response to `EchoControl`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or
+    assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -289,8 +289,8 @@ class FrameConfig(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `FrameConfigResponse`.
     Affects `filter_data.AidingFrameConfigError`. Probably affects
-    `filter_data.AidingFrameConfigErrorUncertainty`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and
-    -INS; likely or assumed on 7 more.
+    `filter_data.AidingFrameConfigErrorUncertainty`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or assumed on 7 more.
 
     Aiding measurements refer to the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. For GNSS positions and velocities the rotation does not
@@ -565,7 +565,7 @@ class EchoControl(Command[R]):
     Sets how the device replies to aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `EchoControlResponse`.
-    Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
 
     The manual does not contain the layout of the responses that carry the data back.
 
@@ -1195,8 +1195,8 @@ class TrueHeading(Command[None]):
     Sends a measured heading relative to true north.
 
     Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed
-    on 8 more.
+    `AidingEchoMode.SUPPRESS_ACK`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS;
+    likely or assumed on 8 more.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
@@ -1264,7 +1264,7 @@ class MagneticField(Command[None]):
     Sends a magnetic field measured by an external magnetometer.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on
-    3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 7 more.
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 7 more.
 
     The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the
     data back in a response of unknown layout.

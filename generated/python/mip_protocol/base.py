@@ -121,9 +121,9 @@ class GpsTimeField(codec.OpenEnum):
 class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
-    Response to `GetDeviceInfo`. Supported by all devices; confirmed on 3DM-CV5-10, -15,
-    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT
-    and -45-ST.
+    Response to `GetDeviceInfo`. Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -154,9 +154,9 @@ class GetDeviceInfoResponse(Response):
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
-    Response to `GetDeviceDescriptors`. Supported by all devices; confirmed on 3DM-CV5-10, -15,
-    3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35,
-    3DM-RQ1-45-LT and -45-ST.
+    Response to `GetDeviceDescriptors`. Supported by all devices; confirmed on 3DM-CV5-10,
+    3DM-CV5-15, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -193,8 +193,8 @@ class GetDeviceDescriptorsResponse(Response):
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
-    Response to `BuiltInTest`. Confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 27 more.
+    Response to `BuiltInTest`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 27 more.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -212,13 +212,15 @@ class BuiltInTestResponse(Response):
     result: int
     """Failure flags, defined by each device. Zero means that every test passed.
 
-    - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25 and 3DM-GX5-25: values of
-      `types.Gx5BuiltInTest` (inferred: the 3DM-GX5-15 has it).
-    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR,
-      -INS and 3DM-RTK: values of `types.Cv7BuiltInTest` (inferred: the 3DM-CV7-GNSS/INS has it).
+    - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25 and 3DM-GX5-25:
+      values of `types.Gx5BuiltInTest` (inferred: the 3DM-GX5-15 has it).
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
+      `types.Cv7BuiltInTest` (inferred: the 3DM-CV7-GNSS/INS has it).
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7BuiltInTest`.
-    - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, -25, -35, -45, 3DM-GX4-15, -25, -45, -IMU,
-      3DM-GX5-35, -45, 3DM-RQ1-45-LT, -45-ST and -IMU: the values are unknown.
+    - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
+      3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
+      3DM-RQ1-IMU: the values are unknown.
     - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
     """
 
@@ -239,7 +241,8 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     The current week number.
 
     Response to `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Confirmed on
-    3DM-CV5-10, -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 16 more.
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35; likely or assumed on
+    16 more.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -274,7 +277,7 @@ class GpsTimeUpdateTowResponse(Response):
     The current time of week.
 
     Response to `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Confirmed on 3DM-CV5-10,
-    -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 16 more.
+    3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35; likely or assumed on 16 more.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -306,8 +309,9 @@ class GpsTimeUpdateTowResponse(Response):
 class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
-    Response to `GetExtendedDescriptors`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, -AR, -GNSS/INS,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and -45; likely or assumed on 12 more.
+    Response to `GetExtendedDescriptors`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on
+    12 more.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -345,7 +349,7 @@ class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
     Also called `continuous_bit_response`. Response to `ContinuousBuiltInTest`. Confirmed on
-    3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -362,8 +366,9 @@ class ContinuousBuiltInTestResponse(Response):
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
     byte.
 
-    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
-      and -INS: values of `types.Cv7InertialContinuousBuiltInTest`.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of
+      `types.Cv7InertialContinuousBuiltInTest`.
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
@@ -381,8 +386,8 @@ class ContinuousBuiltInTestResponse(Response):
 class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
-    Response to `CommSpeed`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely
-    or assumed on 8 more.
+    Response to `CommSpeed`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS; likely or assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -398,8 +403,8 @@ class CommSpeedResponse(Response):
     port: int
     """Port id of the device.
 
-    - On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of
-      `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values
+      of `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
       `types.CommInterface.USB_1`.
     - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
     - On the 3DM-CV7-INS and 3DM-CX7-INS: values of `types.CommInterface`; only
@@ -430,8 +435,8 @@ class Ping(Command[None]):
 
     Checks whether a device is present and replies to commands.
 
-    Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST.
+    Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     A device that is not in a normal operating mode may reject the command.
 
@@ -451,8 +456,8 @@ class SetIdle(Command[None]):
 
     Stops all data streams, and wakes a sleeping device, so that it can be configured.
 
-    Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST.
+    Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     `Resume` restores the previous mode. While idle, the device does not send NMEA sentences either.
 
@@ -472,9 +477,9 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
 
     Gets the firmware version and the identity strings of the device.
 
-    Response: `GetDeviceInfoResponse`. Supported by all devices; confirmed on 3DM-CV5-10, -15,
-    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT
-    and -45-ST.
+    Response: `GetDeviceInfoResponse`. Supported by all devices; confirmed on 3DM-CV5-10,
+    3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -494,8 +499,8 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     Gets the command and data descriptors that the device supports.
 
     Response: `GetDeviceDescriptorsResponse`. Supported by all devices; confirmed on 3DM-CV5-10,
-    -15, 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35,
-    3DM-RQ1-45-LT and -45-ST.
+    3DM-CV5-15, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     If the list contains the descriptor of `GetExtendedDescriptors`, that command returns further
     descriptors.
@@ -518,9 +523,9 @@ class BuiltInTest(Command[BuiltInTestResponse]):
     Runs the self test of the device and gets its result.
 
     Response: `BuiltInTestResponse`. The device may take 10 s to reply. Confirmed on 3DM-CV5-10,
-    -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or
-    assumed on 27 more. Uncertain: The maximum duration of 10 s is assumed; the manual of the
-    3DM-CV7 states several seconds.
+    3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST; likely or assumed on 27 more. Uncertain: The maximum duration of 10 s is assumed;
+    the manual of the 3DM-CV7 states several seconds.
 
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
     The device must be at rest; acceleration, rotation or vibration cause false failures. The
@@ -545,8 +550,8 @@ class Resume(Command[None]):
 
     Ends idle mode and returns the device to the mode that it was in before.
 
-    Supported by all devices; confirmed on 3DM-CV5-10, -15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST.
+    Supported by all devices; confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     If the device was not idle, it enters its default mode (3DM-GX5-15).
 
@@ -566,8 +571,9 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
 
     Gets the supported descriptors that did not fit into the reply of `GetDeviceDescriptors`.
 
-    Response: `GetExtendedDescriptorsResponse`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, -AR,
-    -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35 and -45; likely or assumed on 12 more.
+    Response: `GetExtendedDescriptorsResponse`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on
+    12 more.
 
     Only supported if `GetDeviceDescriptors` lists it.
 
@@ -589,7 +595,7 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     Gets the flags of the tests that run all the time. It does not interrupt operation.
 
     Also called `continuous_bit`. Response: `ContinuousBuiltInTestResponse`. Confirmed on 3DM-CV7-AR
-    and -GNSS/INS; likely or assumed on 9 more.
+    and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
 
     It is less thorough than `BuiltInTest`. Each flag stays set until this command reports it; the
     streamed field has its own copy of the flags. The self-test flags change only when `BuiltInTest`
@@ -612,7 +618,8 @@ class CommSpeed(Command[R]):
     Sets the baud rate of one communication port.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommSpeedResponse`.
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 8 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed
+    on 8 more.
 
     The change takes effect once pending data is sent and received, after at most 250 ms. Send it
     alone in a packet while the device is idle, and wait 250 ms before you continue. Commands and
@@ -635,8 +642,8 @@ class CommSpeed(Command[R]):
     port: int | None
     """Port id of the device; 0 means all ports, and is for save, load and default only.
 
-    - On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of
-      `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values
+      of `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
       `types.CommInterface.USB_1`.
     - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
     - On the 3DM-CV7-INS and 3DM-CX7-INS: values of `types.CommInterface`; only
@@ -713,9 +720,9 @@ class GpsTimeUpdate(Command[R]):
 
     Functions: `write`, `read` and `apply`. Response: `GpsTimeUpdateWeekNumberResponse` or
     `GpsTimeUpdateTowResponse`. Affects `filter_data.Timestamp`, `sensor.GpsTimestamp`,
-    `shared.GpsTimestamp` and `shared.ExternalTimestamp`. Confirmed on 3DM-CV5-10, -15,
-    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 16 more. On
-    the 3DM-CV7-GNSS/INS: `write` only.
+    `shared.GpsTimestamp` and `shared.ExternalTimestamp`. Confirmed on 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35; likely or assumed on 16
+    more. On the 3DM-CV7-GNSS/INS: `write` only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. On the
     3DM-CV7-GNSS/INS, the time may have a different epoch from GPS time, for example the Unix epoch;
@@ -816,8 +823,9 @@ class SoftReset(Command[None]):
 
     Acknowledges the command, then resets the device immediately.
 
-    Confirmed on 3DM-CV5-10, -15, 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
-    -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 18 more.
+    Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 18
+    more.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

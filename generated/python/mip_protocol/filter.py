@@ -378,8 +378,8 @@ class VehicleDynamicsModeResponse(Response):
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Response to `SensorToVehicleRotationEuler`. Confirmed on 3DM-GX5-15 and -45; likely or assumed
-    on 12 more.
+    Response to `SensorToVehicleRotationEuler`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or
+    assumed on 12 more.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -461,8 +461,8 @@ class SensorToVehicleOffsetResponse(Response):
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Response to `AntennaOffset`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GX5-45; likely or
-    assumed on 8 more.
+    Response to `AntennaOffset`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45; likely
+    or assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -501,7 +501,8 @@ class AntennaOffsetResponse(Response):
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Response to `EstimationControl`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 13 more.
+    Response to `EstimationControl`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 13
+    more.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -562,7 +563,8 @@ class GnssSourceResponse(Response):
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Response to `HeadingSource`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
+    Response to `HeadingSource`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 12
+    more.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -593,7 +595,7 @@ class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
     Also called `auto_init_control_response`. Response to `AutoInitializationControl`. Confirmed on
-    3DM-GX5-15 and -45; likely or assumed on 13 more.
+    3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 13 more.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -623,8 +625,8 @@ class AutoInitializationControlResponse(Response):
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Response to `AccelNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed
-    on 23 more.
+    Response to `AccelNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or
+    assumed on 23 more.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -659,8 +661,8 @@ class AccelNoiseResponse(Response):
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Response to `GyroNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on
-    23 more.
+    Response to `GyroNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or
+    assumed on 23 more.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -742,7 +744,7 @@ class AccelBiasModelResponse(Response):
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Response to `GyroBiasModel`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or
+    Response to `GyroBiasModel`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or
     assumed on 23 more.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
@@ -827,8 +829,8 @@ class AutoZuptResponse(Response):
 class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Response to `AutoAngularZupt`. Confirmed on 3DM-CV7-GNSS/INS, -INS, 3DM-CX5-25,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 19 more.
+    Response to `AutoAngularZupt`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX5-25,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 19 more.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -912,8 +914,8 @@ class ReferencePositionResponse(Response):
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Response to `GravityNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed
-    on 16 more.
+    Response to `GravityNoise`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or
+    assumed on 16 more.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -1152,8 +1154,8 @@ class MagNoiseResponse(Response):
 class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Response to `MagneticDeclinationSource`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ7-GNSS/INS
-    and 3DM-GX5-45; likely or assumed on 14 more.
+    Response to `MagneticDeclinationSource`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS,
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 14 more.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -1195,8 +1197,8 @@ class MagneticDeclinationSourceResponse(Response):
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-15 and -45; likely or
-    assumed on 13 more.
+    Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45;
+    likely or assumed on 13 more.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -1507,7 +1509,8 @@ class AltitudeAidingResponse(Response):
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Response to `PitchRollAiding`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 6 more.
+    Response to `PitchRollAiding`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 6
+    more.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1692,8 +1695,8 @@ class SensorToVehicleRotationQuaternionResponse(Response):
 class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Response to `AidingMeasurementEnable`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or
-    assumed on 8 more.
+    Response to `AidingMeasurementEnable`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and
+    3DM-CV7-GNSS/INS; likely or assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -1778,7 +1781,7 @@ class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
     Also called `initialization_configuration_response`. Response to `InitializationConfig`.
-    Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or assumed on 2 more.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS; likely or assumed on 2 more.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -2227,8 +2230,8 @@ class Reset(Command[None]):
 
     Returns the filter to its initialization state.
 
-    Affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT
-    and -45-ST; likely or assumed on 20 more.
+    Affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 20 more.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -2251,8 +2254,8 @@ class SetInitialAttitude(Command[None]):
     Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.
 
     Affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Confirmed on 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed
-    on 12 more.
+    `filter_data.EulerAngles`. Confirmed on 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+    assumed on 12 more.
 
     Accepted only in the initialization state.
 
@@ -2300,8 +2303,8 @@ class SetInitialHeading(Command[None]):
     Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
 
     Affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15, -45,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 19 more.
+    `filter_data.EulerAngles`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 19 more.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the value of this command is ignored.
@@ -2495,7 +2498,7 @@ class SensorToVehicleRotationEuler(Command[R]):
     `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate`, `filter_data.GravityVector` and
-    `filter_data.CompAccel`. Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
+    `filter_data.CompAccel`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 12 more.
     Uncertain: The text of the manual lacks the formula; it is the inverse of that of
     `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
 
@@ -2694,7 +2697,7 @@ class AntennaOffset(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `AntennaOffsetResponse`.
     Probably affects `filter_data.LlhPosition`, `filter_data.EcefPosition`,
     `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.AntennaOffsetCorrection`.
-    Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GX5-45; likely or assumed on 8 more.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45; likely or assumed on 8 more.
 
     5-series devices expect the sensor frame. On the 3DM-CV7 it applies to GNSS data received as
     NMEA; data from the aiding commands uses `aiding.FrameConfig`.
@@ -2788,7 +2791,7 @@ class EstimationControl(Command[R]):
     `filter_data.AccelBiasUncertainty`, `filter_data.GyroScaleFactorUncertainty`,
     `filter_data.AccelScaleFactorUncertainty`, `filter_data.AntennaOffsetCorrectionUncertainty`,
     `filter_data.MagOffsetUncertainty` and `filter_data.MagMatrixUncertainty`. Confirmed on
-    3DM-GX5-15 and -45; likely or assumed on 13 more.
+    3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 13 more.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -2807,13 +2810,14 @@ class EstimationControl(Command[R]):
     flags: EstimatedStates | None
     """States to estimate. Required for `write`.
 
-    - On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, -25 and 3DM-GX5-15: only
+    - On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
       `EstimatedStates.GYRO_BIAS`.
     - On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only `EstimatedStates.GYRO_BIAS`,
       `EstimatedStates.AUTO_HARD_IRON` and `EstimatedStates.AUTO_SOFT_IRON`.
-    - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only `EstimatedStates.GYRO_BIAS`,
-      `EstimatedStates.ACCEL_BIAS`, `EstimatedStates.GYRO_SCALE_FACTOR`,
-      `EstimatedStates.ACCEL_SCALE_FACTOR` and `EstimatedStates.ANTENNA_OFFSET`.
+    - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+      `EstimatedStates.GYRO_BIAS`, `EstimatedStates.ACCEL_BIAS`,
+      `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR` and
+      `EstimatedStates.ANTENNA_OFFSET`.
     """
 
     def __init__(self, function: FunctionSelector, flags: EstimatedStates | None = None) -> None:
@@ -2899,7 +2903,7 @@ class GnssSource(Command[R]):
     """Source of the GNSS data. Required for `write`.
 
     - On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `GnssAidingSource.EXTERNAL`.
-    - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
+    - On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
       `GnssAidingSource.ALL_INTERNAL`, `GnssAidingSource.EXTERNAL` and
       `GnssAidingSource.INTERNAL_1`.
     - On the 3DM-GX5-45: only `GnssAidingSource.ALL_INTERNAL` and `GnssAidingSource.EXTERNAL`.
@@ -3072,7 +3076,7 @@ class ExternalHeadingUpdate(Command[None]):
 
     Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
 
-    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 15 more.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 15 more.
 
     Rejected unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
     `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second.
@@ -3128,8 +3132,8 @@ class HeadingSource(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `HeadingSourceResponse`.
     Affects `filter_data.HeadingUpdateState`. Probably affects `filter_data.AttitudeQuaternion`,
-    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-GX5-15 and -45; likely
-    or assumed on 12 more.
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45;
+    likely or assumed on 12 more.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -3155,7 +3159,7 @@ class HeadingSource(Command[R]):
     - On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only `HeadingUpdateSource.NONE`,
       `HeadingUpdateSource.MAG`, `HeadingUpdateSource.GNSS_VELOCITY` and
       `HeadingUpdateSource.EXTERNAL`.
-    - On the 3DM-RQ1-45-LT and -45-ST: only `HeadingUpdateSource.NONE`,
+    - On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `HeadingUpdateSource.NONE`,
       `HeadingUpdateSource.GNSS_VELOCITY` and `HeadingUpdateSource.EXTERNAL`.
     """
 
@@ -3216,7 +3220,7 @@ class AutoInitializationControl(Command[R]):
     Sets whether the filter initializes automatically at power-up.
 
     Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Response: `AutoInitializationControlResponse`. Confirmed on 3DM-GX5-15 and -45; likely or
+    Response: `AutoInitializationControlResponse`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or
     assumed on 13 more.
 
     Automatic initialization needs a valid heading source.
@@ -3299,8 +3303,8 @@ class AccelNoise(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelNoiseResponse`.
     Probably affects `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`,
     `filter_data.NedVelocityUncertainty`, `filter_data.EcefVelocityUncertainty` and
-    `filter_data.AccelBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or
-    assumed on 23 more.
+    `filter_data.AccelBiasUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45;
+    likely or assumed on 23 more.
 
     The factory values suit most laboratory conditions.
 
@@ -3386,7 +3390,7 @@ class GyroNoise(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroNoiseResponse`.
     Probably affects `filter_data.EulerAnglesUncertainty`,
     `filter_data.QuaternionAttitudeUncertainty` and `filter_data.GyroBiasUncertainty`. Confirmed on
-    3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 23 more.
 
     The factory values suit most laboratory conditions.
 
@@ -3567,7 +3571,7 @@ class GyroBiasModel(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroBiasModelResponse`.
     Probably affects `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Confirmed on
-    3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 23 more.
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 23 more.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -3750,7 +3754,7 @@ class ExternalHeadingUpdateWithTime(Command[None]):
 
     Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
 
-    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 15 more.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 15 more.
 
     Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate.
     Rejected unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
@@ -3828,8 +3832,8 @@ class AutoAngularZupt(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoAngularZuptResponse`.
     Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
-    Confirmed on 3DM-CV7-GNSS/INS, -INS, 3DM-CX5-25, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or
-    assumed on 19 more.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX5-25, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45; likely or assumed on 19 more.
 
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
 
@@ -3923,8 +3927,8 @@ class TareOrientation(Command[R]):
     `sensor.DeltaVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate`,
     `filter_data.GravityVector` and `filter_data.CompAccel`. Confirmed on 3DM-CX5-25, 3DM-GX5-15 and
-    -45; likely or assumed on 11 more. On the 3DM-GX5-15: `write`, `save`, `load` and `default`
-    only. On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
+    3DM-GX5-45; likely or assumed on 11 more. On the 3DM-GX5-15: `write`, `save`, `load` and
+    `default` only. On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
 
     Rejected while the filter has no valid attitude.
 
@@ -4023,7 +4027,7 @@ class CommandedAngularZupt(Command[None]):
 
     Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
-    Confirmed on 3DM-GX5-15 and -45; likely or assumed on 12 more.
+    Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 12 more.
 
     At most 10 per second.
 
@@ -4219,8 +4223,8 @@ class GravityNoise(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GravityNoiseResponse`.
     Probably affects `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and -45;
-    likely or assumed on 16 more.
+    `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45; likely or assumed on 16 more.
 
     The factory values suit most laboratory conditions.
 
@@ -4726,8 +4730,9 @@ class MagneticDeclinationSource(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `MagneticDeclinationSourceResponse`. Probably affects `filter_data.AttitudeQuaternion`,
-    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 14 more. Requires a magnetometer.
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Confirmed on 3DM-CV7-AHRS,
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45; likely or assumed on 14 more. Requires a
+    magnetometer.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -4833,7 +4838,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably affects
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Confirmed
-    on 3DM-GX5-15 and -45; likely or assumed on 13 more.
+    on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 13 more.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are omitted. The low-pass filter and the limits take effect
@@ -4876,8 +4881,9 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
-    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, -25, -45, 3DM-RQ1-45-LT and -45-ST: only
-      `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
+    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+      3DM-RQ1-45-ST: only `AdaptiveMeasurementSelector.DISABLED` and
+      `AdaptiveMeasurementSelector.FIXED`.
     """
     frequency: float | None
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional."""
@@ -5062,7 +5068,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
-    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, -45, 3DM-RQ1-45-LT and -45-ST: only
+    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
       `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
     """
     frequency: float | None
@@ -5469,8 +5475,8 @@ class PitchRollAiding(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `PitchRollAidingResponse`.
     Probably affects `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-15 and -45; likely or assumed
-    on 6 more.
+    `filter_data.QuaternionAttitudeUncertainty`. Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or
+    assumed on 6 more.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -5937,8 +5943,8 @@ class AidingMeasurementEnable(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `AidingMeasurementEnableResponse`. Affects `filter_data.AidingMeasurementSummary`. Probably
-    affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8
-    more.
+    affects filter_data (0x82). Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely
+    or assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -6169,8 +6175,8 @@ class InitializationConfig(Command[R]):
     `default`. Response: `InitializationConfigResponse`. Probably affects `filter_data.Status`,
     `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS; likely or
-    assumed on 2 more.
+    `filter_data.EulerAngles`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS;
+    likely or assumed on 2 more.
 
     The initial angles are in degrees, unlike those of `SetInitialAttitude`, which are in radians.
     Single precision resolves the latitude and longitude of the initial position to about a metre

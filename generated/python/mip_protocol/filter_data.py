@@ -557,8 +557,8 @@ class AttitudeQuaternion(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on
-    17 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely
+    or assumed on 17 more.
 
     `v_ned = q * v_vehicle * q^-1` The 3DM-GX5-15 manual documents the inverse rotation, which is
     taken for a misprint.
@@ -605,7 +605,8 @@ class AttitudeDcm(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GX5-15 and -45; likely or assumed on 17 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or
+    assumed on 17 more.
 
     The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     v_ned`.
@@ -654,8 +655,9 @@ class EulerAngles(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or
-    assumed on 20 more. Uncertain: The ranges of the angles are inferred; no source states them.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45; likely or assumed on 20 more. Uncertain: The ranges of the angles are inferred; no
+    source states them.
 
     The rotations apply in the order yaw, pitch, roll (3-2-1).
 
@@ -714,7 +716,8 @@ class GyroBias(Data):
 
     Estimated bias of the gyroscope.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 18
+    more.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -1071,8 +1074,8 @@ class LinearAccel(Data):
 
     Rate of change of the velocity, with the effect of gravity removed.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on
-    17 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely
+    or assumed on 17 more.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
     - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -1118,8 +1121,8 @@ class CompAngularRate(Data):
 
     Angular rate with the estimated bias removed.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and -45; likely or
-    assumed on 16 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45; likely or assumed on 16 more.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1208,8 +1211,8 @@ class Status(Data):
 
     State, dynamics mode, condition and warnings of the filter.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on
-    17 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely
+    or assumed on 17 more.
 
     7-series: state 1 is initialization, 2 vertical gyro, 3 AHRS, 4 full navigation. On the 3DM-CV7,
     normal operation is state 4, mode 1, flags 1 (stable). 5-series and older: state 0 is start-up,
@@ -1231,36 +1234,39 @@ class Status(Data):
     filter_state: int
     """Progress of the filter from start-up to its full solution.
 
-    - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values
-      of `Gx5FilterState` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
-      all generations up to the fifth).
-    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
-      and -INS: values of `Cv7FilterState` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK
-      lists the same states for its generation).
+    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
+      3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5FilterState` (inferred: the 3DM-GX5-15
+      has them, and the SDK lists the same states for all generations up to the fifth).
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7FilterState`
+      (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
+      generation).
     - On the 3DM-CV7-GNSS/INS: values of `Cv7FilterState`.
     - On the 3DM-GX5-15: values of `Gx5FilterState`.
     """
     dynamics_mode: int
     """Motion for which the filter is configured.
 
-    - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values
-      of `Gx5DynamicsMode` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
-      all generations up to the fifth).
-    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
-      and -INS: values of `Cv7DynamicsMode` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK
-      lists the same states for its generation).
+    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
+      3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5DynamicsMode` (inferred: the 3DM-GX5-15
+      has them, and the SDK lists the same states for all generations up to the fifth).
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7DynamicsMode`
+      (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
+      generation).
     - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
     - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
     """
     status_flags: int
     """Condition and warnings.
 
-    - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: values
-      of `Gx5StatusFlags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
-      all generations up to the fifth).
-    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
-      and -INS: values of `Cv7StatusFlags` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK
-      lists the same states for its generation).
+    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
+      3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5StatusFlags` (inferred: the 3DM-GX5-15
+      has them, and the SDK lists the same states for all generations up to the fifth).
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7StatusFlags`
+      (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
+      generation).
     - On the 3DM-CV7-GNSS/INS: values of `Cv7StatusFlags`.
     - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
     """
@@ -1382,7 +1388,8 @@ class GravityVector(Data):
 
     Estimated gravity.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GX5-15; likely or assumed on 18 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 18
+    more.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
     - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1428,7 +1435,7 @@ class HeadingUpdateState(Data):
 
     The last heading that updated the filter, and its source.
 
-    Confirmed on 3DM-GX5-15 and -45; likely or assumed on 8 more.
+    Confirmed on 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 8 more.
 
     The valid bit means that the source provided data within the last 2 seconds.
 
@@ -1882,8 +1889,8 @@ class CompAccel(Data):
 
     Specific force with the estimated bias removed.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely or assumed on
-    14 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15; likely
+    or assumed on 14 more.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -3279,7 +3286,9 @@ class GnssDualAntennaStatus(Data):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Requires 2 antennas.
 
-    Single precision resolves the time of week to 0.0625 s at the end of the week.
+    It is a measurement that aids the filter. The heading of `EulerAngles` is the estimate of the
+    filter from all measurements. Single precision resolves the time of week to 0.0625 s at the end
+    of the week.
 
     - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
     """
@@ -3363,7 +3372,8 @@ class AidingFrameConfigError(Data):
 
     Estimated error of a frame that `aiding.FrameConfig` defines. The filter corrects for it.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and -INS; likely or assumed on 2 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or assumed on 2
+    more.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """

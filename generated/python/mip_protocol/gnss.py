@@ -500,7 +500,7 @@ class SignalConfig(Command[R]):
     Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Response: `SignalConfigResponse`. Probably affects `gnss_data.FixInfo`,
     `gnss_data.SatelliteStatus` and `gnss_data.Raw`. Confirmed on 3DM-CV7-GNSS/INS; likely or
-    assumed on 1 more. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    assumed on 1 more. Requires firmware later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
 
     A device accepts only certain combinations. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
     rejects GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for

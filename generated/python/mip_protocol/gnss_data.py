@@ -765,8 +765,8 @@ class LlhPosition(Shared, Data):
     GNSS position as latitude, longitude and height.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Confirmed on 3DM-CV7-GNSS/INS, -INS
-    and 3DM-GQ7-GNSS/INS; likely or assumed on 11 more.
+    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Confirmed on 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS; likely or assumed on 11 more.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -874,8 +874,8 @@ class EcefPosition(Shared, Data):
     GNSS position in Earth-fixed coordinates.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Confirmed on 3DM-CV7-GNSS/INS, -INS
-    and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
+    (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Confirmed on 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS; likely or assumed on 3 more.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
@@ -935,8 +935,8 @@ class NedVelocity(Shared, Data):
     GNSS velocity in the local level frame.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Confirmed on 3DM-CV7-GNSS/INS, -INS
-    and 3DM-GQ7-GNSS/INS; likely or assumed on 11 more.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Confirmed on 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS; likely or assumed on 11 more.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -1045,8 +1045,8 @@ class EcefVelocity(Shared, Data):
     GNSS velocity in Earth-fixed coordinates.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Confirmed on 3DM-CV7-GNSS/INS, -INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-35; likely or assumed on 2 more.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Confirmed on 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35; likely or assumed on 2 more.
 
     - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -1107,8 +1107,8 @@ class Dop(Shared, Data):
     Dilution of precision of the satellite geometry.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
-    4 more.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or
+    assumed on 4 more.
 
     - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
     - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
@@ -1206,8 +1206,8 @@ class UtcTime(Shared, Data):
     Coordinated universal time (UTC) according to the receiver.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
-    6 more.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or
+    assumed on 6 more.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
     - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
@@ -1407,8 +1407,8 @@ class FixInfo(Shared, Data):
     Type of the position fix, with the satellites and corrections used.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS, -INS and 3DM-GQ7-GNSS/INS;
-    likely or assumed on 5 more.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+    3DM-GQ7-GNSS/INS; likely or assumed on 5 more.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1645,9 +1645,9 @@ class DgpsInfo(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its
-    data. Confirmed on 3DM-GX5-35 and -45; likely or assumed on 1 more. Uncertain: Devices could
-    also send `DgpsInfoSatellite`, the layout of the SDK, but only this one agrees with the valid
-    flags, which are the same in all sources.
+    data. Confirmed on 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 1 more. Uncertain: Devices
+    could also send `DgpsInfoSatellite`, the layout of the SDK, but only this one agrees with the
+    valid flags, which are the same in all sources.
 
     The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
     the SDK of 2014.
@@ -1908,8 +1908,9 @@ class ClockInfo2(Shared, Data):
     Bias and drift of the receiver clock.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
-    1 more. Uncertain: The units are inferred from those of the ephemerides; no source states them.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or
+    assumed on 1 more. Uncertain: The units are inferred from those of the ephemerides; no source
+    states them.
 
     It supersedes clock info.
 
@@ -1992,8 +1993,8 @@ class GpsLeapSeconds(Shared, Data):
     Difference between GPS time and UTC.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
-    1 more.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or
+    assumed on 1 more.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
@@ -2418,8 +2419,8 @@ class SatelliteStatus(Shared, Data):
     Direction to one satellite, and its health.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and -INS; likely or assumed on
-    3 more.
+    (0x94) and gnss_external_2 (0x95). Confirmed on 3DM-CV7-GNSS/INS and 3DM-CV7-INS; likely or
+    assumed on 3 more.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields.
 

@@ -610,8 +610,9 @@ class Gx4SystemState(codec.OpenEnum):
 class ImuMessageFormatResponse(Response):
     """IMU message format response (0x0C,0x80).
 
-    Response to `ImuMessageFormat`. Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10, 3DM-GQ4-45,
-    3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 14 more.
+    Response to `ImuMessageFormat`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 14
+    more.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -649,8 +650,8 @@ class ImuMessageFormatResponse(Response):
 class GnssMessageFormatResponse(Response):
     """GNSS message format response (0x0C,0x81).
 
-    Response to `GnssMessageFormat`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and
-    -45-ST; likely or assumed on 4 more.
+    Response to `GnssMessageFormat`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST; likely or assumed on 4 more.
 
     - mip-sdk-4: GNSS message format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -690,8 +691,8 @@ class GnssMessageFormatResponse(Response):
 class FilterMessageFormatResponse(Response):
     """Estimation filter message format response (0x0C,0x82).
 
-    Response to `FilterMessageFormat`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, -45,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
+    Response to `FilterMessageFormat`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -730,8 +731,8 @@ class GetImuBaseRateResponse(Response):
     """Get IMU data base rate response (0x0C,0x83).
 
     Also called `imu_get_base_rate_response`. Response to `GetImuBaseRate`. Confirmed on 3DM-CV5-10,
-    -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 15
-    more.
+    3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+    likely or assumed on 15 more.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -762,8 +763,8 @@ class GetGnssBaseRateResponse(Response):
     """Get GNSS data base rate response (0x0C,0x84).
 
     Also called `gnss_get_base_rate_response`. Response to `GetGnssBaseRate`. Confirmed on
-    3DM-GQ4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 4 more. Known only
-    from the MicroStrain MIP SDK.
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4
+    more. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -794,8 +795,8 @@ class DataStreamControlResponse(Response):
     """Data stream control response (0x0C,0x85).
 
     Also called `datastream_control_response`. Response to `DataStreamControl`. Confirmed on
-    3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST;
-    likely or assumed on 25 more.
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 25 more.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -812,11 +813,11 @@ class DataStreamControlResponse(Response):
     descriptor_set: int
     """Stream specified in the command.
 
-    - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25,
-      3DM-GX5-25 and 3DM-MV5-AR: values of `LegacyDataStream`; only `LegacyDataStream.ALL_STREAMS`,
-      `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
-    - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45,
-      3DM-RQ1-45-LT and -45-ST: values of `LegacyDataStream`.
+    - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15,
+      3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `LegacyDataStream`;
+      only `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
+    - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35,
+      3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
     - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and
       `LegacyDataStream.FILTER`.
     """
@@ -944,7 +945,8 @@ class UartBaudRateResponse(Response):
     """UART baud rate response (0x0C,0x87).
 
     Also called `uart_baudrate_response`. Response to `UartBaudRate`. Confirmed on 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 12 more.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 12
+    more.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -1050,7 +1052,8 @@ class GetFilterBaseRateResponse(Response):
     """Get estimation filter data base rate response (0x0C,0x8A).
 
     Also called `filter_get_base_rate_response`. Response to `GetFilterBaseRate`. Confirmed on
-    3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
+    3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+    assumed on 9 more.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -1081,8 +1084,8 @@ class ImuLowPassFilterResponse(Response):
     """Advanced low-pass filter settings response (0x0C,0x8B).
 
     Also called `imu_lowpass_filter_response`. Response to `ImuLowPassFilter`. Confirmed on
-    3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    -45-ST; likely or assumed on 20 more.
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 20 more.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -1181,8 +1184,8 @@ class NmeaMessageFormatResponse(Response):
 class GetBaseRateResponse(Response):
     """Get data base rate response (0x0C,0x8E).
 
-    Response to `GetBaseRate`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS;
-    likely or assumed on 7 more.
+    Response to `GetBaseRate`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -1320,8 +1323,8 @@ class DeviceStatusBasicResponse(Response):
 
     Response to `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
     `DeviceStatusBasicGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.BASIC`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and
-    -45-ST; likely or assumed on 9 more.
+    `DeviceStatusSelector.BASIC`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1344,7 +1347,7 @@ class DeviceStatusBasicResponse(Response):
     system_state: int
     """State of the system; the meaning of its values is not documented.
 
-    - On the 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: values of `Gx4SystemState`.
+    - On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `Gx4SystemState`.
     """
     system_timer: int
     """Time since start-up. Unit: ms."""
@@ -1621,10 +1624,10 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-35 and -45; likely or assumed on 2 more.
-    Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is
-    from a manual. Uncertain: MSCL lists only the names of the values, from which the descriptions
-    are inferred; the times are assumed to be in ms like the system timer.
+    `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on
+    2 more. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its
+    length is from a manual. Uncertain: MSCL lists only the names of the values, from which the
+    descriptions are inferred; the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2122,8 +2125,8 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and -45-ST. Uncertain: No known
-    manual documents it. Uncertain: MSCL lists only the names of the values, from which the
+    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No
+    known manual documents it. Uncertain: MSCL lists only the names of the values, from which the
     descriptions are inferred; the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -3691,7 +3694,7 @@ class ComplementaryFilterResponse(Response):
     """Complementary filter configuration response (0x0C,0x97).
 
     Response to `ComplementaryFilter`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    -35; likely or assumed on 22 more.
+    3DM-GX5-35; likely or assumed on 22 more.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -3759,8 +3762,8 @@ class ComplementaryFilterResponse(Response):
 class AccelBiasResponse(Response):
     """Accelerometer bias configuration response (0x0C,0x9A).
 
-    Response to `AccelBias`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -35,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 24 more.
+    Response to `AccelBias`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 24 more.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -3800,8 +3803,8 @@ class GyroBiasResponse(Response):
     The bias in use.
 
     Also called `capture_gyro_bias_response`. Response to `GyroBias` and `CaptureGyroBias`.
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 21 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 21 more.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3838,8 +3841,8 @@ class GyroBiasResponse(Response):
 class MagHardIronOffsetResponse(Response):
     """Magnetometer hard iron offset response (0x0C,0x9C).
 
-    Response to `MagHardIronOffset`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 14 more.
+    Response to `MagHardIronOffset`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 14 more.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     - 3dm-gx5-45: (0x0C, 0x3A)
@@ -3876,8 +3879,8 @@ class MagHardIronOffsetResponse(Response):
 class MagSoftIronMatrixResponse(Response):
     """Magnetometer soft iron matrix response (0x0C,0x9D).
 
-    Response to `MagSoftIronMatrix`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 14 more.
+    Response to `MagSoftIronMatrix`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 14 more.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     - 3dm-gx5-35: (0x0C, 0x3B)
@@ -3915,7 +3918,7 @@ class ConingScullingEnableResponse(Response):
     """Coning and sculling enable response (0x0C,0x9E).
 
     Response to `ConingScullingEnable`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    -45-ST; likely or assumed on 15 more.
+    3DM-RQ1-45-ST; likely or assumed on 15 more.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -4291,8 +4294,8 @@ class SensorToVehicleTransformDcmResponse(Response):
 class GetEventSupportResponse(Response):
     """Get supported events response (0x0C,0xB4).
 
-    Response to `GetEventSupport`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed
-    on 8 more.
+    Response to `GetEventSupport`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS;
+    likely or assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -4463,7 +4466,7 @@ class EventTriggerConfigResponse(Response):
     """Event trigger configuration response (0x0C,0xB8).
 
     Also called `event_trigger_response`. Response to `EventTriggerConfig`. Confirmed on
-    3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -4541,7 +4544,7 @@ class EventActionConfigResponse(Response):
     """Event action configuration response (0x0C,0xB9).
 
     Also called `event_action_response`. Response to `EventActionConfig`. Confirmed on 3DM-CV7-AHRS,
-    -AR and -GNSS/INS; likely or assumed on 8 more.
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     - 3dm-cv7-gnss-ins: Event Cycle
@@ -4609,8 +4612,8 @@ class EventActionConfigResponse(Response):
 class GpioConfigResponse(Response):
     """GPIO configuration response (0x0C,0xC1).
 
-    Response to `GpioConfig`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8
-    more.
+    Response to `GpioConfig`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or
+    assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -4830,7 +4833,7 @@ class LowPassFilterResponse(Response):
     """Low-pass anti-aliasing filter response (0x0C,0xD4).
 
     Also called `lowpass_filter_response`. Response to `LowPassFilter`. Confirmed on 3DM-CV7-AHRS,
-    -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -4896,8 +4899,8 @@ class PollImuData(Command[None]):
     Requests one sensor data packet (0x80) with the listed fields, in the listed order.
 
     Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Confirmed on
-    3DM-CV5-10, -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or
-    assumed on 15 more.
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST; likely or assumed on 15 more.
 
     An empty list polls the fields that `ImuMessageFormat` stores; if nothing is stored, the device
     rejects the command. Descriptors that the device does not know are ignored. The data is sent in
@@ -4954,8 +4957,8 @@ class PollGnssData(Command[None]):
     Requests one GNSS data packet with the listed fields, in the listed order.
 
     Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Confirmed on
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 5 more. Known only from
-    the MicroStrain MIP SDK. Requires a receiver.
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 5 more. Known only
+    from the MicroStrain MIP SDK. Requires a receiver.
 
     An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device
     rejects the command. Descriptors that the device does not know are omitted. The data is sent in
@@ -5015,7 +5018,8 @@ class PollFilterData(Command[None]):
     Requests one filter data packet (0x82) with the listed fields, in the listed order.
 
     Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Confirmed on
-    3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 8 more.
+    3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+    assumed on 8 more.
 
     An empty list polls the fields that `FilterMessageFormat` stores; if none are, the device
     rejects the command. Descriptors that the device does not know are ignored. The data is sent in
@@ -5131,8 +5135,8 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     Gets the base rate, which is divided by the decimations of `ImuMessageFormat`.
 
     Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Confirmed on 3DM-CV5-10,
-    -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 15
-    more.
+    3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+    likely or assumed on 15 more.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -5151,8 +5155,8 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     Gets the base rate, which is divided by the decimations of `GnssMessageFormat`.
 
     Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Confirmed on 3DM-GQ4-45,
-    3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 4 more. Known only from the
-    MicroStrain MIP SDK. Requires a receiver.
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4 more. Known only
+    from the MicroStrain MIP SDK. Requires a receiver.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -5171,8 +5175,8 @@ class ImuMessageFormat(Command[R]):
     Sets the fields of the sensor data packets (0x80), their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `ImuMessageFormatResponse`.
-    Confirmed on 3DM-CV5-10, -15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and
-    -45-ST; likely or assumed on 14 more.
+    Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 14 more.
 
     The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device rejects the command
@@ -5274,8 +5278,8 @@ class GnssMessageFormat(Command[R]):
     Sets the fields of the GNSS data packets, their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssMessageFormatResponse`.
-    Confirmed on 3DM-GQ4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 4 more.
-    Requires a receiver.
+    Confirmed on 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+    assumed on 4 more. Requires a receiver.
 
     The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
 
@@ -5376,8 +5380,8 @@ class FilterMessageFormat(Command[R]):
     Sets the fields of the filter data packets (0x82), their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `FilterMessageFormatResponse`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, -45,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
+    `FilterMessageFormatResponse`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
 
     The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device rejects the command
@@ -5481,7 +5485,8 @@ class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     Gets the base rate, which is divided by the decimations of `FilterMessageFormat`.
 
     Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Confirmed on
-    3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 9 more.
+    3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+    assumed on 9 more.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -5668,8 +5673,8 @@ class GetBaseRate(Command[GetBaseRateResponse]):
 
     Gets the base rate, which is divided by the decimations of a descriptor set.
 
-    Response: `GetBaseRateResponse`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS;
-    likely or assumed on 7 more.
+    Response: `GetBaseRateResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -5859,8 +5864,9 @@ class DataStreamControl(Command[R]):
     Switches a data stream on or off.
 
     Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Response: `DataStreamControlResponse`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 25 more.
+    Response: `DataStreamControlResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+    assumed on 25 more.
 
     Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other
     devices by its descriptor set. A newly enabled stream starts with current data, without any from
@@ -5884,11 +5890,11 @@ class DataStreamControl(Command[R]):
     descriptor_set: int | None
     """Data descriptor set; 0 means all streams (save, load, default).
 
-    - On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25,
-      3DM-GX5-25 and 3DM-MV5-AR: values of `LegacyDataStream`; only `LegacyDataStream.ALL_STREAMS`,
-      `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
-    - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45,
-      3DM-RQ1-45-LT and -45-ST: values of `LegacyDataStream`.
+    - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15,
+      3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `LegacyDataStream`;
+      only `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
+    - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35,
+      3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
     - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and
       `LegacyDataStream.FILTER`.
     """
@@ -5967,7 +5973,7 @@ class RawRtcm2_3Message(Command[None]):
 
     Sends RTCM 2.3 corrections to the GNSS receiver.
 
-    Supported by 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and -45-ST. Requires a receiver.
+    Supported by 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Requires a receiver.
 
     The receiver uses the RTCM messages 1, 2, 3 and 9. A message may be split at any byte and sent
     with several of these commands.
@@ -6491,8 +6497,9 @@ class PpsSourceControl(Command[R]):
     source: PpsSource | None
     """Source of the pulse. Required for `write`.
 
-    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GV7-AHRS, -AR and -INS: only
-      `PpsSource.DISABLED`, `PpsSource.GPIO` and `PpsSource.GENERATED`.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: only `PpsSource.DISABLED`, `PpsSource.GPIO` and
+      `PpsSource.GENERATED`.
     - On the 3DM-CV7-GNSS/INS: default `PpsSource.RECEIVER_1`.
     - On the 3DM-GQ7-GNSS/INS: only `PpsSource.DISABLED`, `PpsSource.RECEIVER_1`,
       `PpsSource.RECEIVER_2`, `PpsSource.GPIO` and `PpsSource.GENERATED`.
@@ -6552,8 +6559,8 @@ class GetEventSupport(Command[GetEventSupportResponse]):
 
     Gets the types of event triggers or actions that the device supports, and the number of each.
 
-    Response: `GetEventSupportResponse`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or
-    assumed on 8 more.
+    Response: `GetEventSupportResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS;
+    likely or assumed on 8 more.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -6776,8 +6783,8 @@ class EventTriggerConfig(Command[R]):
     Configures the kind and the condition of an event trigger.
 
     Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `EventTriggerConfigResponse`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on
-    8 more.
+    `EventTriggerConfigResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely
+    or assumed on 8 more.
 
     The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin
     configured by `GpioConfig`.
@@ -6934,8 +6941,8 @@ class EventActionConfig(Command[R]):
     Configures the trigger and the effect of an event action.
 
     Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `EventActionConfigResponse`. Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on
-    8 more.
+    `EventActionConfigResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely
+    or assumed on 8 more.
 
     A packet holds one descriptor set; for several sets use several actions with the same trigger. A
     GPIO action needs its pin configured as an output with the gpio feature. In each event cycle,
@@ -7096,8 +7103,8 @@ class DeviceSettings(Command[None]):
     Saves, loads or resets all settings of the device at once.
 
     Functions: `save`, `load` and `default`. The device may take 2 s to reply. Confirmed on
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -35, -45, 3DM-RQ1-45-LT and -45-ST; likely or assumed
-    on 22 more.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST; likely or assumed on 22 more.
 
     A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply
     time-out of at least 2 s.
@@ -7829,8 +7836,8 @@ class AccelBias(Command[R]):
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response:
     `AccelBiasResponse`. Affects `sensor.ScaledAccel`. Probably affects `sensor.DeltaVelocity` and
-    `filter_data.AccelBias`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -35,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 24 more. On the 3DM-CV7-GNSS/INS: `write`,
+    `filter_data.AccelBias`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 24 more. On the 3DM-CV7-GNSS/INS: `write`,
     `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
@@ -7925,11 +7932,11 @@ class GyroBias(Command[R]):
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response:
     `GyroBiasResponse`. Affects `sensor.ScaledGyro`. Probably affects `sensor.DeltaTheta`,
-    `filter_data.GyroBias` and `filter_data.Status`. Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 23 more. On the
-    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
-    `load` and `default` only.
+    `filter_data.GyroBias` and `filter_data.Status`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on
+    23 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the
+    3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -8019,8 +8026,8 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
 
     Response: `GyroBiasResponse`. Affects `sensor.ScaledGyro`. Probably affects `sensor.DeltaTheta`,
     `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to reply. Confirmed on
-    3DM-CV7-AHRS, -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, -35, 3DM-RQ1-45-LT and
-    -45-ST; likely or assumed on 21 more.
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 21 more.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
     arrives after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
@@ -8060,10 +8067,10 @@ class MagHardIronOffset(Command[R]):
     Sets the offset that corrects the scaled magnetic field for hard iron.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response:
-    `MagHardIronOffsetResponse`. Affects `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 14 more. On the
-    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
-    `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
+    `MagHardIronOffsetResponse`. Affects `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS,
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on
+    14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the
+    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The
@@ -8163,10 +8170,10 @@ class MagSoftIronMatrix(Command[R]):
     Sets the matrix that corrects the scaled magnetic field for soft iron.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response:
-    `MagSoftIronMatrixResponse`. Affects `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, -GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 14 more. On the
-    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
-    `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
+    `MagSoftIronMatrixResponse`. Affects `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS,
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on
+    14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the
+    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The
@@ -8265,7 +8272,8 @@ class ConingScullingEnable(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `ConingScullingEnableResponse`. Probably affects `sensor.DeltaTheta` and `sensor.DeltaVelocity`.
-    Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or assumed on 15 more.
+    Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 15
+    more.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -8341,8 +8349,8 @@ class UartBaudRate(Command[R]):
     Sets the baud rate of the main port.
 
     Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `UartBaudRateResponse`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, -45,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 12 more.
+    `UartBaudRateResponse`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 12 more.
 
     The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The
     3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then, commands and
@@ -8367,7 +8375,7 @@ class UartBaudRate(Command[R]):
     baud: int | None
     """New baud rate; the port must support it. Unit: Bd. Required for `write`.
 
-    - On the 3DM-GX5-15 and -45: default 115200.
+    - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
     """
 
     def __init__(self, function: FunctionSelector, baud: int | None = None) -> None:
@@ -8426,7 +8434,7 @@ class GpioConfig(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GpioConfigResponse`.
     Probably affects `system_data.GpioState` and `system_data.GpioAnalogValue`. Confirmed on
-    3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
 
     Not every pin has every feature. For an output with a feature other than gpio, configure the
     function that drives it before the pin; otherwise, the level of the pin is undefined in the
@@ -8736,12 +8744,12 @@ class ImuLowPassFilter(Command[R]):
     For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load`
     and `default`. Response: `ImuLowPassFilterResponse`. Affects `sensor.ScaledAccel`,
     `sensor.ScaledGyro`, `sensor.ScaledMag` and `sensor.ScaledPressure`. Confirmed on 3DM-CV7-AHRS,
-    -AR, -GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and -45-ST; likely or
-    assumed on 20 more. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on
-    the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use
-    `LowPassFilter` instead. Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the
-    3DM-CV7-AHRS: firmware <= 1.0.07. On the 3DM-CV7-AR: firmware <= 1.0.07. On the
-    3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST; likely or assumed on 20 more. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter`
+    instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the
+    3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the 3DM-GQ7-GNSS/INS: use
+    `LowPassFilter` instead. Requires firmware up to 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR.
+    Requires firmware up to 1.0.10 on the 3DM-GQ7-GNSS/INS.
 
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
@@ -8887,7 +8895,8 @@ class ComplementaryFilter(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `ComplementaryFilterResponse`. Affects `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`
     and `sensor.CompEulerAngles`. Probably affects `sensor.NorthVector` and `sensor.UpVector`.
-    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and -35; likely or assumed on 22 more.
+    Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35; likely or assumed on 22
+    more.
 
     Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
     The heading follows the magnetometer, if the device has one. The device rejects time constants
@@ -8931,7 +8940,7 @@ class ComplementaryFilter(Command[R]):
     """True enables the heading correction, which 5-series manuals call north compensation. Required
     for `write`.
 
-    - On the 3DM-CV5-10, -15, 3DM-CX5-10 and -15: MSCL has no support for it.
+    - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15: MSCL has no support for it.
     - On the 3DM-GX5-15: default true.
     """
     pitch_roll_time_constant: float | None
@@ -9176,9 +9185,10 @@ class LowPassFilter(Command[R]):
     Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
     Response: `LowPassFilterResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.ScaledPressure`, `filter_data.CompAccel`,
-    `filter_data.CompAngularRate` and `filter_data.LinearAccel`. Confirmed on 3DM-CV7-AHRS, -AR,
-    -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more. On the 3DM-CV7-AHRS: firmware >
-    1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    `filter_data.CompAngularRate` and `filter_data.LinearAccel`. Confirmed on 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more. Requires
+    firmware later than 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware later than
+    1.0.10 on the 3DM-GQ7-GNSS/INS.
 
     Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets
     are meant.
@@ -9466,7 +9476,7 @@ class DevicePowerState(Command[R]):
     device: InternalSensor | None
     """The sensor.
 
-    - On the 3DM-GX3-15 and -25: only `InternalSensor.IMU`.
+    - On the 3DM-GX3-15 and 3DM-GX3-25: only `InternalSensor.IMU`.
     """
     state: SensorPowerState | None
     """Power state of an internal sensor. Required for `write`."""
@@ -9618,8 +9628,8 @@ class DeviceStatus(
     `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
     `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
     `DeviceStatusDiagnosticRq1ImuResponse`, `DeviceStatusBasicGx3Response` or
-    `DeviceStatusDiagnosticGx3Response`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, -35, -45,
-    3DM-RQ1-45-LT and -45-ST; likely or assumed on 17 more.
+    `DeviceStatusDiagnosticGx3Response`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 17 more.
 
     The device expects its own model number, which `base.GetDeviceInfo` returns. Device families
     reply in different layouts. The selector and the length distinguish them.

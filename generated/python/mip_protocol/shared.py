@@ -62,7 +62,7 @@ class EventSource(Shared, Data):
 
     The event trigger that caused the packet.
 
-    Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
 
     Put it first in the format of event messages, to distinguish their packets from scheduled ones.
 
@@ -170,7 +170,8 @@ class GpsTimestamp(Shared, Data):
 
     External time of the data as GPS time of week and week number.
 
-    Confirmed on 3DM-CV7-AHRS, -AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed
+    on 7 more.
 
     In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
     `base.GpsTimeUpdate` has set the time of week and the week number. With an internal GNSS
@@ -226,7 +227,7 @@ class DeltaTime(Shared, Data):
 
     External time since this field was last sent in the same set and event instance.
 
-    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+    Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
 
     It is the same as `ExternalTimeDelta`, in other units. Sending either restarts the counter that
     both share, so use only one of them.
@@ -262,7 +263,7 @@ class ReferenceTimestamp(Shared, Data):
 
     Time of the data by the internal reference clock.
 
-    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+    Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
 
     The clock starts at power-on, only moves forward and never jumps; the value is always valid. In
     event messages it is the time of the trigger.
@@ -298,7 +299,7 @@ class ReferenceTimeDelta(Shared, Data):
 
     Reference time since this field was last sent in the same set and event instance.
 
-    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+    Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
 
     The value is always valid.
 
@@ -333,7 +334,7 @@ class ExternalTimestamp(Shared, Data):
 
     Time of the data in the external clock domain.
 
-    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+    Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
 
     It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
     valid when the external clock is synchronized through the PPS. Its epoch is the epoch of the
@@ -382,7 +383,7 @@ class ExternalTimeDelta(Shared, Data):
 
     External time since this field was last sent in the same set and event instance.
 
-    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more.
+    Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more.
 
     It is the same as `DeltaTime`, in other units. Sending either restarts the counter that both
     share, so use only one of them.

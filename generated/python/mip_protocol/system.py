@@ -107,7 +107,8 @@ class InterfaceControlResponse(Response):
 class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Response to `CommMode`. Confirmed on 3DM-GX5-15, -35 and -45; likely or assumed on 17 more.
+    Response to `CommMode`. Confirmed on 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on
+    17 more.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -268,7 +269,8 @@ class CommMode(Command[R]):
     Switches the port between the device and one of its internal sensors.
 
     For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `CommModeResponse`. Confirmed on 3DM-GX5-15, -35 and -45; likely or assumed on 17 more.
+    `CommModeResponse`. Confirmed on 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 17
+    more.
 
     The ACK is sent in the old mode, just before the switch. In a direct mode, the device itself
     replies only to this command and `mip_3dm.DeviceStatus`.
@@ -290,8 +292,8 @@ class CommMode(Command[R]):
     mode: ProtocolMode | None
     """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`.
 
-    - On the 3DM-CV5-15, -25, 3DM-CX5-15, -25, 3DM-GX4-15, -25, 3DM-GX5-15 and -25: only
-      `ProtocolMode.STANDARD` and `ProtocolMode.SENSOR_DIRECT`.
+    - On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-15 and
+      3DM-GX5-25: only `ProtocolMode.STANDARD` and `ProtocolMode.SENSOR_DIRECT`.
     - On the 3DM-GX5-35: default `ProtocolMode.STANDARD`.
     """
 

@@ -43,8 +43,8 @@ class BuiltInTest(Data):
 
     Flags of the tests that run all the time.
 
-    Confirmed on 3DM-CV7-AR, -GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 8 more. On the
-    3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    Confirmed on 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 8 more.
+    Requires firmware later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
 
     The field is long; stream it at a low rate or poll it. A fault that has passed before the next
     message is still reported, because its flag stays set until it is sent. Each stream and each
@@ -66,8 +66,9 @@ class BuiltInTest(Data):
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
     byte.
 
-    - On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR
-      and -INS: values of `types.Cv7InertialContinuousBuiltInTest`.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of
+      `types.Cv7InertialContinuousBuiltInTest`.
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
@@ -87,8 +88,8 @@ class TimeSyncStatus(Data):
 
     Synchronization of the device time with the pulse per second.
 
-    Confirmed on 3DM-CV7-AHRS, -AR and -GNSS/INS; likely or assumed on 8 more. On the
-    3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 8 more.
+    Requires firmware later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
     """
@@ -125,8 +126,8 @@ class GpioState(Data):
 
     Levels of all user GPIO pins.
 
-    Confirmed on 3DM-CV7-AR and -GNSS/INS; likely or assumed on 9 more. On the 3DM-GQ7-GNSS/INS:
-    firmware > 1.0.10.
+    Confirmed on 3DM-CV7-AR and 3DM-CV7-GNSS/INS; likely or assumed on 9 more. Requires firmware
+    later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
 
     A pulse that is shorter than the period at which the field is sent is missed. The pins are
     sampled within one base period of this set. Levels are guaranteed to be valid only for pins that

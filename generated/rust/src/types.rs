@@ -1647,14 +1647,15 @@ bitfield! {
     }
 }
 
-/// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-/// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-/// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25), [-45](crate::devices::CX5_45),
-/// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
-/// [-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-/// [-45](crate::devices::GX5_45): values of [`Gx5SensorGpsTimestampFlags`] (inferred: the
-/// 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
-/// [-35](crate::devices::GX5_35): values of [`Gx5SensorGpsTimestampFlags`].
+/// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+/// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+/// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+/// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+/// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+/// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
+/// [`Gx5SensorGpsTimestampFlags`] (inferred: the 3DM-GX5-15 has it). On the
+/// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
+/// [`Gx5SensorGpsTimestampFlags`].
 #[rustfmt::skip]
 impl From<SensorGpsTimestampFlags> for Gx5SensorGpsTimestampFlags {
     fn from(value: SensorGpsTimestampFlags) -> Self {

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
+#: So many items without brackets are elements of an array, several of which are on a line.
+_ARRAY = 13
 #: Whitespace other than single spaces between words.
 _UNEVEN = re.compile(r"[\t\n\v\f\r]|^ |  | $")
 
@@ -75,7 +77,8 @@ def flat(expression: Expression) -> str:
 
 
 def laid_out(expression: Expression, width: int) -> str:
-    """Writes an expression. If it does not fit on one line, its items are on a separate line, or on one line each.
+    """Writes an expression. If it does not fit on one line, its items are on a separate line, or on one line
+    each. Those of long arrays fill lines.
 
     >>> inner = Brackets("f(", ["3", "')'"], ")")
     >>> print(laid_out(Brackets("x = {", [Brackets("{", ["1", "2"], "}"), inner], "};"), 14))
@@ -87,6 +90,11 @@ def laid_out(expression: Expression, width: int) -> str:
     list[] = {
         1, 2
     };
+    >>> print(laid_out(Brackets("{", list("0123456789abcdef"), "}"), 34))
+    {
+        0, 1, 2, 3, 4, 5, 6, 7, 8, 9,
+        a, b, c, d, e, f,
+    }
     >>> print(laid_out(Brackets("g(", [inner], ")", comma=""), 9))
     g(
         f(
@@ -101,5 +109,8 @@ def laid_out(expression: Expression, width: int) -> str:
     inner = ", ".join(map(flat, expression.items)) + (expression.alone if len(expression.items) == 1 else "")
     if len(inner) <= width - 4:
         return f"{expression.head}\n    {inner}\n{expression.tail}"
+    if len(expression.items) >= _ARRAY and all(isinstance(item, str) for item in expression.items):
+        filled = "\n    ".join(wrapped(inner + expression.comma, width - 4))
+        return f"{expression.head}\n    {filled}\n{expression.tail}"
     each = [laid_out(item, width - 5).replace("\n", "\n    ") for item in expression.items]
     return "".join([expression.head, "\n    ", ",\n    ".join(each), expression.comma, "\n", expression.tail])

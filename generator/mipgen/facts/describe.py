@@ -11,7 +11,7 @@ from __future__ import annotations
 from mipgen import model as m
 
 from . import fields, parameters
-from .devices import device, evidence, length_facts, summary, why
+from .devices import device, evidence, firmware, length_facts, summary, why
 from .fields import changed, condition, conditions
 from .measures import default_text, limits_text
 from .parameters import case
@@ -35,6 +35,7 @@ __all__ = [
     "device",
     "evidence",
     "field",
+    "firmware",
     "in_code",
     "joined",
     "length_facts",

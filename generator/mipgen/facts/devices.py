@@ -74,6 +74,16 @@ def evidence(e: m.Evidence, model: m.Model) -> Text:
     return (_KINDS[e.kind], *of, f"{where}.", *note)
 
 
+def firmware(versions: str) -> str:
+    """
+    >>> firmware("> 1.0.07"), firmware(">= 1.0, < 1.1")
+    ('firmware later than 1.0.07', 'firmware 1.0 or later and before 1.1')
+    """
+    forms = {">": "later than {}", ">=": "{} or later", "<": "before {}", "<=": "up to {}"}
+    parts = (part.split() for part in versions.split(", "))
+    return "firmware " + " and ".join(forms[sign].format(version) for sign, version in parts)
+
+
 def why(e: m.Evidence, model: m.Model) -> str:
     """Words the evidence as plain text."""
     return say(evidence(e, model), lambda ref: ref.words)

@@ -7,6 +7,7 @@ from itertools import groupby
 
 from mipgen import model as m
 
+from .devices import firmware
 from .remarks import remarks
 from .texts import (
     Fact,
@@ -126,7 +127,8 @@ def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
     if model.devices and f.role != m.RESPONSE and not certain and not others:
         yield fact("devices", (), "Not listed in any device profile.")
     yield from (_deprecation(d, s.deprecated, model) for d, s in model.supports(f) if s.deprecated)
-    yield from (_firmware(d, s.firmware) for d, s in model.supports(f) if s.firmware)
+    versions = dict.fromkeys(s.firmware for _, s in model.supports(f) if s.firmware)
+    yield from (_firmware([d for d, s in model.supports(f) if s.firmware == x], x) for x in versions)
     yield from (_support(d, s) for d, s in model.supports(f) if s.differs)
 
 
@@ -143,8 +145,9 @@ def _support(d: m.Device, s: m.Support) -> Fact:
     return Fact("support", taken, ("On the ", device_ref(d), ": ", *taken, " only."))
 
 
-def _firmware(d: m.Device, versions: str) -> Fact:
-    return Fact("firmware", (versions,), ("On the ", device_ref(d), f": firmware {versions}."))
+def _firmware(devices: list[m.Device], versions: str) -> Fact:
+    which = firmware(versions)
+    return Fact("firmware", (which,), (f"Requires {which} on the ", *device_refs(devices), "."))
 
 
 def _deprecation(d: m.Device, instead: str, model: m.Model) -> Fact:

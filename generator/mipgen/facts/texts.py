@@ -161,14 +161,7 @@ def device_ref(d: m.Device) -> Ref:
 
 
 def device_refs(devices: Iterable[m.Device]) -> Text:
-    """Lists devices; of a series, the second and further ones without its name: "3DM-CV5-10, -15 and -25"."""
-    items: list[Text] = []
-    before = ""
-    for d in devices:
-        series = "-".join(d.title.split("-")[:2])
-        items.append((Ref(d, d.title.removeprefix(series) if series == before and d.title != series else d.title),))
-        before = series
-    return joined(items)
+    return joined([(device_ref(d),) for d in devices])
 
 
 def functions(several: Iterable[m.Function]) -> Text:

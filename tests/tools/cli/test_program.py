@@ -179,7 +179,7 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
         "accelerometre": "sensor.scaled_accel",
         "waas": "3dm.gnss_sbas_settings",
         "low_pass_filter_responses": "3dm.low_pass_filter_response",
-        "gyrobias": "filter_data.gyro_bias",
+        "gyrobias": "gyro_bias",
         "how do I set the baud rate of the uart": "baud",
         "rate of turn": "sensor.scaled_gyro",
     }

@@ -2,7 +2,7 @@
 
 The ranking is BM25F (Robertson and Zaragoza, 2009), as in the search of the site (`tools/workbench/rank.mjs`). A word
 also stands for words that begin with it, for its synonyms, and for two words written as one. If nothing has it, it
-stands for the nearest known word, or for the two that it consists of.
+stands for the nearest known word, for the one with which it begins, or for the two that it consists of.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from functools import cache
 from ..binding import KEYWORDS, SETS, SYNONYMS, info, registry
 from .occurrence import Occurrence
 
-#: Weights of a word in names and keywords, in the name of the set, in parameters, in descriptions.
-_WEIGHTS = (6, 2, 1.5, 1)
+#: Weights of a word in names, in keywords, in the name of the set, in parameters, in descriptions.
+_WEIGHTS = (6, 5, 2, 1.5, 1)
 _SATURATION = 1.2
 _BY_LENGTH = 0.6
-_SYNONYM = 0.6
+_SYNONYM = 0.7
 _LONGER = 0.7
 #: Results with less than this part of the best score are left out.
 _LEAST = 1 / 8
@@ -30,10 +30,10 @@ FILLING = frozenset(
     re.findall(
         "[a-z]+",
         """
-        a about am an and any are as at be by can cannot could did do does doesn don for from get got had has have
-        how i if in into is it its just like me mean means much my need no not of on one only or our please set
-        should so still t than that the their then there they this to use using want was way we what when where
-        which while who why will with without work works would you your
+        a about am an and any are as at be between by can cannot could did do does doesn don for from get got had has
+        have how i if in into is it its just know like me mean means much my need no not of on one only or our please
+        possible same set several should so some still t than that the their then there they this to try trying use
+        using want was way we what when where which while who why will with without work works would you your
         """,
     )
 )
@@ -46,23 +46,47 @@ def all_fields() -> list[Occurrence]:
 
 def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
     """Returns the fields that have words of a text, the best first."""
-    postings = _index()[0]
     scores: dict[Occurrence, float] = defaultdict(float)
     covered: dict[Occurrence, float] = defaultdict(float)
-    whole, count = 0.0, len(all_fields())
-    for meant in _parts(list(dict.fromkeys(_words(text)))):
-        amounts: dict[Occurrence, float] = defaultdict(float)
-        for root, weight in meant.items():
-            for field, amount in postings[root].items():
-                amounts[field] += weight * amount
-        rarity = math.log(1 + (count - len(amounts) + 0.5) / (len(amounts) + 0.5))
-        whole += rarity
-        for field, amount in amounts.items():
-            scores[field] += rarity * amount / (_SATURATION + amount)
+    parts = list(_parts(list(dict.fromkeys(_words(text)))))
+    whole = 0.0
+    for meant in parts:
+        having = _having(meant)
+        whole += max((rarity for _, rarity in having.values()), default=math.log(1 + len(all_fields())))
+        for field, (score, rarity) in having.items():
+            scores[field] += score
             covered[field] += rarity
-    totals = {field: scores[field] * (covered[field] / whole) ** 2 for field in fields if field in scores}
+    stems = {stem for meant in parts for stem, weight in meant.items() if weight == 1}
+    totals = {
+        field: scores[field] * (covered[field] / whole) ** 2 * (1 + _share_of(field, stems))
+        for field in fields
+        if field in scores
+    }
     best = max(totals.values(), default=0)
     return sorted((f for f in totals if totals[f] >= best * _LEAST), key=lambda f: -totals[f])
+
+
+def _having(meant: dict[str, float]) -> dict[Occurrence, tuple[float, float]]:
+    """Returns the fields that have one of the stems: how much of it, and how rare it is; the best of a field counts."""
+    postings, count = _index()[0], len(all_fields())
+    rarities = {stem: math.log(1 + (count - len(postings[stem]) + 0.5) / (len(postings[stem]) + 0.5)) for stem in meant}
+    most = next((rarities[stem] for stem, weight in meant.items() if weight == 1), math.inf)
+    found: dict[Occurrence, tuple[float, float]] = defaultdict(lambda: (0.0, 0.0))
+    for stem, weight in meant.items():
+        rarity = min(rarities[stem], most)
+        for field, amount in postings[stem].items():
+            score, before = found[field]
+            found[field] = max(score, weight * rarity * amount / (_SATURATION + amount)), max(rarity, before)
+    return found
+
+
+def _share_of(field: Occurrence, stems: set[str]) -> float:
+    """Returns how much of a field's title was asked for, from 0 to 1; 1 if one of its keywords was."""
+    about = info(field.kind)
+    title, *keywords = (
+        [_stem(word) for word in _telling(_words(phrase))] for phrase in (about.title, *KEYWORDS.get(about.name, ()))
+    )
+    return max(sum(one in stems for one in title) / len(title), *(stems.issuperset(one) for one in keywords), 0)
 
 
 def finds_any(text: str) -> bool:
@@ -79,27 +103,35 @@ def _stem(word: str) -> str:
 
     >>> {_stem(word) for word in ("calibrate", "calibrated", "calibration", "calibrations")}
     {'calibr'}
+    >>> {_stem(word) for word in ("stopping", "stopped", "stops")}, _stem("manually"), _stem("measurement")
+    ({'stop'}, 'manual', 'measur')
     """
     if len(word) < 4 or re.search("[0-9]", word):
         return word
-    plain = re.sub(r"(?<!s)s$", "", re.sub(r"(ies|y)$", "i", word))
-    return re.sub(r"(at(ions?|e[ds]?|ing|ors?)|ions?|ing|ed|es|e)$", "", plain) if len(plain) > 4 else plain
+    plain = re.sub(r"(?<!s)s$", "", re.sub(r"(ies|ied|y)$", "i", word))
+    if len(plain) < 5:
+        return plain
+    endings = r"((?<=.{4})(li|ness|able)|(?<=.{5})e?ment|at(ions?|e[ds]?|ing|ors?)|ions?|ing|ed|es|e)$"
+    root = re.sub(endings, "", plain)
+    return re.sub(r"([bdgmnprt])\1$", r"\1", root) if root != plain else root
 
 
-def _texts(field: Occurrence) -> tuple[str, str, str, str]:
+def _texts(field: Occurrence) -> list[str]:
     """Returns what is searched, one text for each weight."""
     about = info(field.kind)
-    names = [field.name.split(".")[-1], about.title, *about.also, *KEYWORDS.get(about.name, ())]
+    names = [field.name.split(".")[-1], about.title, *about.also]
     parameters = about.parameters
     texts = [about.text, *(p.text for p in parameters)]
-    return " ".join(names), " ".join(SETS.get(field.set, ())), " ".join(p.name for p in parameters), " ".join(texts)
+    parts = (names, KEYWORDS.get(about.name, ()), SETS.get(field.set, ()), [p.name for p in parameters], texts)
+    return [" ".join(part) for part in parts]
 
 
 @cache
 def _index() -> tuple[dict[str, dict[Occurrence, float]], list[str], dict[str, set[str]]]:
     """Returns stem -> field -> how much of it, all words, and stem -> stems of its synonyms."""
     split = {field: [_words(text) for text in _texts(field)] for field in all_fields()}
-    means = [sum(len(texts[i]) for texts in split.values()) / len(split) or 1 for i in range(len(_WEIGHTS))]
+    lengths = [[len(texts[i]) for texts in split.values() if texts[i]] for i in range(len(_WEIGHTS))]
+    means = [sum(some) / len(some) if some else 1 for some in lengths]
     postings: dict[str, dict[Occurrence, float]] = defaultdict(lambda: defaultdict(float))
     for field, texts in split.items():
         for weight, mean, some in zip(_WEIGHTS, means, texts, strict=True):
@@ -113,10 +145,15 @@ def _index() -> tuple[dict[str, dict[Occurrence, float]], list[str], dict[str, s
     return dict(postings), sorted({word for texts in split.values() for some in texts for word in some}), synonyms
 
 
+def _telling(words: list[str]) -> list[str]:
+    """Returns the words that describe the subject, or all words if none do."""
+    return [word for word in words if word not in FILLING] or words
+
+
 def _parts(words: list[str]) -> Iterator[dict[str, float]]:
     """Yields the stems that each word of a query stands for."""
     postings, index_words, _ = _index()
-    words = [word for word in words if word not in FILLING] or words
+    words = _telling(words)
     for before, word, after in zip(["", *words], words, [*words[1:], ""]):
         pairs = [_stem(pair) for pair in (before + word, word + after) if pair != word]
         meant = _meant(word) | {stem: 1.0 for stem in pairs if stem in postings}
@@ -124,14 +161,17 @@ def _parts(words: list[str]) -> Iterator[dict[str, float]]:
         least = 4 if meant else 3  # letters of each half: "offset" is not "off" and "set"
         halves = ((word[:at], word[at:]) for at in range(least, len(word) - least + 1))
         both = next((two for two in halves if all(_stem(half) in postings for half in two)), ())
-        for part in near or both or [word]:
+        parts = (word[:cut] for cut in range(len(word) - 1, max(3, len(word) * 2 // 3), -1))
+        beginning = [] if meant or near or both else [part for part in parts if part in index_words][:1]
+        for part in near or both or beginning or [word]:
             yield meant | _meant(part)
 
 
 def _meant(word: str) -> dict[str, float]:
     """Returns the stems that a word stands for, with how much each counts."""
     (postings, _, synonyms), root = _index(), _stem(word)
-    meant = dict.fromkeys(synonyms.get(root, ()), _SYNONYM)
+    meant = {root: 1.0}
     if len(root) > 2:
-        meant |= dict.fromkeys((stem for stem in postings if stem.startswith(root)), _LONGER)
-    return {stem: weight for stem, weight in (meant | {root: 1.0}).items() if stem in postings}
+        meant |= {stem: _LONGER for stem in postings if stem.startswith(root) and stem != root}
+    meant |= {stem: _SYNONYM for stem in synonyms.get(root, ()) if stem not in meant}
+    return {stem: weight for stem, weight in meant.items() if stem in postings}

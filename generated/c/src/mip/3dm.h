@@ -1264,12 +1264,13 @@ struct mip_3dm_data_stream_control {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10, -15, -25,
-     * 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR: values of
-     * enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS,
-     * MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45,
-     * 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST:
-     * values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
+     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10,
+     * 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
+     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream;
+     * only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+     * MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35,
+     * 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
+     * enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
      * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
      * MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
@@ -1342,12 +1343,13 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
  */
 struct mip_3dm_data_stream_control_response {
     /**
-     * Stream specified in the command. On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25,
-     * 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and 3DM-MV5-AR: values of enum
-     * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS,
-     * MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45,
-     * 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45, 3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST:
-     * values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
+     * Stream specified in the command. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+     * 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and
+     * 3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
+     * MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+     * MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35,
+     * 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
+     * enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
      * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
      * MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
@@ -1781,11 +1783,11 @@ struct mip_3dm_pps_source_control {
     uint8_t function;
     /**
      * Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
-     * 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GV7-AHRS, -AR and -INS: only
-     * MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED. On the
-     * 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1. On the 3DM-GQ7-GNSS/INS: only
-     * MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1, MIP_3DM_PPS_SOURCE_RECEIVER_2,
-     * MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
+     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+     * 3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+     * MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
+     * On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
+     * MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
      */
     uint8_t source;
 };
@@ -3410,7 +3412,7 @@ struct mip_3dm_uart_baud_rate {
     uint8_t function;
     /**
      * New baud rate; the port must support it. Unit: Bd. Required for write. On the 3DM-GX5-15 and
-     * -45: default 115200.
+     * 3DM-GX5-45: default 115200.
      */
     uint32_t baud;
 };
@@ -3765,9 +3767,9 @@ mip_3dm_odometer_config_write_from(struct mip_3dm_odometer_config *command,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag and mip_sensor_scaled_pressure. Deprecated on the
  * 3DM-CV7-AHRS: use mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-AR: use
  * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter
- * instead. Deprecated on the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead. On the
- * 3DM-CV7-AHRS: firmware <= 1.0.07. On the 3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS:
- * firmware <= 1.0.10.
+ * instead. Deprecated on the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead. Requires
+ * firmware up to 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware up to 1.0.10 on the
+ * 3DM-GQ7-GNSS/INS.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
@@ -3926,8 +3928,8 @@ struct mip_3dm_complementary_filter {
     mip_bool pitch_roll_enable;
     /**
      * True enables the heading correction, which 5-series manuals call north compensation. Required
-     * for write. On the 3DM-CV5-10, -15, 3DM-CX5-10 and -15: MSCL has no support for it. On the
-     * 3DM-GX5-15: default true.
+     * for write. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15: MSCL has no support for
+     * it. On the 3DM-GX5-15: default true.
      */
     mip_bool heading_enable;
     /**
@@ -4165,8 +4167,9 @@ MIP_FIELD(mip_3dm_get_calibrated_sensor_ranges_response, 0xD3);
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Response:
  * mip_3dm_low_pass_filter_response. Affects mip_sensor_scaled_accel, mip_sensor_scaled_gyro,
  * mip_sensor_scaled_mag, mip_sensor_scaled_pressure, mip_filter_data_comp_accel,
- * mip_filter_data_comp_angular_rate and mip_filter_data_linear_accel. On the 3DM-CV7-AHRS: firmware
- * > 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * mip_filter_data_comp_angular_rate and mip_filter_data_linear_accel. Requires firmware later than
+ * 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware later than 1.0.10 on the
+ * 3DM-GQ7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are
  * meant.
@@ -4425,7 +4428,7 @@ struct mip_3dm_device_power_state {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
+     * The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and 3DM-GX3-25: only
      * MIP_3DM_INTERNAL_SENSOR_IMU.
      */
     uint8_t device;
@@ -4644,7 +4647,7 @@ struct mip_3dm_device_status_basic_response {
     uint32_t status_flags;
     /**
      * State of the system; the meaning of its values is not documented. On the 3DM-GX4-45,
-     * 3DM-RQ1-45-LT and -45-ST: values of enum mip_3dm_gx4_system_state.
+     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_gx4_system_state.
      */
     uint16_t system_state;
     /** Time since start-up. Unit: ms. */

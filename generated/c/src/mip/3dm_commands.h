@@ -525,11 +525,11 @@ MIP_CALL_WITH(mip_call_3dm_data_stream_control_with, mip_3dm_data_stream_control
  * Data stream control: write.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
- *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
- *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
+ *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream;
+ *   only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35,
+ *   3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  * - enable: True if the stream is sent. Default: true. Required for write. The stream starts with
@@ -547,11 +547,11 @@ static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mi
  * Data stream control: read.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
- *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
- *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
+ *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream;
+ *   only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35,
+ *   3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
@@ -567,11 +567,11 @@ mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descrip
  * Data stream control: save.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
- *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
- *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
+ *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream;
+ *   only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35,
+ *   3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
@@ -585,11 +585,11 @@ static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip
  * Data stream control: load.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
- *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
- *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
+ *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream;
+ *   only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35,
+ *   3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
@@ -603,11 +603,11 @@ static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip
  * Data stream control: default.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, 3DM-GX3-15, -25, 3DM-GX4-15, -25, 3DM-GX5-25 and
- *   3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, -45,
- *   3DM-GX4-45, 3DM-GX5-35, -45, 3DM-RQ1-45-LT and -45-ST: values of enum
+ *   3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream;
+ *   only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35,
+ *   3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
@@ -805,11 +805,11 @@ MIP_CALL_WITH(mip_call_3dm_pps_source_control_with, mip_3dm_pps_source_control,
  * PPS source control: write.
  *
  * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
- *   3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GV7-AHRS, -AR and -INS: only
- *   MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED. On the
- *   3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1. On the 3DM-GQ7-GNSS/INS: only
- *   MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1, MIP_3DM_PPS_SOURCE_RECEIVER_2,
- *   MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+ *   3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+ *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
+ *   On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
+ *   MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
  */
 static inline struct mip_result
 mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pps_source source) {
@@ -1550,7 +1550,7 @@ MIP_CALL_WITH(mip_call_3dm_uart_baud_rate_with, mip_3dm_uart_baud_rate,
  * UART baud rate: write.
  *
  * - baud: New baud rate; the port must support it. Unit: Bd. Required for write. On the 3DM-GX5-15
- *   and -45: default 115200.
+ *   and 3DM-GX5-45: default 115200.
  */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_device *device,
                                                                   uint32_t baud) {
@@ -1808,8 +1808,8 @@ MIP_CALL_WITH(mip_call_3dm_complementary_filter_with, mip_3dm_complementary_filt
  * - pitch_roll_enable: True enables the pitch and roll correction, which 5-series manuals call up
  *   compensation. Required for write. On the 3DM-GX5-15: default true.
  * - heading_enable: True enables the heading correction, which 5-series manuals call north
- *   compensation. Required for write. On the 3DM-CV5-10, -15, 3DM-CX5-10 and -15: MSCL has no
- *   support for it. On the 3DM-GX5-15: default true.
+ *   compensation. Required for write. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15:
+ *   MSCL has no support for it. On the 3DM-GX5-15: default true.
  * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1 to
  *   1000. Default: 10. Required for write.
  * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
@@ -2097,8 +2097,8 @@ MIP_CALL_WITH(mip_call_3dm_device_power_state_with, mip_3dm_device_power_state,
 /**
  * Device power state: write.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
- *   MIP_3DM_INTERNAL_SENSOR_IMU.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and 3DM-GX3-25:
+ *   only MIP_3DM_INTERNAL_SENSOR_IMU.
  * - state: Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state. Required
  *   for write.
  */
@@ -2112,8 +2112,8 @@ static inline struct mip_result mip_call_3dm_device_power_state_write(
 /**
  * Device power state: read.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
- *   MIP_3DM_INTERNAL_SENSOR_IMU.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and 3DM-GX3-25:
+ *   only MIP_3DM_INTERNAL_SENSOR_IMU.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_read(
     struct mip_device *device, enum mip_3dm_internal_sensor device_,
@@ -2126,8 +2126,8 @@ static inline struct mip_result mip_call_3dm_device_power_state_read(
 /**
  * Device power state: save.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
- *   MIP_3DM_INTERNAL_SENSOR_IMU.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and 3DM-GX3-25:
+ *   only MIP_3DM_INTERNAL_SENSOR_IMU.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_save(
     struct mip_device *device, enum mip_3dm_internal_sensor device_) {
@@ -2138,8 +2138,8 @@ static inline struct mip_result mip_call_3dm_device_power_state_save(
 /**
  * Device power state: load.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
- *   MIP_3DM_INTERNAL_SENSOR_IMU.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and 3DM-GX3-25:
+ *   only MIP_3DM_INTERNAL_SENSOR_IMU.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_load(
     struct mip_device *device, enum mip_3dm_internal_sensor device_) {
@@ -2150,8 +2150,8 @@ static inline struct mip_result mip_call_3dm_device_power_state_load(
 /**
  * Device power state: default.
  *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and -25: only
- *   MIP_3DM_INTERNAL_SENSOR_IMU.
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor. On the 3DM-GX3-15 and 3DM-GX3-25:
+ *   only MIP_3DM_INTERNAL_SENSOR_IMU.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_default(
     struct mip_device *device, enum mip_3dm_internal_sensor device_) {

@@ -216,13 +216,14 @@ MIP_FIELD(mip_base_built_in_test, 0x05);
 struct mip_base_built_in_test_response {
     /**
      * Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CV5-10,
-     * -15, -25, 3DM-CX5-10, -15, -25 and 3DM-GX5-25: values of mip_gx5_built_in_test (inferred: the
-     * 3DM-GX5-15 has it). On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS,
-     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, -AR, -INS and 3DM-RTK: values of mip_cv7_built_in_test
-     * (inferred: the 3DM-CV7-GNSS/INS has it). On the 3DM-CV7-GNSS/INS: values of
-     * mip_cv7_built_in_test. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, -25, -35, -45, 3DM-GX4-15,
-     * -25, -45, -IMU, 3DM-GX5-35, -45, 3DM-RQ1-45-LT, -45-ST and -IMU: the values are unknown. On
-     * the 3DM-GX5-15: values of mip_gx5_built_in_test.
+     * 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25 and 3DM-GX5-25: values of
+     * mip_gx5_built_in_test (inferred: the 3DM-GX5-15 has it). On the 3DM-CV7-AHRS, 3DM-CV7-AR,
+     * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+     * 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of mip_cv7_built_in_test (inferred: the
+     * 3DM-CV7-GNSS/INS has it). On the 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the
+     * 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
+     * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
+     * 3DM-RQ1-IMU: the values are unknown. On the 3DM-GX5-15: values of mip_gx5_built_in_test.
      */
     uint32_t result;
 };
@@ -329,9 +330,9 @@ MIP_FIELD(mip_base_continuous_built_in_test, 0x08);
 struct mip_base_continuous_built_in_test_response {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS,
-     * 3DM-GV7-AHRS, -AR and -INS: values of mip_cv7_inertial_bit. On the 3DM-CV7-GNSS/INS: values
-     * of mip_cv7_continuous_built_in_test.
+     * byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit.
+     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
      */
     uint8_t result[16];
 };
@@ -362,8 +363,8 @@ struct mip_base_comm_speed {
     uint8_t function;
     /**
      * Port id of the device; 0 means all ports, and is for save, load and default only. On the
-     * 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum
-     * mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of
+     * enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
      * MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
      * 3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
      * MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
@@ -436,15 +437,16 @@ mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
  */
 struct mip_base_comm_speed_response {
     /**
-     * Port id of the device. On the 3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR:
-     * values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1
-     * and MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On
-     * the 3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only
-     * MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2,
-     * MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the
-     * main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum mip_comm_interface; only
-     * MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and
-     * MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
+     * Port id of the device. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR,
+     * 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+     * MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of
+     * enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of enum
+     * mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+     * MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
+     * 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
+     * mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+     * MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are
+     * unknown.
      */
     uint8_t port;
     /** Baud rate of the port. Unit: Bd. */

@@ -161,14 +161,15 @@ MIP_CALL_WITH(mip_call_base_comm_speed_with, mip_base_comm_speed, mip_base_comm_
  * Comm port speed: write.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
- *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
- *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are unknown.
  * - baud: New baud rate; the port must support it. Unit: Bd. Required for write.
  */
 static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device *device,
@@ -184,14 +185,15 @@ static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device
  * Comm port speed: read.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
- *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
- *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_read(
     struct mip_device *device, uint8_t port, struct mip_base_comm_speed_response *response) {
@@ -204,14 +206,15 @@ static inline struct mip_result mip_call_base_comm_speed_read(
  * Comm port speed: save.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
- *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
- *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device *device,
                                                               uint8_t port) {
@@ -223,14 +226,15 @@ static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device 
  * Comm port speed: load.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
- *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
- *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device *device,
                                                               uint8_t port) {
@@ -242,14 +246,15 @@ static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device 
  * Comm port speed: default.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, -AR, 3DM-CX7-AHRS, -AR, 3DM-GV7-AHRS and -AR: values of enum mip_comm_interface;
- *   only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values
- *   of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
- *   MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are unknown.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_default(struct mip_device *device,
                                                                  uint8_t port) {

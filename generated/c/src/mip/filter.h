@@ -830,10 +830,10 @@ struct mip_filter_estimation_control {
     uint8_t function;
     /**
      * States to estimate. Required for write. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45,
-     * 3DM-GX4-15, -25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
+     * 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
      * 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
      * MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
-     * the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
+     * the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
      * MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
      * MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
      * and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
@@ -904,7 +904,7 @@ struct mip_filter_gnss_source {
     /**
      * Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for write.
      * On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
-     * On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
+     * On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
      * MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL, MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL and
      * MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_1. On the 3DM-GX5-45: only
      * MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
@@ -1084,7 +1084,7 @@ struct mip_filter_heading_source {
      * and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
      * only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
      * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
-     * On the 3DM-RQ1-45-LT and -45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+     * On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
      * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
      */
     uint8_t source;
@@ -2418,8 +2418,8 @@ struct mip_filter_accel_magnitude_adaptive {
     uint8_t function;
     /**
      * Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. Required for
-     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, -25, -45, 3DM-RQ1-45-LT and -45-ST: only
-     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+     * 3DM-RQ1-45-ST: only MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
     uint8_t adaptive_measurement;
@@ -2535,8 +2535,8 @@ struct mip_filter_mag_magnitude_adaptive {
     uint8_t function;
     /**
      * Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. Required for
-     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, -45, 3DM-RQ1-45-LT and -45-ST: only
-     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+     * 3DM-RQ1-45-ST: only MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
     uint8_t adaptive_measurement;

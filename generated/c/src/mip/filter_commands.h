@@ -289,10 +289,10 @@ MIP_CALL_WITH(mip_call_filter_estimation_control_with, mip_filter_estimation_con
  * Estimation control flags: write.
  *
  * - flags: States to estimate. Required for write. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45,
- *   3DM-GX4-15, -25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the 3DM-CV5-25,
- *   3DM-CX5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+ *   3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
+ *   3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
  *   MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
- *   the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and -45-ST: only
+ *   the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
  *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
  *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
  *   and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
@@ -322,7 +322,7 @@ MIP_CALL_WITH(mip_call_filter_gnss_source_with, mip_filter_gnss_source,
  * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
  *   write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
  *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45,
- *   3DM-RQ1-45-LT and -45-ST: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL,
  *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL and MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_1. On the
  *   3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
  *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
@@ -445,7 +445,7 @@ MIP_CALL_WITH(mip_call_filter_heading_source_with, mip_filter_heading_source,
  *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
  *   only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
  *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
- *   On the 3DM-RQ1-45-LT and -45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+ *   On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
  *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
  */
 static inline struct mip_result mip_call_filter_heading_source_write(
@@ -1049,7 +1049,7 @@ MIP_CALL_WITH(mip_call_filter_accel_magnitude_adaptive_with, mip_filter_accel_ma
  *
  * - adaptive_measurement: Kind of adaptation. A value of enum
  *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
- *   3DM-GX4-15, -25, -45, 3DM-RQ1-45-LT and -45-ST: only
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
  */
@@ -1078,7 +1078,7 @@ MIP_CALL_WITH(mip_call_filter_mag_magnitude_adaptive_with, mip_filter_mag_magnit
  *
  * - adaptive_measurement: Kind of adaptation. A value of enum
  *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
- *   3DM-GX4-25, -45, 3DM-RQ1-45-LT and -45-ST: only
+ *   3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
  * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for

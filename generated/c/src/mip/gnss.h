@@ -199,7 +199,8 @@ MIP_FIELD(mip_gnss_receiver_info_response, 0x81);
  *
  * Also called `signal_configuration`. Functions: write, read, save, load and default. Response:
  * mip_gnss_signal_config_response. Probably affects mip_gnss_data_fix_info,
- * mip_gnss_data_satellite_status and mip_gnss_data_raw. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * mip_gnss_data_satellite_status and mip_gnss_data_raw. Requires firmware later than 1.0.10 on the
+ * 3DM-GQ7-GNSS/INS.
  *
  * A device accepts only certain combinations.
  *

@@ -509,25 +509,28 @@ MIP_FIELD(mip_sensor_up_vector, 0x11);
 struct mip_sensor_gps_timestamp {
     /**
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
-     * MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags is set. On the 3DM-CV5-10, -15, -25,
-     * 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25, -45, 3DM-GX5-25 and -45: valid if
+     * MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags is set. On the 3DM-CV5-10,
+     * 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15,
+     * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: valid if
      * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set (inferred: the
-     * 3DM-GX5-15 has it). On the 3DM-GX5-15 and -35: valid if
+     * 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if
      * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set.
      */
     double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID in
-     * valid_flags is set. On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25,
-     * -45, 3DM-GX5-25 and -45: valid if MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in
-     * valid_flags is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and -35: valid if
+     * valid_flags is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+     * 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: valid
+     * if MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set (inferred: the
+     * 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if
      * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set.
      */
     uint16_t week_number;
     /**
-     * State of the time. On the 3DM-CV5-10, -15, -25, 3DM-CX5-10, -15, -25, -45, 3DM-GX4-15, -25,
-     * -45, 3DM-GX5-25 and -45: values of mip_gx5_sensor_gps_timestamp_flags (inferred: the
-     * 3DM-GX5-15 has it). On the 3DM-GX5-15 and -35: values of mip_gx5_sensor_gps_timestamp_flags.
+     * State of the time. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+     * 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values
+     * of mip_gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15
+     * and 3DM-GX5-35: values of mip_gx5_sensor_gps_timestamp_flags.
      */
     mip_sensor_gps_timestamp_flags valid_flags;
 };

@@ -107,10 +107,10 @@ MIP_CALL_WITH(mip_call_system_comm_mode_with, mip_system_comm_mode, mip_system_c
  * Communication mode: write.
  *
  * - mode: Communication mode. A value of enum mip_system_protocol_mode. Default:
- *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-CV5-15, -25, 3DM-CX5-15, -25,
- *   3DM-GX4-15, -25, 3DM-GX5-15 and -25: only MIP_SYSTEM_PROTOCOL_MODE_STANDARD and
- *   MIP_SYSTEM_PROTOCOL_MODE_SENSOR_DIRECT. On the 3DM-GX5-35: default
- *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
+ *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-CV5-15, 3DM-CV5-25,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-15 and 3DM-GX5-25: only
+ *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD and MIP_SYSTEM_PROTOCOL_MODE_SENSOR_DIRECT. On the
+ *   3DM-GX5-35: default MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
  */
 static inline struct mip_result
 mip_call_system_comm_mode_write(struct mip_device *device, enum mip_system_protocol_mode mode) {

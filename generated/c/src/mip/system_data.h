@@ -40,7 +40,7 @@ typedef uint8_t mip_system_data_gpio_pin_states;
  *
  * Flags of the tests that run all the time.
  *
- * On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * Requires firmware later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
  *
  * The field is long; stream it at a low rate or poll it.
  *
@@ -58,9 +58,9 @@ typedef uint8_t mip_system_data_gpio_pin_states;
 struct mip_system_data_built_in_test {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3DM-CV7-AHRS, -AR, -INS, 3DM-CX7-AHRS, -AR, -INS, 3DM-GQ7-GNSS/INS,
-     * 3DM-GV7-AHRS, -AR and -INS: values of mip_cv7_inertial_bit. On the 3DM-CV7-GNSS/INS: values
-     * of mip_cv7_continuous_built_in_test.
+     * byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit.
+     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
      */
     uint8_t result[16];
 };
@@ -74,7 +74,7 @@ MIP_FIELD(mip_system_data_built_in_test, 0x01);
  *
  * Synchronization of the device time with the pulse per second.
  *
- * On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * Requires firmware later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
  */
@@ -94,7 +94,7 @@ MIP_FIELD(mip_system_data_time_sync_status, 0x02);
  *
  * Levels of all user GPIO pins.
  *
- * On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * Requires firmware later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
  *
  * A pulse that is shorter than the period at which the field is sent is missed.
  *

@@ -134,9 +134,9 @@ record! {
     /// [`filter_data::AidingFrameConfigError`](crate::filter_data::AidingFrameConfigError).
     /// Probably affects
     /// [`filter_data::AidingFrameConfigErrorUncertainty`](crate::filter_data::AidingFrameConfigErrorUncertainty).
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely or
-    /// assumed on 7 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS);
+    /// likely or assumed on 7 more.
     ///
     /// - Aiding measurements refer to the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
@@ -326,8 +326,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`EchoControlResponse`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - The manual does not contain the layout of the responses that carry the data back.
     ///
@@ -919,8 +919,8 @@ record! {
     ///
     /// Also called `heading_true`. Not acknowledged if [`mode`](EchoControl::mode) of
     /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -987,8 +987,8 @@ record! {
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
-    /// assumed on 7 more.
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 7 more.
     ///
     /// - The magnetometer must be calibrated.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -1126,8 +1126,8 @@ record! {
     /// Frame configuration response (0x13,0x81).
     ///
     /// Response to [`FrameConfig`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [-INS](crate::devices::CV7_INS); likely or assumed on 7 more.
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-CV7-INS](crate::devices::CV7_INS); likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy, Default)]
@@ -1219,8 +1219,8 @@ record! {
     /// Echo control response (0x13,0x9F).
     ///
     /// Response to [`EchoControl`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
-    /// assumed on 8 more.
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.

@@ -77,10 +77,10 @@ record! {
     /// Checks whether a device is present and replies to commands.
     ///
     /// Supported by all devices; confirmed on [3DM-CV5-10](crate::devices::CV5_10),
-    /// [-15](crate::devices::CV5_15), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - A device that is not in a normal operating mode may reject the command.
     ///
@@ -111,10 +111,10 @@ record! {
     /// Stops all data streams, and wakes a sleeping device, so that it can be configured.
     ///
     /// Supported by all devices; confirmed on [3DM-CV5-10](crate::devices::CV5_10),
-    /// [-15](crate::devices::CV5_15), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - [`Resume`] restores the previous mode.
     /// - While idle, the device does not send NMEA sentences either.
@@ -147,12 +147,12 @@ record! {
     /// Gets the firmware version and the identity strings of the device.
     ///
     /// Response: [`GetDeviceInfoResponse`]. Supported by all devices; confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -183,12 +183,12 @@ record! {
     /// Gets the command and data descriptors that the device supports.
     ///
     /// Response: [`GetDeviceDescriptorsResponse`]. Supported by all devices; confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command returns
     ///   further descriptors.
@@ -222,12 +222,12 @@ record! {
     /// Runs the self test of the device and gets its result.
     ///
     /// Response: [`BuiltInTestResponse`]. The device may take 10 s to reply. Confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 27 more. Uncertain: The maximum duration of 10 s is assumed; the manual of the
-    /// 3DM-CV7 states several seconds.
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 27 more. Uncertain: The maximum duration of 10 s is assumed; the manual
+    /// of the 3DM-CV7 states several seconds.
     ///
     /// - The test interrupts normal operation for up to several seconds; no data is available
     ///   meanwhile.
@@ -264,10 +264,10 @@ record! {
     /// Ends idle mode and returns the device to the mode that it was in before.
     ///
     /// Supported by all devices; confirmed on [3DM-CV5-10](crate::devices::CV5_10),
-    /// [-15](crate::devices::CV5_15), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - If the device was not idle, it enters its default mode (3DM-GX5-15).
     ///
@@ -299,10 +299,10 @@ record! {
     ///
     /// Response: [`GetExtendedDescriptorsResponse`]. Confirmed on
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely or assumed on 12
-    /// more.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 12 more.
     ///
     /// - Only supported if [`GetDeviceDescriptors`] lists it.
     ///
@@ -335,8 +335,8 @@ record! {
     /// Gets the flags of the tests that run all the time. It does not interrupt operation.
     ///
     /// Also called `continuous_bit`. Response: [`ContinuousBuiltInTestResponse`]. Confirmed on
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely
-    /// or assumed on 9 more.
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 9 more.
     ///
     /// - It is less thorough than [`BuiltInTest`].
     /// - Each flag stays set until this command reports it; the streamed field has its own copy of
@@ -373,9 +373,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`CommSpeedResponse`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7);
-    /// likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 8 more.
     ///
     /// - The change takes effect once pending data is sent and received, after at most 250 ms.
     /// - Send it alone in a packet while the device is idle, and wait 250 ms before you continue.
@@ -388,10 +388,10 @@ record! {
         pub function: types::FunctionSelector,
         /// Port id of the device; 0 means all ports, and is for save, load and default only.
         ///
-        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [-AR](crate::devices::CX7_AR),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [-AR](crate::devices::GV7_AR): values of
-        /// [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR):
+        /// values of [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
         /// [`types::CommInterface::UART_1`] and [`types::CommInterface::USB_1`]. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`]. On
         /// the [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-CX7-INS](crate::devices::CX7_INS):
@@ -439,9 +439,9 @@ constructors! {
 impl CommSpeed {
     /// Reads `port` as [`types::CommInterface`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [-AR](crate::devices::CX7_AR),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [-AR](crate::devices::GV7_AR): values of
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR): values of
     /// [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
     /// [`types::CommInterface::UART_1`] and [`types::CommInterface::USB_1`]. On the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`]. On the
@@ -483,10 +483,10 @@ record! {
     /// [`sensor::GpsTimestamp`](crate::sensor::GpsTimestamp),
     /// [`shared::GpsTimestamp`](crate::shared::GpsTimestamp) and
     /// [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp). Confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-35](crate::devices::GX5_35); likely or assumed on 16 more. On the
+    /// [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 16 more. On the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE)
     /// only.
     ///
@@ -571,12 +571,12 @@ record! {
     ///
     /// Acknowledges the command, then resets the device immediately.
     ///
-    /// Confirmed on [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// Confirmed on [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 18 more.
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 18 more.
     ///
     /// Source: 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E); 3dm-cv7-gnss-ins: Reset device
     /// (0x01,0x7E).
@@ -604,12 +604,12 @@ record! {
     /// Get device information response (0x01,0x81).
     ///
     /// Response to [`GetDeviceInfo`]. Supported by all devices; confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -642,12 +642,12 @@ record! {
     /// Get device descriptors response (0x01,0x82).
     ///
     /// Response to [`GetDeviceDescriptors`]. Supported by all devices; confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
@@ -676,10 +676,10 @@ record! {
     /// Built-in test response (0x01,0x83).
     ///
     /// Response to [`BuiltInTest`]. Confirmed on [3DM-CV5-10](crate::devices::CV5_10),
-    /// [-15](crate::devices::CV5_15), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 27 more.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 27 more.
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
     /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
@@ -687,26 +687,26 @@ record! {
     pub struct BuiltInTestResponse {
         /// Failure flags, defined by each device. Zero means that every test passed.
         ///
-        /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25) and
+        /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25) and
         /// [3DM-GX5-25](crate::devices::GX5_25): values of [`types::Gx5BuiltInTest`] (inferred: the
         /// 3DM-GX5-15 has it). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-        /// [-AR](crate::devices::CV7_AR), [-INS](crate::devices::CV7_INS),
-        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [-AR](crate::devices::CX7_AR),
-        /// [-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [-AR](crate::devices::GV7_AR),
-        /// [-INS](crate::devices::GV7_INS) and [3DM-RTK](crate::devices::RTK): values of
+        /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+        /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-RTK](crate::devices::RTK): values of
         /// [`types::Cv7BuiltInTest`] (inferred: the 3DM-CV7-GNSS/INS has it). On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::Cv7BuiltInTest`].
         /// On the [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-        /// [3DM-GX3-15](crate::devices::GX3_15), [-25](crate::devices::GX3_25),
-        /// [-35](crate::devices::GX3_35), [-45](crate::devices::GX3_45),
-        /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
-        /// [-45](crate::devices::GX4_45), [-IMU](crate::devices::GX4_IMU),
-        /// [3DM-GX5-35](crate::devices::GX5_35), [-45](crate::devices::GX5_45),
-        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [-45-ST](crate::devices::RQ1_45_ST) and
-        /// [-IMU](crate::devices::RQ1_IMU): the values are unknown. On the
+        /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+        /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST)
+        /// and [3DM-RQ1-IMU](crate::devices::RQ1_IMU): the values are unknown. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`types::Gx5BuiltInTest`].
         pub result: u32,
     }
@@ -728,9 +728,9 @@ constructors! {
 impl BuiltInTestResponse {
     /// Reads `result` as [`types::Gx5BuiltInTest`].
     ///
-    /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-    /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25) and
+    /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25) and
     /// [3DM-GX5-25](crate::devices::GX5_25): values of [`types::Gx5BuiltInTest`] (inferred: the
     /// 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15): values of
     /// [`types::Gx5BuiltInTest`].
@@ -742,11 +742,11 @@ impl BuiltInTestResponse {
 
     /// Reads `result` as [`types::Cv7BuiltInTest`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [-AR](crate::devices::GV7_AR), [-INS](crate::devices::GV7_INS) and
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
     /// [3DM-RTK](crate::devices::RTK): values of [`types::Cv7BuiltInTest`] (inferred: the
     /// 3DM-CV7-GNSS/INS has it). On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
     /// [`types::Cv7BuiltInTest`].
@@ -770,9 +770,9 @@ record! {
     ///
     /// Response to [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
     /// [`GpsTimeField::WEEK_NUMBER`]. Confirmed on [3DM-CV5-10](crate::devices::CV5_10),
-    /// [-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-35](crate::devices::GX5_35); likely or assumed on 16 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 16 more.
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72); 3dm-cv7-gnss-ins: Timestamps.
@@ -810,9 +810,9 @@ record! {
     ///
     /// Response to [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
     /// [`GpsTimeField::TOW`]. Confirmed on [3DM-CV5-10](crate::devices::CV5_10),
-    /// [-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-35](crate::devices::GX5_35); likely or assumed on 16 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 16 more.
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72); 3dm-cv7-gnss-ins: Timestamps.
@@ -847,10 +847,10 @@ record! {
     /// Get device descriptors (extended) response (0x01,0x86).
     ///
     /// Response to [`GetExtendedDescriptors`]. Confirmed on [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 12 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 12 more.
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
@@ -879,8 +879,8 @@ record! {
     /// Continuous built-in test response (0x01,0x88).
     ///
     /// Also called `continuous_bit_response`. Response to [`ContinuousBuiltInTest`]. Confirmed on
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely
-    /// or assumed on 9 more.
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 9 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -888,12 +888,12 @@ record! {
         /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
         /// second byte.
         ///
-        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-        /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
         /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
-        /// [`types::Cv7InertialContinuousBuiltInTest`]. On the
+        /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values
+        /// of [`types::Cv7InertialContinuousBuiltInTest`]. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
         /// [`types::Cv7ContinuousBuiltInTest`].
         pub result: [u8; 16],
@@ -916,11 +916,11 @@ constructors! {
 impl ContinuousBuiltInTestResponse {
     /// Reads `result` as [`types::Cv7InertialContinuousBuiltInTest`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
     /// [`types::Cv7InertialContinuousBuiltInTest`].
     #[inline]
     #[must_use]
@@ -949,7 +949,7 @@ record! {
     /// Comm port speed response (0x01,0x89).
     ///
     /// Response to [`CommSpeed`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
@@ -957,10 +957,10 @@ record! {
     pub struct CommSpeedResponse {
         /// Port id of the device.
         ///
-        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [-AR](crate::devices::CX7_AR),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [-AR](crate::devices::GV7_AR): values of
-        /// [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR):
+        /// values of [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
         /// [`types::CommInterface::UART_1`] and [`types::CommInterface::USB_1`]. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`]. On
         /// the [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-CX7-INS](crate::devices::CX7_INS):
@@ -997,9 +997,9 @@ constructors! {
 impl CommSpeedResponse {
     /// Reads `port` as [`types::CommInterface`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [-AR](crate::devices::CX7_AR),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [-AR](crate::devices::GV7_AR): values of
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR): values of
     /// [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
     /// [`types::CommInterface::UART_1`] and [`types::CommInterface::USB_1`]. On the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`]. On the

@@ -329,9 +329,9 @@ record! {
     /// Returns the filter to its initialization state.
     ///
     /// Affects filter_data (0x82). Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 20 more.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 20 more.
     ///
     /// - If automatic initialization is off, the attitude or heading must be set before the filter
     ///   runs again.
@@ -370,7 +370,7 @@ record! {
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 12 more.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 12 more.
     ///
     /// - Accepted only in the initialization state.
     ///
@@ -432,10 +432,10 @@ record! {
     /// Affects [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 19 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 19 more.
     ///
     /// - 3DM-GX5: accepted only in the initialization state.
     /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the value of this
@@ -637,8 +637,9 @@ record! {
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate),
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Confirmed on
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 12 more. Uncertain: The text of the manual lacks the formula; it is the inverse of that of
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 12 more. Uncertain: The text of the manual lacks the formula; it is the inverse
+    /// of that of
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// which the 3DM-CV7 manual states.
     ///
@@ -790,8 +791,8 @@ record! {
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
     /// [`filter_data::AntennaOffsetCorrection`](crate::filter_data::AntennaOffsetCorrection).
     /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45); likely or assumed
-    /// on 8 more.
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 8 more.
     ///
     /// - 5-series devices expect the sensor frame.
     /// - On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands
@@ -869,8 +870,8 @@ record! {
     /// [`filter_data::AntennaOffsetCorrectionUncertainty`](crate::filter_data::AntennaOffsetCorrectionUncertainty),
     /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty) and
     /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Confirmed
-    /// on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed
-    /// on 13 more.
+    /// on [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 13 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Copy, Eq, Hash)]
@@ -882,14 +883,15 @@ record! {
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-15](crate::devices::CX5_15),
         /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [-25](crate::devices::GX4_25) and [3DM-GX5-15](crate::devices::GX5_15): only
+        /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-15](crate::devices::GX5_15): only
         /// [`gyro_bias`](EstimatedStates::gyro_bias). On the [3DM-CV5-25](crate::devices::CV5_25),
         /// [3DM-CX5-25](crate::devices::CX5_25) and [3DM-GX5-25](crate::devices::GX5_25): only
         /// [`gyro_bias`](EstimatedStates::gyro_bias),
         /// [`auto_hard_iron`](EstimatedStates::auto_hard_iron) and
         /// [`auto_soft_iron`](EstimatedStates::auto_soft_iron). On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST): only
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
         /// [`gyro_bias`](EstimatedStates::gyro_bias), [`accel_bias`](EstimatedStates::accel_bias),
         /// [`gyro_scale_factor`](EstimatedStates::gyro_scale_factor),
         /// [`accel_scale_factor`](EstimatedStates::accel_scale_factor) and
@@ -965,10 +967,11 @@ record! {
         /// [3DM-GV7-INS](crate::devices::GV7_INS): only [`GnssAidingSource::EXTERNAL`]. On the
         /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
         /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST): only
-        /// [`GnssAidingSource::ALL_INTERNAL`], [`GnssAidingSource::EXTERNAL`] and
-        /// [`GnssAidingSource::INTERNAL_1`]. On the [3DM-GX5-45](crate::devices::GX5_45): only
-        /// [`GnssAidingSource::ALL_INTERNAL`] and [`GnssAidingSource::EXTERNAL`].
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only [`GnssAidingSource::ALL_INTERNAL`],
+        /// [`GnssAidingSource::EXTERNAL`] and [`GnssAidingSource::INTERNAL_1`]. On the
+        /// [3DM-GX5-45](crate::devices::GX5_45): only [`GnssAidingSource::ALL_INTERNAL`] and
+        /// [`GnssAidingSource::EXTERNAL`].
         pub source: Option<GnssAidingSource>,
     }
     wire 2 {
@@ -1102,8 +1105,8 @@ record! {
     /// Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
     ///
     /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 15 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 15 more.
     ///
     /// - Rejected unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
@@ -1175,8 +1178,8 @@ record! {
     /// affects [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 12 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 12 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Copy, Eq, Hash)]
@@ -1196,7 +1199,7 @@ record! {
         /// [3DM-GX4-45](crate::devices::GX4_45): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
         /// [`HeadingUpdateSource::EXTERNAL`]. On the [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [-45-ST](crate::devices::RQ1_45_ST): only [`HeadingUpdateSource::NONE`],
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::GNSS_VELOCITY`] and [`HeadingUpdateSource::EXTERNAL`].
         pub source: Option<HeadingUpdateSource>,
     }
@@ -1246,8 +1249,8 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Response: [`AutoInitializationControlResponse`]. Confirmed on
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 13 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 13 more.
     ///
     /// - Automatic initialization needs a valid heading source.
     ///
@@ -1319,7 +1322,7 @@ record! {
     /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty) and
     /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Confirmed
     /// on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [-45](crate::devices::GX5_45); likely or assumed on 23 more.
+    /// and [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 23 more.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1390,7 +1393,7 @@ record! {
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty)
     /// and [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Confirmed
     /// on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [-45](crate::devices::GX5_45); likely or assumed on 23 more.
+    /// and [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 23 more.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1532,7 +1535,7 @@ record! {
     /// affects [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 23 more.
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 23 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -1679,8 +1682,8 @@ record! {
     /// Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
     ///
     /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 15 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 15 more.
     ///
     /// - Better than [`ExternalHeadingUpdate`] if the heading changes quickly; the time must be
     ///   accurate.
@@ -1770,10 +1773,10 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 19 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 19 more.
     ///
     /// - The update applies while the magnitude of the angular rate vector is at or below the
     ///   threshold.
@@ -1860,7 +1863,7 @@ record! {
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Confirmed on
     /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 11 more. On the
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 11 more. On the
     /// [3DM-GX5-15](crate::devices::GX5_15): [write](types::FunctionSelector::WRITE),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
@@ -1964,8 +1967,8 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Confirmed on
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 12 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 12 more.
     ///
     /// - At most 10 per second.
     ///
@@ -2147,8 +2150,8 @@ record! {
     /// and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
     /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 16 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 16 more.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -2557,7 +2560,7 @@ record! {
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45); likely or
     /// assumed on 14 more. Requires a magnetometer.
     ///
@@ -2644,8 +2647,8 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely
-    /// or assumed on 13 more.
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 13 more.
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are omitted.
@@ -2663,10 +2666,10 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-        /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
-        /// [-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [-45-ST](crate::devices::RQ1_45_ST): only [`AdaptiveMeasurementSelector::DISABLED`] and
-        /// [`AdaptiveMeasurementSelector::FIXED`].
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
+        /// [`AdaptiveMeasurementSelector::DISABLED`] and [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cutoff frequency of the low-pass filter.
         ///
@@ -2794,8 +2797,9 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-        /// [3DM-GX4-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST): only
+        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
         /// [`AdaptiveMeasurementSelector::DISABLED`] and [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cutoff frequency of the low-pass filter.
@@ -3086,8 +3090,8 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely
-    /// or assumed on 6 more.
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 6 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Copy, Eq, Hash)]
@@ -3459,8 +3463,8 @@ record! {
     /// Affects
     /// [`filter_data::AidingMeasurementSummary`](crate::filter_data::AidingMeasurementSummary).
     /// Probably affects filter_data (0x82). Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
-    /// assumed on 8 more.
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Eq, Hash)]
@@ -3624,7 +3628,7 @@ record! {
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 2 more.
     ///
     /// - The initial angles are in degrees, unlike those of [`SetInitialAttitude`], which are in
@@ -4450,8 +4454,8 @@ record! {
     /// Sensor to vehicle frame transformation response (0x0D,0x81).
     ///
     /// Response to [`SensorToVehicleRotationEuler`]. Confirmed on
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 12 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 12 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Copy, Default)]
@@ -4536,7 +4540,7 @@ record! {
     /// GNSS antenna offset response (0x0D,0x83).
     ///
     /// Response to [`AntennaOffset`]. Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
@@ -4573,7 +4577,7 @@ record! {
     /// Estimation control flags response (0x0D,0x84).
     ///
     /// Response to [`EstimationControl`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 13 more.
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 13 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4638,7 +4642,7 @@ record! {
     /// Heading update control response (0x0D,0x87).
     ///
     /// Response to [`HeadingSource`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 12 more.
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 12 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4670,8 +4674,8 @@ record! {
     /// Automatic initialization response (0x0D,0x88).
     ///
     /// Also called `auto_init_control_response`. Response to [`AutoInitializationControl`].
-    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely
-    /// or assumed on 13 more.
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 13 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4705,8 +4709,8 @@ record! {
     /// Accelerometer noise response (0x0D,0x89).
     ///
     /// Response to [`AccelNoise`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 23 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 23 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
@@ -4741,8 +4745,8 @@ record! {
     /// Gyroscope noise response (0x0D,0x8A).
     ///
     /// Response to [`GyroNoise`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 23 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 23 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
@@ -4818,7 +4822,7 @@ record! {
     ///
     /// Response to [`GyroBiasModel`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 23 more.
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 23 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -4899,10 +4903,10 @@ record! {
     /// Zero angular rate update response (0x0D,0x8E).
     ///
     /// Response to [`AutoAngularZupt`]. Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 19 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 19 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
@@ -5001,8 +5005,8 @@ record! {
     /// Gravity noise response (0x0D,0x93).
     ///
     /// Response to [`GravityNoise`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 16 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 16 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
@@ -5240,7 +5244,7 @@ record! {
     /// Magnetic declination source response (0x0D,0xB2).
     ///
     /// Response to [`MagneticDeclinationSource`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45); likely or
     /// assumed on 14 more.
     ///
@@ -5284,8 +5288,8 @@ record! {
     /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
     ///
     /// Response to [`AccelMagnitudeErrorAdaptiveMeasurement`]. Confirmed on
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 13 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 13 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
     #[derive(Copy, Default)]
@@ -5541,7 +5545,7 @@ record! {
     /// Pitch and roll aiding response (0x0D,0xBB).
     ///
     /// Response to [`PitchRollAiding`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 6 more.
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 6 more.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5719,8 +5723,8 @@ record! {
     /// Aiding measurement control response (0x0D,0xD0).
     ///
     /// Response to [`AidingMeasurementEnable`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5803,8 +5807,8 @@ record! {
     ///
     /// Also called `initialization_configuration_response`. Response to [`InitializationConfig`].
     /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or
-    /// assumed on 2 more.
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely
+    /// or assumed on 2 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Copy, Default)]

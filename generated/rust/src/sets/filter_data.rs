@@ -550,9 +550,9 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more.
     ///
     /// - `v_ned = q * v_vehicle * q^-1`
     /// - The 3DM-GX5-15 manual documents the inverse rotation, which is taken for a misprint.
@@ -599,9 +599,9 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 17 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 17 more.
     ///
     /// - The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     ///   v_ned`.
@@ -649,10 +649,10 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 20 more. Uncertain: The ranges of the angles are inferred; no source states them.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 20 more. Uncertain: The ranges of the angles are inferred; no source states them.
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
     ///
@@ -720,9 +720,9 @@ record! {
     ///
     /// Estimated bias of the gyroscope.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15); likely
-    /// or assumed on 18 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15);
+    /// likely or assumed on 18 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
     #[derive(Copy, Default)]
@@ -1098,9 +1098,9 @@ record! {
     ///
     /// Rate of change of the velocity, with the effect of gravity removed.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D); 3dm-gx5-15: 5.2.12 Linear Acceleration
     /// (0x82, 0x0D).
@@ -1144,10 +1144,10 @@ record! {
     ///
     /// Angular rate with the estimated bias removed.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely or assumed on
-    /// 16 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 16 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E); 3dm-gx5-15: 5.2.8 Compensated
     /// Angular Rate (0x82, 0x0E).
@@ -1239,9 +1239,9 @@ record! {
     ///
     /// State, dynamics mode, condition and warnings of the filter.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 17 more.
     ///
     /// - 7-series: state 1 is initialization, 2 vertical gyro, 3 AHRS, 4 full navigation. On the
     ///   3DM-CV7, normal operation is state 4, mode 1, flags 1 (stable).
@@ -1254,55 +1254,55 @@ record! {
     pub struct Status {
         /// Progress of the filter from start-up to its full solution.
         ///
-        /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
-        /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+        /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
         /// [`Gx5FilterState`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states
         /// for all generations up to the fifth). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-        /// [-AR](crate::devices::CV7_AR), [-INS](crate::devices::CV7_INS),
-        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [-AR](crate::devices::CX7_AR),
-        /// [-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [-AR](crate::devices::GV7_AR) and
-        /// [-INS](crate::devices::GV7_INS): values of [`Cv7FilterState`] (inferred: the
+        /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7FilterState`] (inferred: the
         /// 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
         pub filter_state: u16,
         /// Motion for which the filter is configured.
         ///
-        /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
-        /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+        /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
         /// [`Gx5DynamicsMode`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same
         /// states for all generations up to the fifth). On the
-        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-        /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
         /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
-        /// [`Cv7DynamicsMode`] (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same
-        /// states for its generation). On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
-        /// values of [`Cv7DynamicsMode`]. On the [3DM-GX5-15](crate::devices::GX5_15): values of
-        /// [`Gx5DynamicsMode`].
+        /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values
+        /// of [`Cv7DynamicsMode`] (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the
+        /// same states for its generation). On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`]. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
         pub dynamics_mode: u16,
         /// Condition and warnings.
         ///
-        /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
-        /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+        /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
         /// [`Gx5StatusFlags`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states
         /// for all generations up to the fifth). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-        /// [-AR](crate::devices::CV7_AR), [-INS](crate::devices::CV7_INS),
-        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [-AR](crate::devices::CX7_AR),
-        /// [-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [-AR](crate::devices::GV7_AR) and
-        /// [-INS](crate::devices::GV7_INS): values of [`Cv7StatusFlags`] (inferred: the
+        /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7StatusFlags`] (inferred: the
         /// 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
@@ -1332,11 +1332,11 @@ constructors! {
 impl Status {
     /// Reads `filter_state` as [`Gx5FilterState`].
     ///
-    /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-    /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+    /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
     /// [`Gx5FilterState`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
     /// all generations up to the fifth). On the [3DM-GX5-15](crate::devices::GX5_15): values of
     /// [`Gx5FilterState`].
@@ -1348,11 +1348,11 @@ impl Status {
 
     /// Reads `filter_state` as [`Cv7FilterState`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
     /// [`Cv7FilterState`] (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same
     /// states for its generation). On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
     /// of [`Cv7FilterState`].
@@ -1364,11 +1364,11 @@ impl Status {
 
     /// Reads `dynamics_mode` as [`Gx5DynamicsMode`].
     ///
-    /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-    /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+    /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
     /// [`Gx5DynamicsMode`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states
     /// for all generations up to the fifth). On the [3DM-GX5-15](crate::devices::GX5_15): values of
     /// [`Gx5DynamicsMode`].
@@ -1380,11 +1380,11 @@ impl Status {
 
     /// Reads `dynamics_mode` as [`Cv7DynamicsMode`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
     /// [`Cv7DynamicsMode`] (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same
     /// states for its generation). On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
     /// of [`Cv7DynamicsMode`].
@@ -1396,11 +1396,11 @@ impl Status {
 
     /// Reads `status_flags` as [`Gx5StatusFlags`].
     ///
-    /// On the [3DM-CV5-15](crate::devices::CV5_15), [-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-    /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+    /// On the [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
     /// [`Gx5StatusFlags`] (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
     /// all generations up to the fifth). On the [3DM-GX5-15](crate::devices::GX5_15): values of
     /// [`Gx5StatusFlags`].
@@ -1412,11 +1412,11 @@ impl Status {
 
     /// Reads `status_flags` as [`Cv7StatusFlags`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
     /// [`Cv7StatusFlags`] (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same
     /// states for its generation). On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
     /// of [`Cv7StatusFlags`].
@@ -1543,9 +1543,9 @@ record! {
     ///
     /// Estimated gravity.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15); likely
-    /// or assumed on 18 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15);
+    /// likely or assumed on 18 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13); 3dm-gx5-15: 5.2.14 Gravity Vector
     /// (0x82, 0x13).
@@ -1590,8 +1590,8 @@ record! {
     ///
     /// The last heading that updated the filter, and its source.
     ///
-    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45); likely
-    /// or assumed on 8 more.
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 8 more.
     ///
     /// - The valid bit means that the source provided data within the last 2 seconds.
     ///
@@ -2000,9 +2000,9 @@ record! {
     ///
     /// Specific force with the estimated bias removed.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 14 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 14 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C); 3dm-gx5-15: 5.2.11
     /// Compensated Acceleration (0x82, 0x1C).
@@ -3332,6 +3332,8 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Requires 2 antennas.
     ///
+    /// - It is a measurement that aids the filter. The heading of [`EulerAngles`] is the estimate
+    ///   of the filter from all measurements.
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49).
@@ -3404,9 +3406,9 @@ record! {
     /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
     /// The filter corrects for it.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely or
-    /// assumed on 2 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS);
+    /// likely or assumed on 2 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
     #[derive(Copy, Default)]

@@ -225,8 +225,8 @@ record! {
     /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
     /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus) and
     /// [`gnss_data::Raw`](crate::gnss_data::Raw). Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more. On the
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 1 more. Requires
+    /// firmware later than 1.0.10 on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - A device accepts only certain combinations.
     /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou L1 alone. For

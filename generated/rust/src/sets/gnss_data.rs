@@ -925,7 +925,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 11 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position
@@ -1020,7 +1020,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 3 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04); 3dm-cv7-gnss-ins: GNSS ECEF
@@ -1079,7 +1079,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 11 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05); 3dm-cv7-gnss-ins: NED Velocity
@@ -1174,7 +1174,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-35](crate::devices::GX5_35); likely or
     /// assumed on 2 more.
     ///
@@ -1234,8 +1234,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
-    /// or assumed on 4 more.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS);
+    /// likely or assumed on 4 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: DOP (0x91,0x07); 3dm-cv7-gnss-ins: DOP (0x92,0x07).
     #[derive(Copy, Default)]
@@ -1331,8 +1331,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
-    /// or assumed on 6 more.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS);
+    /// likely or assumed on 6 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: UTC Time (0x91,0x08); 3dm-cv7-gnss-ins: UTC Time (0x92,0x08);
     /// 3dm-cv7-gnss-ins: UTC Time (0x94,0x08).
@@ -1551,7 +1551,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [-INS](crate::devices::CV7_INS) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 5 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B); 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B);
@@ -1767,9 +1767,9 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfoSatellite`] by
     /// the size of its data. Confirmed on [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 1 more. Uncertain: Devices could also
-    /// send [`DgpsInfoSatellite`], the layout of the SDK, but only this one agrees with the valid
-    /// flags, which are the same in all sources.
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 1 more. Uncertain: Devices could
+    /// also send [`DgpsInfoSatellite`], the layout of the SDK, but only this one agrees with the
+    /// valid flags, which are the same in all sources.
     ///
     /// - The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL
     ///   and in the SDK of 2014.
@@ -1997,9 +1997,9 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
-    /// or assumed on 1 more. Uncertain: The units are inferred from those of the ephemerides; no
-    /// source states them.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS);
+    /// likely or assumed on 1 more. Uncertain: The units are inferred from those of the
+    /// ephemerides; no source states them.
     ///
     /// - It supersedes clock info.
     ///
@@ -2076,8 +2076,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
-    /// or assumed on 1 more.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS);
+    /// likely or assumed on 1 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11); 3dm-cv7-gnss-ins: GPS Leap Seconds
     /// (0x92,0x11).
@@ -2452,8 +2452,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Confirmed on
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [-INS](crate::devices::CV7_INS); likely
-    /// or assumed on 3 more.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS);
+    /// likely or assumed on 3 more.
     ///
     /// - An epoch is sent as one field for each satellite; `index` and `count` number the fields.
     ///

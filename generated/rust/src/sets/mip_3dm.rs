@@ -552,11 +552,11 @@ record! {
     ///
     /// Also called `poll_imu_message`. Not acknowledged if
     /// [`suppress_ack`](PollImuData::suppress_ack) is true. Confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 15 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 15 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollImuData::descriptors).
@@ -608,8 +608,8 @@ record! {
     /// Also called `poll_gnss_message`. Not acknowledged if
     /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 5 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 5 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
@@ -662,9 +662,9 @@ record! {
     /// Also called `poll_filter_message`. Not acknowledged if
     /// [`suppress_ack`](PollFilterData::suppress_ack) is true. Confirmed on
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 8 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 8 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollFilterData::descriptors).
@@ -765,11 +765,11 @@ record! {
     /// Gets the base rate, which is divided by the decimations of [`ImuMessageFormat`].
     ///
     /// Also called `imu_get_base_rate`. Response: [`GetImuBaseRateResponse`]. Confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 15 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 15 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -800,8 +800,8 @@ record! {
     ///
     /// Also called `gnss_get_base_rate`. Response: [`GetGnssBaseRateResponse`]. Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Known only from the
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Known only from the
     /// MicroStrain MIP SDK. Requires a receiver.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
@@ -834,11 +834,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuMessageFormatResponse`].
-    /// Confirmed on [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// Confirmed on [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
@@ -914,8 +914,9 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssMessageFormatResponse`].
     /// Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Requires a receiver.
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Requires a
+    /// receiver.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
@@ -990,9 +991,9 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`FilterMessageFormatResponse`].
     /// Confirmed on [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 9 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 9 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](FilterMessageFormat::descriptors). Required for
@@ -1066,9 +1067,9 @@ record! {
     ///
     /// Also called `filter_get_base_rate`. Response: [`GetFilterBaseRateResponse`]. Confirmed on
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 9 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 9 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1233,7 +1234,7 @@ record! {
     /// Gets the base rate, which is divided by the decimations of a descriptor set.
     ///
     /// Response: [`GetBaseRateResponse`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
@@ -1390,11 +1391,11 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Response: [`DataStreamControlResponse`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 25 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 25 more.
     ///
     /// - Devices of the generations 3 to 5 identify the stream by a number ([`LegacyDataStream`]),
     ///   other devices by its descriptor set.
@@ -1408,19 +1409,19 @@ record! {
         pub function: types::FunctionSelector,
         /// Data descriptor set; 0 means all streams (save, load, default).
         ///
-        /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-        /// [3DM-GX3-15](crate::devices::GX3_15), [-25](crate::devices::GX3_25),
-        /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+        /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
         /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-MV5-AR](crate::devices::MV5_AR): values of
         /// [`LegacyDataStream`]; only [`LegacyDataStream::ALL_STREAMS`], [`LegacyDataStream::IMU`]
         /// and [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
         /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
-        /// [3DM-GX3-35](crate::devices::GX3_35), [-45](crate::devices::GX3_45),
+        /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
         /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-        /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
         /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: Option<u8>,
@@ -1462,19 +1463,19 @@ constructors! {
 impl DataStreamControl {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-    /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [-25](crate::devices::GX3_25),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+    /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-MV5-AR](crate::devices::MV5_AR): values of
     /// [`LegacyDataStream`]; only [`LegacyDataStream::ALL_STREAMS`], [`LegacyDataStream::IMU`] and
     /// [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [-45](crate::devices::GX3_45),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
     /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
     /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
     #[inline]
@@ -1502,8 +1503,8 @@ record! {
     /// Sends RTCM 2.3 corrections to the GNSS receiver.
     ///
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST). Requires
-    /// a receiver.
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Requires a receiver.
     ///
     /// - The receiver uses the RTCM messages 1, 2, 3 and 9.
     /// - A message may be split at any byte and sent with several of these commands.
@@ -1888,15 +1889,16 @@ record! {
         /// Source of the pulse.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-        /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
-        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [-AR](crate::devices::GV7_AR) and
-        /// [-INS](crate::devices::GV7_INS): only [`PpsSource::DISABLED`], [`PpsSource::GPIO`] and
-        /// [`PpsSource::GENERATED`]. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
-        /// default [`PpsSource::RECEIVER_1`]. On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only
-        /// [`PpsSource::DISABLED`], [`PpsSource::RECEIVER_1`], [`PpsSource::RECEIVER_2`],
-        /// [`PpsSource::GPIO`] and [`PpsSource::GENERATED`].
+        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): only [`PpsSource::DISABLED`],
+        /// [`PpsSource::GPIO`] and [`PpsSource::GENERATED`]. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): default [`PpsSource::RECEIVER_1`]. On
+        /// the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only [`PpsSource::DISABLED`],
+        /// [`PpsSource::RECEIVER_1`], [`PpsSource::RECEIVER_2`], [`PpsSource::GPIO`] and
+        /// [`PpsSource::GENERATED`].
         pub source: Option<PpsSource>,
     }
     wire 2 {
@@ -1943,8 +1945,8 @@ record! {
     /// each.
     ///
     /// Response: [`GetEventSupportResponse`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     #[derive(Copy, Default, Eq, Hash)]
@@ -2126,8 +2128,8 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Response: [`EventTriggerConfigResponse`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - The trigger is disabled afterwards; [`EventControl`] enables it.
     /// - A GPIO trigger needs its pin configured by [`GpioConfig`].
@@ -2235,8 +2237,8 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Response: [`EventActionConfigResponse`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - A packet holds one descriptor set; for several sets use several actions with the same
     ///   trigger.
@@ -2351,9 +2353,9 @@ record! {
     /// Functions: [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). The device may take 2 s to reply. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 22 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 22 more.
     ///
     /// - A save may disturb the data output for a short time.
     /// - A save may take up to 1 s. Use a reply time-out of at least 2 s.
@@ -2922,9 +2924,9 @@ record! {
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity) and
     /// [`filter_data::AccelBias`](crate::filter_data::AccelBias). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 24 more. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 24 more. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only.
@@ -2995,10 +2997,10 @@ record! {
     /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::Status`](crate::filter_data::Status). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 23 more. On the
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 23 more. On the
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
@@ -3072,11 +3074,11 @@ record! {
     /// Probably affects [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::Status`](crate::filter_data::Status). The device may take 31 s to reply.
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 21 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 21 more.
     ///
     /// - The device must be at rest, with as little vibration as possible, for the whole time.
     /// - The reply arrives after the averaging time.
@@ -3128,10 +3130,10 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
     /// Response: [`MagHardIronOffsetResponse`]. Affects
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 14 more. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 14 more. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
@@ -3211,10 +3213,10 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
     /// Response: [`MagSoftIronMatrixResponse`]. Affects
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 14 more. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 14 more. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
@@ -3294,8 +3296,8 @@ record! {
     /// Probably affects [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity). Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 15 more.
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 15 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Eq, Hash)]
@@ -3354,9 +3356,9 @@ record! {
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Response: [`UartBaudRateResponse`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 12 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 12 more.
     ///
     /// - The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later.
     /// - The 3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then,
@@ -3373,7 +3375,8 @@ record! {
         /// New baud rate; the port must support it.
         ///
         /// Unit: Bd. Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-GX5-15](crate::devices::GX5_15) and [-45](crate::devices::GX5_45): default 115200.
+        /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45): default
+        /// 115200.
         pub baud: Option<u32>,
     }
     wire 5 {
@@ -3423,8 +3426,8 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GpioConfigResponse`]. Probably
     /// affects [`system_data::GpioState`](crate::system_data::GpioState) and
     /// [`system_data::GpioAnalogValue`](crate::system_data::GpioAnalogValue). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - Not every pin has every feature.
     /// - For an output with a feature other than gpio, configure the function that drives it before
@@ -3741,18 +3744,18 @@ record! {
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag) and
     /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 20 more. Deprecated on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use
-    /// [`LowPassFilter`] instead. Deprecated on the [3DM-CV7-AR](crate::devices::CV7_AR): use
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 20 more. Deprecated on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// use [`LowPassFilter`] instead. Deprecated on the [3DM-CV7-AR](crate::devices::CV7_AR): use
     /// [`LowPassFilter`] instead. Deprecated on the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): use [`LowPassFilter`] instead. Deprecated
-    /// on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`] instead. On the
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): firmware \<= 1.0.07. On the
-    /// [3DM-CV7-AR](crate::devices::CV7_AR): firmware \<= 1.0.07. On the
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \<= 1.0.10.
+    /// on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`] instead. Requires
+    /// firmware up to 1.0.07 on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and
+    /// [3DM-CV7-AR](crate::devices::CV7_AR). Requires firmware up to 1.0.10 on the
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The filter has one pole. By default it is on and its cutoff is half the rate of the
     ///   message format.
@@ -3848,8 +3851,8 @@ record! {
     /// [`sensor::NorthVector`](crate::sensor::NorthVector) and
     /// [`sensor::UpVector`](crate::sensor::UpVector). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35); likely or assumed on
-    /// 22 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35); likely or
+    /// assumed on 22 more.
     ///
     /// - Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is
     ///   zero.
@@ -3872,9 +3875,9 @@ record! {
         /// True enables the heading correction, which 5-series manuals call north compensation.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-        /// [3DM-CX5-10](crate::devices::CX5_10) and [-15](crate::devices::CX5_15): MSCL has no
-        /// support for it. On the [3DM-GX5-15](crate::devices::GX5_15): default true.
+        /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CX5-10](crate::devices::CX5_10) and [3DM-CX5-15](crate::devices::CX5_15): MSCL has
+        /// no support for it. On the [3DM-GX5-15](crate::devices::GX5_15): default true.
         pub heading_enable: Option<crate::Bool>,
         /// Time constant of the pitch and roll correction.
         ///
@@ -4064,11 +4067,12 @@ record! {
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7);
-    /// likely or assumed on 7 more. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): firmware \>
-    /// 1.0.07. On the [3DM-CV7-AR](crate::devices::CV7_AR): firmware \> 1.0.07. On the
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more. Requires firmware
+    /// later than 1.0.07 on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and
+    /// [3DM-CV7-AR](crate::devices::CV7_AR). Requires firmware later than 1.0.10 on the
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all
     ///   sets are meant.
@@ -4240,8 +4244,8 @@ record! {
         pub function: types::FunctionSelector,
         /// The sensor.
         ///
-        /// On the [3DM-GX3-15](crate::devices::GX3_15) and [-25](crate::devices::GX3_25): only
-        /// [`InternalSensor::IMU`].
+        /// On the [3DM-GX3-15](crate::devices::GX3_15) and [3DM-GX3-25](crate::devices::GX3_25):
+        /// only [`InternalSensor::IMU`].
         pub device: Option<InternalSensor>,
         /// Power state of an internal sensor.
         ///
@@ -4349,9 +4353,9 @@ record! {
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`],
     /// [`DeviceStatusBasicGx3Response`] or [`DeviceStatusDiagnosticGx3Response`]. Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 17 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 17 more.
     ///
     /// - The device expects its own model number, which
     ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) returns.
@@ -4440,11 +4444,11 @@ record! {
     /// IMU message format response (0x0C,0x80).
     ///
     /// Response to [`ImuMessageFormat`]. Confirmed on [3DM-CV5-10](crate::devices::CV5_10),
-    /// [-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 14 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 14 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](ImuMessageFormatResponse::descriptors).
@@ -4480,9 +4484,9 @@ record! {
     /// GNSS message format response (0x0C,0x81).
     ///
     /// Response to [`GnssMessageFormat`]. Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 4 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 4 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](GnssMessageFormatResponse::descriptors). Range: 0 to 82.
@@ -4520,8 +4524,8 @@ record! {
     ///
     /// Response to [`FilterMessageFormat`]. Confirmed on [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 9 more.
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 9 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](FilterMessageFormatResponse::descriptors).
@@ -4557,11 +4561,11 @@ record! {
     /// Get IMU data base rate response (0x0C,0x83).
     ///
     /// Also called `imu_get_base_rate_response`. Response to [`GetImuBaseRate`]. Confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 15 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 15 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4596,8 +4600,8 @@ record! {
     ///
     /// Also called `gnss_get_base_rate_response`. Response to [`GetGnssBaseRate`]. Confirmed on
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Known only from the
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Known only from the
     /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
@@ -4632,11 +4636,11 @@ record! {
     /// Data stream control response (0x0C,0x85).
     ///
     /// Also called `datastream_control_response`. Response to [`DataStreamControl`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 25 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 25 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -4644,19 +4648,19 @@ record! {
     pub struct DataStreamControlResponse {
         /// Stream specified in the command.
         ///
-        /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-        /// [3DM-GX3-15](crate::devices::GX3_15), [-25](crate::devices::GX3_25),
-        /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+        /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
         /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-MV5-AR](crate::devices::MV5_AR): values of
         /// [`LegacyDataStream`]; only [`LegacyDataStream::ALL_STREAMS`], [`LegacyDataStream::IMU`]
         /// and [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
         /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
-        /// [3DM-GX3-35](crate::devices::GX3_35), [-45](crate::devices::GX3_45),
+        /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
         /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-        /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
         /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: u8,
@@ -4682,19 +4686,19 @@ constructors! {
 impl DataStreamControlResponse {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-    /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [-25](crate::devices::GX3_25),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
+    /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-MV5-AR](crate::devices::MV5_AR): values of
     /// [`LegacyDataStream`]; only [`LegacyDataStream::ALL_STREAMS`], [`LegacyDataStream::IMU`] and
     /// [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [-45](crate::devices::GX3_45),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
     /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
     /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
     #[inline]
@@ -4789,9 +4793,9 @@ record! {
     ///
     /// Also called `uart_baudrate_response`. Response to [`UartBaudRate`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 12 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 12 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
     /// (0x0C,0x40).
@@ -4897,9 +4901,9 @@ record! {
     ///
     /// Also called `filter_get_base_rate_response`. Response to [`GetFilterBaseRate`]. Confirmed on
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 9 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 9 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4933,11 +4937,11 @@ record! {
     /// Advanced low-pass filter settings response (0x0C,0x8B).
     ///
     /// Also called `imu_lowpass_filter_response`. Response to [`ImuLowPassFilter`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 20 more.
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 20 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
@@ -5030,7 +5034,7 @@ record! {
     /// Get data base rate response (0x0C,0x8E).
     ///
     /// Response to [`GetBaseRate`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
@@ -5162,9 +5166,9 @@ record! {
     /// and [`DeviceStatusBasicGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
     /// Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35), [-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [-45-ST](crate::devices::RQ1_45_ST); likely
-    /// or assumed on 9 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 9 more.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
@@ -5180,7 +5184,7 @@ record! {
         /// State of the system; the meaning of its values is not documented.
         ///
         /// On the [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT)
-        /// and [-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
+        /// and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
         pub system_state: u16,
         /// Time since start-up.
         ///
@@ -5213,7 +5217,7 @@ impl DeviceStatusBasicResponse {
     /// Reads `system_state` as [`Gx4SystemState`].
     ///
     /// On the [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
     #[inline]
     #[must_use]
     pub fn system_state_as_gx4_system_state(&self) -> Gx4SystemState {
@@ -5419,11 +5423,11 @@ record! {
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Confirmed on [3DM-GX5-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely
-    /// or assumed on 2 more. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5
-    /// and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the values,
-    /// from which the descriptions are inferred; the times are assumed to be in ms like the system
-    /// timer.
+    /// Confirmed on [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45);
+    /// likely or assumed on 2 more. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45
+    /// of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the
+    /// values, from which the descriptions are inferred; the times are assumed to be in ms like the
+    /// system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -5770,9 +5774,9 @@ record! {
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST). Uncertain: No known manual documents it. Uncertain:
-    /// MSCL lists only the names of the values, from which the descriptions are inferred; the times
-    /// are assumed to be in ms like the system timer.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: No known manual documents it.
+    /// Uncertain: MSCL lists only the names of the values, from which the descriptions are
+    /// inferred; the times are assumed to be in ms like the system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6879,8 +6883,8 @@ record! {
     ///
     /// Response to [`ComplementaryFilter`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35); likely or assumed on
-    /// 22 more.
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35); likely or
+    /// assumed on 22 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
@@ -6934,8 +6938,8 @@ record! {
     ///
     /// Response to [`AccelBias`]. Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 24 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 24 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
@@ -6972,11 +6976,11 @@ record! {
     /// The bias in use.
     ///
     /// Also called `capture_gyro_bias_response`. Response to [`GyroBias`] and [`CaptureGyroBias`].
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 21 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 21 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
@@ -7011,9 +7015,9 @@ record! {
     /// Magnetometer hard iron offset response (0x0C,0x9C).
     ///
     /// Response to [`MagHardIronOffset`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
@@ -7048,9 +7052,9 @@ record! {
     /// Magnetometer soft iron matrix response (0x0C,0x9D).
     ///
     /// Response to [`MagSoftIronMatrix`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
@@ -7086,7 +7090,7 @@ record! {
     ///
     /// Response to [`ConingScullingEnable`]. Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 15 more.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 15 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7471,8 +7475,8 @@ record! {
     /// Get supported events response (0x0C,0xB4).
     ///
     /// Response to [`GetEventSupport`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
-    /// assumed on 8 more.
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 8 more.
     ///
     /// The wire format also contains `num_entries`: Number of types. Counts the elements of
     /// [`entries`](GetEventSupportResponse::entries).
@@ -7628,8 +7632,8 @@ record! {
     /// Event trigger configuration response (0x0C,0xB8).
     ///
     /// Also called `event_trigger_response`. Response to [`EventTriggerConfig`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
     #[derive(Copy, Default)]
@@ -7670,8 +7674,8 @@ record! {
     /// Event action configuration response (0x0C,0xB9).
     ///
     /// Also called `event_action_response`. Response to [`EventActionConfig`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Event
     /// Cycle.
@@ -7720,8 +7724,8 @@ record! {
     /// GPIO configuration response (0x0C,0xC1).
     ///
     /// Response to [`GpioConfig`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-AR](crate::devices::CV7_AR) and [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or
-    /// assumed on 8 more.
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS);
+    /// likely or assumed on 8 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
     #[derive(Copy, Default, Eq, Hash)]
@@ -8016,9 +8020,9 @@ record! {
     /// Low-pass anti-aliasing filter response (0x0C,0xD4).
     ///
     /// Also called `lowpass_filter_response`. Response to [`LowPassFilter`]. Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7);
-    /// likely or assumed on 7 more.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
     #[derive(Copy, Default)]

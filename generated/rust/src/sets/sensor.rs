@@ -175,11 +175,11 @@ record! {
     ///
     /// Specific force, temperature compensated: about -1 g on z when level and at rest.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely or assumed on 24
-    /// more.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 24 more.
     ///
     /// - At rest, it is the opposite of the gravity vector.
     ///
@@ -216,11 +216,11 @@ record! {
     ///
     /// Measured angular rate, temperature compensated.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely or assumed on 24
-    /// more.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 24 more.
     ///
     /// Source: 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05); 3dm-cv7-gnss-ins: Scaled Gyro
     /// (0x80,0x05).
@@ -257,9 +257,9 @@ record! {
     /// Measured magnetic field, temperature compensated.
     ///
     /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [-45](crate::devices::GX5_45); likely or assumed on 16 more. Requires a magnetometer.
+    /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 16 more. Requires a magnetometer.
     ///
     /// Source: 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06).
     #[derive(Copy, Default)]
@@ -295,7 +295,7 @@ record! {
     ///
     /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-35](crate::devices::GX5_35); likely or assumed on 21 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 21 more.
     ///
     /// Source: 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07); 3dm-cv7-gnss-ins: Delta Theta
     /// (0x80,0x07).
@@ -413,9 +413,9 @@ record! {
     ///
     /// Attitude from the complementary filter as a quaternion, relative to the NED frame.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 18 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 18 more.
     ///
     /// - The 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
     /// - `v_ned = q * v_vehicle * q^-1`
@@ -494,10 +494,10 @@ record! {
     ///
     /// Attitude from the complementary filter as Euler angles, relative to the NED frame.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15); likely
-    /// or assumed on 19 more. Uncertain: The ranges of the angles are inferred; no source states
-    /// them.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15);
+    /// likely or assumed on 19 more. Uncertain: The ranges of the angles are inferred; no source
+    /// states them.
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
@@ -775,8 +775,8 @@ record! {
     ///
     /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     ///
-    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35); likely
-    /// or assumed on 10 more.
+    /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35);
+    /// likely or assumed on 10 more.
     ///
     /// - At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation
     ///   moves the latter out of the sensor frame.
@@ -818,7 +818,7 @@ record! {
     ///
     /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-35](crate::devices::GX5_35); likely or assumed on 12 more.
+    /// [3DM-GX5-35](crate::devices::GX5_35); likely or assumed on 12 more.
     ///
     /// - Without a PPS the time runs on the internal clock and jumps when the PPS returns.
     /// - The fraction of the time of week is the time since the last pulse.
@@ -834,15 +834,15 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid) is set. On the
-        /// [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): valid if
+        /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
-        /// [-35](crate::devices::GX5_35): valid if
+        /// [3DM-GX5-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -851,28 +851,28 @@ record! {
         ///
         /// Unit: week. Valid if
         /// [`valid_flags.week_number_valid`](types::SensorGpsTimestampFlags::week_number_valid) is
-        /// set. On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): valid if
+        /// set. On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
-        /// [-35](crate::devices::GX5_35): valid if
+        /// [3DM-GX5-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub week_number: u16,
         /// State of the time.
         ///
-        /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-        /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-        /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25),
-        /// [-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [-25](crate::devices::GX4_25), [-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [-45](crate::devices::GX5_45): values of
+        /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
         /// [`types::Gx5SensorGpsTimestampFlags`] (inferred: the 3DM-GX5-15 has it). On the
-        /// [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35): values of
+        /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
         /// [`types::Gx5SensorGpsTimestampFlags`].
         pub valid_flags: types::SensorGpsTimestampFlags,
     }
@@ -900,14 +900,15 @@ constructors! {
 impl GpsTimestamp {
     /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
     ///
-    /// On the [3DM-CV5-10](crate::devices::CV5_10), [-15](crate::devices::CV5_15),
-    /// [-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [-15](crate::devices::CX5_15), [-25](crate::devices::CX5_25), [-45](crate::devices::CX5_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [-25](crate::devices::GX4_25),
-    /// [-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [-45](crate::devices::GX5_45): values of [`types::Gx5SensorGpsTimestampFlags`] (inferred:
-    /// the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [-35](crate::devices::GX5_35): values of [`types::Gx5SensorGpsTimestampFlags`].
+    /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
+    /// [`types::Gx5SensorGpsTimestampFlags`] (inferred: the 3DM-GX5-15 has it). On the
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
+    /// [`types::Gx5SensorGpsTimestampFlags`].
     #[inline]
     #[must_use]
     pub fn valid_flags_as_gx5_sensor_gps_timestamp_flags(&self) -> types::Gx5SensorGpsTimestampFlags {
@@ -1096,10 +1097,10 @@ record! {
     ///
     /// Measured ambient pressure, temperature compensated.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [-35](crate::devices::GX5_35); likely or assumed on
-    /// 17 more. Requires a pressure sensor.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35); likely or
+    /// assumed on 17 more. Requires a pressure sensor.
     ///
     /// Source: 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17); 3dm-cv7-gnss-ins: Scaled
     /// Pressure (0x80,0x17).
@@ -1135,9 +1136,9 @@ record! {
     ///
     /// Sensor axes that are near or outside their range.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7);
-    /// likely or assumed on 7 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18).
     #[derive(Copy, Default, Eq, Hash)]

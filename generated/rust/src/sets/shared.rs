@@ -49,8 +49,8 @@ record! {
     ///
     /// The event trigger that caused the packet.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR)
+    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more.
     ///
     /// - Put it first in the format of event messages, to distinguish their packets from scheduled
     ///   ones.
@@ -161,9 +161,9 @@ record! {
     ///
     /// External time of the data as GPS time of week and week number.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7);
-    /// likely or assumed on 7 more.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more.
     ///
     /// - In event messages it is the time of the trigger.
     /// - It becomes valid after the PPS is locked and
@@ -228,7 +228,7 @@ record! {
     /// External time since this field was last sent in the same set and event instance.
     ///
     /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - It is the same as [`ExternalTimeDelta`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.
@@ -267,7 +267,7 @@ record! {
     /// Time of the data by the internal reference clock.
     ///
     /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - The clock starts at power-on, only moves forward and never jumps; the value is always
     ///   valid.
@@ -306,7 +306,7 @@ record! {
     /// Reference time since this field was last sent in the same set and event instance.
     ///
     /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - The value is always valid.
     ///
@@ -343,7 +343,7 @@ record! {
     /// Time of the data in the external clock domain.
     ///
     /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - It is [`GpsTimestamp`] in nanoseconds.
     /// - In event messages it is the time of the trigger.
@@ -398,7 +398,7 @@ record! {
     /// External time since this field was last sent in the same set and event instance.
     ///
     /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more.
     ///
     /// - It is the same as [`DeltaTime`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.

@@ -137,8 +137,8 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Response: [`CommModeResponse`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely or assumed on 17
-    /// more.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 17 more.
     ///
     /// - The ACK is sent in the old mode, just before the switch.
     /// - In a direct mode, the device itself replies only to this command and
@@ -153,10 +153,10 @@ record! {
         ///
         /// Default: [`ProtocolMode::STANDARD`]. Required for
         /// [write](types::FunctionSelector::WRITE). On the [3DM-CV5-15](crate::devices::CV5_15),
-        /// [-25](crate::devices::CV5_25), [3DM-CX5-15](crate::devices::CX5_15),
-        /// [-25](crate::devices::CX5_25), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [-25](crate::devices::GX4_25), [3DM-GX5-15](crate::devices::GX5_15) and
-        /// [-25](crate::devices::GX5_25): only [`ProtocolMode::STANDARD`] and
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-15](crate::devices::CX5_15),
+        /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX5-15](crate::devices::GX5_15) and
+        /// [3DM-GX5-25](crate::devices::GX5_25): only [`ProtocolMode::STANDARD`] and
         /// [`ProtocolMode::SENSOR_DIRECT`]. On the [3DM-GX5-35](crate::devices::GX5_35): default
         /// [`ProtocolMode::STANDARD`].
         pub mode: Option<ProtocolMode>,
@@ -246,8 +246,8 @@ record! {
     /// Communication mode response (0x7F,0x90).
     ///
     /// Response to [`CommMode`]. Confirmed on [3DM-GX5-15](crate::devices::GX5_15),
-    /// [-35](crate::devices::GX5_35) and [-45](crate::devices::GX5_45); likely or assumed on 17
-    /// more.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45); likely or
+    /// assumed on 17 more.
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
     #[derive(Copy, Default, Eq, Hash)]

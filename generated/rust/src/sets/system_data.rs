@@ -36,9 +36,10 @@ record! {
     ///
     /// Flags of the tests that run all the time.
     ///
-    /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR), [-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 8 more. On the
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
+    /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 8 more. Requires firmware
+    /// later than 1.0.10 on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The field is long; stream it at a low rate or poll it.
     /// - A fault that has passed before the next message is still reported, because its flag stays
@@ -53,12 +54,12 @@ record! {
         /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
         /// second byte.
         ///
-        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-        /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
         /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
-        /// [`types::Cv7InertialContinuousBuiltInTest`]. On the
+        /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values
+        /// of [`types::Cv7InertialContinuousBuiltInTest`]. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
         /// [`types::Cv7ContinuousBuiltInTest`].
         pub result: [u8; 16],
@@ -81,11 +82,11 @@ constructors! {
 impl BuiltInTest {
     /// Reads `result` as [`types::Cv7InertialContinuousBuiltInTest`].
     ///
-    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR),
-    /// [-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [-AR](crate::devices::CX7_AR), [-INS](crate::devices::CX7_INS),
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [-AR](crate::devices::GV7_AR) and [-INS](crate::devices::GV7_INS): values of
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
     /// [`types::Cv7InertialContinuousBuiltInTest`].
     #[inline]
     #[must_use]
@@ -114,9 +115,9 @@ record! {
     ///
     /// Synchronization of the device time with the pulse per second.
     ///
-    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more. On the
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
+    /// Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR)
+    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 8 more. Requires
+    /// firmware later than 1.0.10 on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02).
     #[derive(Copy, Default, Eq, Hash)]
@@ -154,8 +155,8 @@ record! {
     /// Levels of all user GPIO pins.
     ///
     /// Confirmed on [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more. On the
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 9 more. Requires
+    /// firmware later than 1.0.10 on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - A pulse that is shorter than the period at which the field is sent is missed.
     /// - The pins are sampled within one base period of this set.

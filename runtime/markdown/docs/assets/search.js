@@ -3,6 +3,7 @@
 globalThis.mipSearch = (() => {
     const MOST = 14;
     const OF_A_PAGE = 2;
+    const LEAST = 5; // results are shown even if they are much worse than the first
     const NAMED = 6; // fields whose names begin with the text
     /** How much pages count that are rarely asked for: those that repeat others, those for developers, documents. */
     const COUNT = [
@@ -19,20 +20,21 @@ globalThis.mipSearch = (() => {
     function documentsOf(index, texts) {
         const pages = new Map(texts.map((page) => [page[0], page]));
         const documents = [];
-        for (const { field, texts: own } of index?.entries ?? []) {
+        for (const { field, phrases, texts: own } of index?.entries ?? []) {
             const href = addressOf(field);
             const url = href.split("#")[0];
             const isPage = url.startsWith("fields/");
             if (field.command && isPage) continue; // a response is on the page of its command
             const sections = (isPage && pages.get(url)?.[2]) || [];
             pages.delete(isPage ? url : "");
-            const text = `${own[3]} ${sections.map((section) => section.slice(1).join(" ")).join(" ")}`;
+            const text = `${own.at(-1)} ${sections.map((section) => section.slice(1).join(" ")).join(" ")}`;
             documents.push({
                 field,
                 href,
                 title: field.title,
                 less: field.deprecated ? DEPRECATED : 1,
-                texts: [own[0], own[1], own[2], text],
+                phrases,
+                texts: [...own.slice(0, -1), text],
             });
         }
         const devices = new Map((index?.protocol.model.devices ?? []).map((device) => [`devices/${device.id}.html`, device]));
@@ -42,8 +44,8 @@ globalThis.mipSearch = (() => {
             for (const [anchor, heading, content] of sections) {
                 const href = anchor ? `${url}#${anchor}` : url;
                 const less = COUNT.find(([pages]) => pages.test(href))?.[1] ?? 1;
-                const own = heading ? [heading, title] : [others, title];
-                documents.push({ url, href, title, heading, content, less, texts: [...own, "", content] });
+                const own = heading ? [heading, "", title] : [others, "", title];
+                documents.push({ url, href, title, heading, content, less, phrases: [heading || title], texts: [...own, "", content] });
             }
         }
         return documents;
@@ -53,16 +55,10 @@ globalThis.mipSearch = (() => {
     function plainly(documents, text) {
         const words = text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
         const found = documents.map(({ texts }, at) => {
-            const [title, whole] = [texts.slice(0, 2), texts].map((some) => some.join(" ").toLowerCase());
+            const [title, whole] = [texts.slice(0, 3), texts].map((some) => some.join(" ").toLowerCase());
             return { at, score: words.reduce((sum, word) => sum + whole.includes(word) + title.includes(word), 0) };
         });
         return { found: found.filter(({ score }) => score).sort((a, b) => b.score - a.score) };
-    }
-
-    /** Returns how much of a title was asked for, from 0 to 1. */
-    function shareOf(title, words) {
-        const own = mip.telling(title).map(mip.stem);
-        return own.filter((word) => words.includes(word)).length / (own.length || 1);
     }
 
     /** The documents that have the words, the best first, at most `OF_A_PAGE` of a page. */
@@ -71,19 +67,18 @@ globalThis.mipSearch = (() => {
         const words = ranking ? mip.telling(text).map(mip.stem) : [];
         const isSentence = ranking && (words.length > 3 || words.length < mip.wordsOf(text).length);
         for (const one of found) {
-            const { title, heading, href, less } = documents[one.at];
+            const { href, less } = documents[one.at];
             one.score *= less;
-            if (ranking) one.score *= 1 + shareOf(heading || title, words);
             if (isSentence && href.includes(".question_")) one.score *= 1.5;
         }
         found.sort((a, b) => b.score - a.score || a.at - b.at);
         const counts = new Map();
-        const kept = found.filter(({ at, score }) => {
+        const spread = found.filter(({ at }) => {
             const { url, href } = documents[at];
             counts.set(url ?? href, (counts.get(url ?? href) ?? 0) + 1);
-            return counts.get(url ?? href) <= OF_A_PAGE && score > found[0].score / 10;
+            return counts.get(url ?? href) <= OF_A_PAGE;
         });
-        return kept.map(({ at }) => documents[at]);
+        return spread.filter(({ score }, i) => i < LEAST || score > found[0].score / 10).map(({ at }) => documents[at]);
     }
 
     /** Returns the text around the first of the words. */
@@ -121,8 +116,7 @@ globalThis.mipSearch = (() => {
     function rankingOf(index, texts) {
         if (made[0] !== index || made[1] !== texts) {
             const documents = documentsOf(index, texts);
-            const own = (one) => one.texts;
-            const ranking = index && new mip.Ranking(documents.map(own), mip.WEIGHTS, mip.synonymsOf(index.protocol.model));
+            const ranking = index && new mip.Ranking(documents, mip.WEIGHTS, mip.synonymsOf(index.protocol.model));
             made = [index, texts, documents, ranking];
         }
         return made.slice(2);

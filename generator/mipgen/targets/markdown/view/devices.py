@@ -144,13 +144,25 @@ class Device(View[m.Device]):
         return table(rows, ["Limit", "Name", "Value"])
 
     @property
+    def firmware(self) -> str:
+        """The fields that only some versions of its firmware have."""
+        some = [s for s in self.of.supports if s.firmware and s.field.role != m.RESPONSE]
+        rows = [[self.page.link(s.field), inline(describe.firmware(s.firmware or ""))] for s in some]
+        return table(rows, ["Field", "Requires"])
+
+    @property
     def variants(self) -> str:
-        """The parameters with a different meaning on the device."""
-        rows = []
+        """The parameters with a different meaning on the device; those of a command and its response in one row."""
+        by_parameter: dict[tuple[str, str, str], list[str]] = {}  # command or data, parameter, difference -> fields
         for v in self.of.variants:
-            difference = describe.variant_text(v.variant, v.parameter, v.field, self.model)
-            rows.append([self.page.link(v.field), code(v.parameter.name), self.page.markdown(difference)])
-        return table(rows, ["Field", "Parameter", "On this device"])
+            difference = self.page.markdown(describe.variant_text(v.variant, v.parameter, v.field, self.model))
+            owner = (*self.model.commands(v.field), v.field)[0].full_name
+            by_parameter.setdefault((owner, v.parameter.name, difference), []).append(self.page.link(v.field))
+        rows: dict[tuple[str, str], list[str]] = {}  # fields, difference -> parameters
+        for (_, name, difference), fields in by_parameter.items():
+            rows.setdefault(("<br>".join(fields), difference), []).append(code(name))
+        cells = [[fields, ", ".join(names), difference] for (fields, difference), names in rows.items()]
+        return table(cells, ["Field", "Parameter", "On this device"])
 
     @property
     def notes(self) -> list[Section]:
@@ -182,10 +194,10 @@ def base_rate(d: m.Device, s: m.Set) -> str:
 def protocols(of: m.Port, names: Iterable[str]) -> str:
     """Lists the protocols of a port, with the firmware that supports them."""
     versions = {f.protocol: f.versions for f in of.firmware}
-    return ", ".join(inline(f"{x} (firmware {versions[x]})" if x in versions else x) for x in names)
+    return ", ".join(inline(f"{x} ({describe.firmware(versions[x])})" if x in versions else x) for x in names)
 
 
 def limit(page: Page, of: m.Limit) -> str:
     """Writes the value of a limit with its unit."""
     value = inline(describe.measured(describe.number(of.value), of.unit, page.model))
-    return f"{value} (firmware {inline(of.firmware)})" if of.firmware else value
+    return f"{value} ({inline(describe.firmware(of.firmware))})" if of.firmware else value

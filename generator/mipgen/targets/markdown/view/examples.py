@@ -2,22 +2,33 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from mipgen import model as m
 from mipgen.facts import describe, descriptors
 from mipgen.facts.misprints import misprint_text
+from mipgen.facts.texts import Ref, field_ref
 from mipgen.lower import codec, extent
 
 from ..places import Page
-from ..text import code, decimal, escaped_line, hexadecimal, inline, spaced, table
+from ..text import code, decimal, escaped_line, hexadecimal, spaced, table
 from .base import View
 
 #: The names of parameters, and the numbers of elements, that lead to a value.
 Place = tuple[str | int, ...]
+#: What a title of a link, within a cell of a table, cannot contain.
+_UNFIT = str.maketrans("", "", '"\\|`')
+
+
+@dataclass(frozen=True, slots=True)
+class Code:
+    text: str
+
+
+#: Words, references, and what is shown as code.
+Value = tuple["str | Ref | Code", ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,18 +37,33 @@ class Piece:
 
     data: bytes
     what: str | Place  # words, or a parameter
-    value: str  # Markdown
+    value: Value = ()
 
     @property
     def name(self) -> str:
-        """Its name in Markdown.
-
-        >>> Piece(b"", ("list", 2, "rate"), "").name
-        '`list[2].rate`'
+        """
+        >>> Piece(b"", ("list", 2, "rate")).name
+        'list[2].rate'
         """
         if isinstance(self.what, str):
             return self.what
-        return code("".join(f"[{x}]" if isinstance(x, int) else f".{x}" for x in self.what).removeprefix("."))
+        return "".join(f"[{x}]" if isinstance(x, int) else f".{x}" for x in self.what).removeprefix(".")
+
+    @property
+    def heading(self) -> str:
+        """Its name in Markdown."""
+        return self.what if isinstance(self.what, str) else code(self.name)
+
+    @property
+    def title(self) -> str:
+        """Its name and its value, as the title of a link."""
+        parts = (x if isinstance(x, str) else x.text if isinstance(x, Code) else x.words for x in self.value)
+        return (f"{self.name}: {''.join(parts)}" if self.value else self.name).translate(_UNFIT)
+
+    def shown(self, page: Page) -> str:
+        """Its value in Markdown."""
+        parts = (code(x.text) if isinstance(x, Code) else page.markdown((x,)) for x in self.value)
+        return "".join(parts)
 
     @property
     def path(self) -> str:
@@ -93,13 +119,13 @@ def packet_table(page: Page, x: m.Example) -> str:
     pieces = [piece for part in x.fields for piece in _field(page, x, part)]
     if x.role != "field":
         s = page.model.set(x.set)
-        head = [
-            Piece(x.packet[:2], "sync", ""),
-            Piece(x.packet[2:3], "descriptor set", page.link(s) if s else "unknown"),
-            Piece(x.packet[3:4], "payload length", str(x.packet[3])),
-        ]
-        pieces = [*head, *pieces, Piece(x.packet[-2:], "checksum", "")]
-    return table([[code(spaced(p.data)), p.name, p.value] for p in pieces], ["Bytes", "Part", "Value"])
+        header = Piece(
+            x.packet[:4],
+            "header",
+            (Ref(s, f"{s.title} ({hexadecimal(s.number)})") if s else "unknown set", f", payload length {x.packet[3]}"),
+        )
+        pieces = [header, *pieces, Piece(x.packet[-2:], "checksum")]
+    return table([[code(spaced(p.data)), p.heading, p.shown(page)] for p in pieces], ["Bytes", "Part", "Value"])
 
 
 def packet_ruler(page: Page, x: m.Example) -> str:
@@ -116,10 +142,8 @@ def packet_ruler(page: Page, x: m.Example) -> str:
         parts.append(page.link(f, code(spaced(head))))
         address = page.url(f).partition("#")[0]
         for piece in _record(Scope(f.parameters, part.values or {}, x.device, page), part.data, ()):
-            value = re.sub(r"\[([^\]]*)\]\([^)]*\)|[`\\|\"]", r"\1", piece.value)
-            title = f"{piece.name.strip('`')}: {value}" if value else piece.name.strip("`")
             if piece.data:
-                parts.append(f'[{code(spaced(piece.data))}]({address}#{f.full_name}.{piece.path} "{title}")')
+                parts.append(f'[{code(spaced(piece.data))}]({address}#{f.full_name}.{piece.path} "{piece.title}")')
     return " ".join([*parts, code(spaced(x.packet[-2:]))])
 
 
@@ -132,17 +156,18 @@ def typical_pieces(page: Page, f: m.Field) -> list[Piece]:
 def _field(page: Page, x: m.Example, part: m.ExampleField) -> Iterator[Piece]:
     head = bytes([len(part.data) + 2, part.descriptor])
     f = page.model.field(part.field) if part.field else None
-    yield Piece(head, "field length, descriptor", page.link(f) if f else "unknown")
+    yield Piece(head, "field length, descriptor", (field_ref(f) if f else "unknown",))
     pieces = _record(Scope(f.parameters, part.values or {}, x.device, page), part.data, ()) if f else ()
     acknowledged = page.index.shown(x, part) if f is page.model.protocol.acknowledge else []
     at = 0
     for piece in pieces:
         if at == 0 and acknowledged:  # an acknowledge begins with the descriptor of its command
-            piece = replace(piece, value=page.links(filter(None, map(page.model.field, acknowledged))))
+            commands = [f for f in map(page.model.field, acknowledged) if f]
+            piece = replace(piece, value=_listed((field_ref(f),) for f in commands))
         at += len(piece.data)
         yield piece
     if part.data[at:]:
-        yield Piece(part.data[at:], "extra bytes" if f else "data", "")
+        yield Piece(part.data[at:], "extra bytes" if f else "data")
 
 
 def _record(scope: Scope, data: bytes, prefix: Place) -> Iterator[Piece]:
@@ -168,12 +193,12 @@ def _parameter(p: m.Parameter, value: Any, scope: Scope, data: bytes, place: Pla
     elif item.several:
         size = extent.item_size(p)
         for i, elements in enumerate(value):
-            yield Piece(data[i * size : (i + 1) * size], (*place, i), _numbers(p, elements, scope))
+            yield Piece(data[i * size : (i + 1) * size], (*place, i), (_numbers(p, elements, scope),))
     elif p.union:
         for q in (q for q in p.alternatives if q.name in value):
             yield from _parameter(q, value[q.name], scope, data, (*place, q.name))
     elif p.kind == "text":
-        yield Piece(data[: len(value)], place, code(f'"{_printable(value)}"'))
+        yield Piece(data[: len(value)], place, (Code(f'"{_printable(value)}"'),))
     else:
         size = len(value) * item.size if p.kind == "array" else p.size
         yield Piece(data[:size], place, _value(p, value, scope))
@@ -182,25 +207,32 @@ def _parameter(p: m.Parameter, value: Any, scope: Scope, data: bytes, place: Pla
 # --------------------------------------------------------------------------- values
 
 
-def _value(p: m.Parameter, value: Any, scope: Scope) -> str:
+def _value(p: m.Parameter, value: Any, scope: Scope) -> Value:
     """Writes a value or a list of values, with names and units."""
     t = _type(p, scope)
-    if t is None:
-        each = value if isinstance(value, list) else [value]
-        return ", ".join(_hexadecimal(p, v, scope) for v in each) if p.shown else _numbers(p, each, scope)
+    each = value if isinstance(value, list) else [value]
+    if t is None and not p.shown:
+        return (_numbers(p, each, scope),)
     if isinstance(t, m.Bitfield) and t.scalar is None:
         return _flags(t, int.from_bytes(bytes(value), "little"))
-    each = value if isinstance(value, list) else [value]
-    return ", ".join(_flags(t, v) if isinstance(t, m.Bitfield) else _name(t, v) for v in each)
+    parts = (
+        _hexadecimal(p, v, scope) if t is None else _flags(t, v) if isinstance(t, m.Bitfield) else _name(t, v)
+        for v in each
+    )
+    return _listed(parts)
 
 
-def _hexadecimal(p: m.Parameter, value: int, scope: Scope) -> str:
+def _listed(values: Iterable[Value]) -> Value:
+    return tuple(x for i, value in enumerate(values) for x in ((", ", *value) if i else value))
+
+
+def _hexadecimal(p: m.Parameter, value: int, scope: Scope) -> Value:
     """Writes a number in hexadecimal, with the set or the field that it identifies."""
     model = scope.page.model
     number = descriptors.set_of(p, scope.values, model) or scope.fields_of
     meant = descriptors.named_by_value(p, value, number, model)
-    shown = code(descriptors.hexadecimal(p, value))
-    return f"{shown} {scope.page.link(meant, inline(meant.title))}" if meant else shown
+    shown = Code(descriptors.hexadecimal(p, value))
+    return (shown, " ", Ref(meant, meant.title)) if meant else (shown,)
 
 
 def _variants(p: m.Parameter, scope: Scope) -> list[m.Variant]:
@@ -223,36 +255,37 @@ def _numbers(p: m.Parameter, values: Sequence[Any], scope: Scope) -> str:
     if len(elements) == len(shown) <= 4:
         shown = [f"{name} {v}" for name, v in zip(elements, shown, strict=True)]
     if len(units) == len(shown) > 1:
-        return inline(", ".join(describe.measured(v, u, model) for v, u in zip(shown, units, strict=True)))
-    return inline(describe.measured(", ".join(shown), units[0] if units else None, model))
+        return ", ".join(describe.measured(v, u, model) for v, u in zip(shown, units, strict=True))
+    return describe.measured(", ".join(shown), units[0] if units else None, model)
 
 
 def _printable(text: str) -> str:
     return "".join(c if " " <= c <= "~" else f"\\x{ord(c):02x}" for c in text)
 
 
-def _name(t: m.Enum, value: int) -> str:
+def _name(t: m.Enum, value: int) -> Value:
     member = next((v for v in t.values if v.value == value), None)
-    return f"{code(member.name)} ({value})" if member else str(value)
+    return (Code(member.name), f" ({value})") if member else (str(value),)
 
 
-def _flags(t: m.Bitfield, value: int) -> str:
+def _flags(t: m.Bitfield, value: int) -> Value:
     """
     >>> bits = (m.Bits("on", 0, 0, "", False), m.Bits("level", 4, 6, "", False))
-    >>> _flags(m.Bitfield("state", m.SCALARS["u8"], 1, bits, "", None), 0xB1)
-    '`0xB1`: `on`, `level` 3, unnamed bits `0x80`'
+    >>> Piece(b"", "b", _flags(m.Bitfield("state", m.SCALARS["u8"], 1, bits, "", None), 0xB1)).title
+    'b: 0xB1: on, level 3, unnamed bits 0x80'
     """
-    parts, rest = [], value
+    parts: list[Value] = []
+    rest = value
     for b in t.bits:
         number = (value & b.mask) >> b.first
         if b.alias:
             continue
         rest &= ~b.mask
         if b.width > 1 and number:
-            parts.append(f"{code(b.name)} {_name(b.enum, number) if b.enum else number}")
+            parts.append((Code(b.name), " ", *(_name(b.enum, number) if b.enum else (str(number),))))
         elif number:
-            parts.append(code(b.name))
+            parts.append((Code(b.name),))
     if rest:
-        parts.append(f"unnamed bits {code(hexadecimal(rest, t.size))}")
-    shown = code(hexadecimal(value, t.size))
-    return f"{shown}: {', '.join(parts)}" if parts else shown
+        parts.append(("unnamed bits ", Code(hexadecimal(rest, t.size))))
+    shown = Code(hexadecimal(value, t.size))
+    return (shown, ": ", *_listed(parts)) if parts else (shown,)

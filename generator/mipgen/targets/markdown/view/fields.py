@@ -23,7 +23,7 @@ from .parameters import Parameters, Values, values_of
 #: Facts that are in tables, and facts with sections of their own.
 TABLED = ("functions", "responses")
 RELATIONS = ("affects", "may_affect", "affected", "flags")
-DEVICES = ("devices", "likely", "assumed", "refused", "deprecation", "firmware", "support")
+DEVICES = ("devices", "likely", "assumed", "refused", "deprecation", "support")
 #: Longer replies are not shown beside their command, and of more values only the first ones are.
 SHORT, SHOWN = 36, 3
 
@@ -37,14 +37,14 @@ class Field(View[m.Field]):
     def facts(self) -> str:
         """The facts besides the description. The only command of a response is omitted, as the page begins with it."""
         above = ["commands"] if self.of.role == m.RESPONSE and len(self.model.commands(self.of)) == 1 else []
-        elsewhere = (*TABLED, *RELATIONS, *DEVICES, "note", *above)
+        elsewhere = (*TABLED, *RELATIONS, *DEVICES, "firmware", "note", *above)
         facts = [x for x in describe.field(self.of, self.model) if x.topic not in elsewhere]
         sentences = [(x.topic, self.page.markdown(x.sentence)) for x in facts]
         return " ".join(f"**{sentence}**" if topic == "deprecated" else sentence for topic, sentence in sentences)
 
     @property
     def notes(self) -> list[str]:
-        return self._sentences("note")
+        return self._sentences("note") if self.of.role == m.RESPONSE else self._sentences("firmware", "note")
 
     @property
     def relations(self) -> list[str]:
@@ -119,7 +119,9 @@ class Field(View[m.Field]):
         packet = self._acknowledge(self.model.protocol.ack_code.values[0].value, *fields)
         if len(packet) > SHORT:
             return what
-        values = [f"{piece.name} {piece.value}" for r in layouts for piece in typical_pieces(self.page, r)]
+        values = [
+            f"{piece.heading} {piece.shown(self.page)}" for r in layouts for piece in typical_pieces(self.page, r)
+        ]
         values = [*values[:SHOWN], *(["…"] if values[SHOWN:] else [])]
         return f"{code(spaced(packet))} {what}{': ' if values else ''}{', '.join(values)}"
 
@@ -145,8 +147,12 @@ class Field(View[m.Field]):
         """How `mip` reads the field, or sends the command in a form without parameters."""
         name = self.of.full_name
         if self.of.role == m.DATA:
-            stream, export = code(f"mip stream PORT {name}@10"), code(f"mip export LOG {name} -o FILE.csv")
-            return f"In a terminal, {stream} streams it at 10 Hz, which replaces the device's message format, and \
+            rates = [
+                r.hertz for d in self.model.devices for r in d.base_rates if r.set.number in self.of.sets and r.hertz
+            ]
+            hertz = describe.number(min([10, *rates]))
+            stream, export = code(f"mip stream PORT {name}@{hertz}"), code(f"mip export LOG {name} -o FILE.csv")
+            return f"In a terminal, {stream} streams it at {hertz} Hz, which replaces the device's message format, and \
 {export} tabulates a log."
         bare = [c for c in self.page.index.samples.sent(self.of) if not any(p.constant is None for p in c.required)]
         safe = [c for c in bare if c.function is None or c.function.responds]

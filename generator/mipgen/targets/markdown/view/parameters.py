@@ -114,7 +114,7 @@ class Parameters(View[m.Record]):
     def table(self) -> str:
         values: dict[str, list[str]] = {}
         for piece in self.pieces:
-            values.setdefault(piece.path, []).append(piece.value)
+            values.setdefault(piece.path, []).append(piece.shown(self.page))
         unit, *others = COLUMNS
         headings = ["Name", "Type", unit, "Description", *others, "Offset", "Bytes", "Example"]
         return table((r.cells(values.get(_path(r.row), [])) for r in self.rows), headings)
@@ -175,6 +175,11 @@ class Values:
     heading: str  # the parameters that use the type, and its name if that is another
     type: m.Enum | m.Bitfield
     table: str
+    sentence: str = ""  # instead, if it has one bit
+
+    @property
+    def line(self) -> str:
+        return f"{self.heading}: {self.sentence}"
 
 
 def values_of(page: Page, records: Sequence[m.Record]) -> list[Values]:
@@ -192,6 +197,7 @@ def values_of(page: Page, records: Sequence[m.Record]) -> list[Values]:
             ", ".join(names) + (f" ({code(t.name)})" if [*names] != [code(t.name)] else ""),
             t,
             value_table(page, t, anchor) if isinstance(t, m.Enum) else bit_table(page, t, anchor),
+            _only_bit(page, t, anchor) if isinstance(t, m.Bitfield) and len(t.bits) == 1 and t.scalar else "",
         )
         for t, anchor, names in users.values()
     ]
@@ -228,6 +234,14 @@ def bit_table(page: Page, t: m.Bitfield, anchor: str = "") -> str:
     if others and t.scalar:
         rows.append(["other bits", code(hexadecimal(others, t.size)), "", "", "Reserved or unknown: ignore them."])
     return table(rows, ["Bits", "Mask", "Byte.bit", "Name", "Description"])
+
+
+def _only_bit(page: Page, t: m.Bitfield, anchor: str) -> str:
+    [b] = t.bits
+    place, *facts = describe.bits(b, page.model)
+    name = f"{_anchor(anchor, b.name)}{code(b.name)} ({code(hexadecimal(b.mask, t.size))})"
+    about = _description(page, b.description, facts)
+    return f"{page.markdown(place.value)}, {name}: {about} Ignore the other bits. Type: {page.link(t)}."
 
 
 def _anchor(before: str, name: str) -> str:
