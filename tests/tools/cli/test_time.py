@@ -554,8 +554,10 @@ def test_the_rate_of_a_field_is_one_in_all_tools(tmp_path: Path) -> None:
 
 def test_fleet(case: Case, path: Path) -> None:
     from mip_tools.fleet.decode import _facts
+    from mip_tools.logs.report import report_on
 
-    (own,) = (one for one in _facts(read_log(path))["sets"] if one["set"] == "sensor")
+    log = read_log(path)
+    (own,) = (one for one in _facts(log, report_on(log))["sets"] if one["set"] == "sensor")
     assert own.get("rate") == (None if case.rate is None else pytest.approx(case.rate, rel=1e-3))
 
 
