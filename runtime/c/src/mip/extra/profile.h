@@ -1,7 +1,7 @@
 /**
  * @file
- * The fields that a device supports, and its differences from other devices. mip/extra/profiles.h lists
- * the devices.
+ * The fields that a device supports, and its differences from other devices. mip/extra/profiles.h
+ * lists the devices.
  */
 #ifndef MIP_PROFILE_H
 #define MIP_PROFILE_H
