@@ -19,9 +19,9 @@ static const struct mip_handler handlers[] = {
     {&mip_sensor_scaled_accel_codec, MIP_ANY_SET, on_accel, NULL},
 };
 
-static int failed(const char *what, struct mip_result result) {
-    fprintf(stderr, "%s: %s %s\n", what, mip_outcome_name(result.outcome),
-            mip_result_reason(result));
+static int failed(const char *what, const struct mip_device *device, struct mip_result result) {
+    fprintf(stderr, "%s: %s %s (0x%02X,0x%02X)\n", what, mip_outcome_name(result.outcome),
+            mip_result_reason(result), device->sent->descriptor_set, device->sent->descriptor);
     return 1;
 }
 
@@ -39,12 +39,13 @@ int main(int argc, char **argv) {
     mip_device_init(&device, &line.port, MIP_ARRAY(handlers));
     struct mip_result result = mip_device_connect(&device, mip_line_set_baud, &info);
     if (!mip_succeeded(result)) {
-        return failed("connect", result);
+        return failed("connect", &device, result);
     }
     printf("%s\n", info.device_info.model_name);
     result = mip_device_stream(&device, MIP_SENSOR_SET, MIP_ARRAY(rates));
     if (!mip_succeeded(result)) {
-        return failed("stream", result); /* rates[0].nearest is the nearest supported rate */
+        return failed("stream", &device,
+                      result); /* rates[0].nearest is the nearest supported rate */
     }
     while (mip_device_poll(&device)) { /* until the port is lost */
     }

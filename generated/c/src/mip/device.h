@@ -147,6 +147,9 @@ struct mip_device {
     /** What your program adds; NULL unless it sets it. Must stay at its address. */
     const struct mip_hooks *hooks;
 #endif
+    /** The last command that was sent: the one that was rejected, if mip_device_stream or
+     * mip_device_connect reports that. NULL before the first one. */
+    const struct mip_exchange *sent;
     /** The request of the next call, which then does not wait: see mip_defer. */
     struct mip_request *deferred;
 #ifdef MIP_DIAGNOSTICS

@@ -134,9 +134,14 @@ static struct mip_result base_rate(struct mip_device *device, void *shared) {
     struct mip_result result =
         mip_call_3dm_get_base_rate(device, plan->descriptor_set, &plan->base);
     if (result.outcome == MIP_REFUSED) {
+        const struct mip_exchange *const sent = device->sent;
         const struct mip_result older = older_base_rate(device, plan, result);
         plan->older = older.outcome != MIP_REFUSED; /* otherwise, it lacks this set */
-        result = plan->older ? older : result;
+        if (plan->older) {
+            result = older;
+        } else {
+            device->sent = sent; /* the one that was rejected */
+        }
     }
     return result;
 }

@@ -191,6 +191,7 @@ static struct mip_result carry_out(struct mip_device *device, struct mip_request
         request->result.outcome = MIP_BUSY;
     }
     if (request->result.outcome != MIP_BUSY && request->result.error == MIP_OK) {
+        device->sent = request->exchange;
         bytes[4] = (uint8_t)(size + 2);
         bytes[5] = request->exchange->descriptor;
         size = mip_packet_seal(bytes, request->exchange->descriptor_set, size + 2);

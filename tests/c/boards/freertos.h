@@ -1,0 +1,99 @@
+/* What examples/freertos.c uses of FreeRTOS: tasks are threads. */
+#ifndef FREERTOS_H
+#define FREERTOS_H
+
+#include "board.h"
+
+typedef long BaseType_t;
+typedef unsigned long UBaseType_t;
+typedef uint32_t TickType_t;
+typedef pthread_mutex_t *SemaphoreHandle_t;
+typedef struct fifo *StreamBufferHandle_t;
+typedef struct task *TaskHandle_t;
+
+#define pdFALSE ((BaseType_t)0)
+#define portMAX_DELAY UINT32_MAX
+#define portTICK_PERIOD_MS ((TickType_t)1)
+#define pdMS_TO_TICKS(milliseconds) ((TickType_t)(milliseconds))
+#define portYIELD_FROM_ISR(woken) ((void)(woken))
+
+void uart_send(const uint8_t *bytes, size_t size);
+void uart_interrupt(const uint8_t *bytes, size_t size);
+
+static void (*tasks[2])(void *);
+
+static SemaphoreHandle_t xSemaphoreCreateRecursiveMutex(void) {
+    static pthread_mutex_t made;
+    pthread_mutexattr_t how;
+    pthread_mutexattr_init(&how);
+    pthread_mutexattr_settype(&how, PTHREAD_MUTEX_RECURSIVE);
+    pthread_mutex_init(&made, &how);
+    return &made;
+}
+
+static BaseType_t xSemaphoreTakeRecursive(SemaphoreHandle_t mutex, TickType_t wait) {
+    (void)wait;
+    return pthread_mutex_lock(mutex) == 0;
+}
+
+static BaseType_t xSemaphoreGiveRecursive(SemaphoreHandle_t mutex) {
+    return pthread_mutex_unlock(mutex) == 0;
+}
+
+static StreamBufferHandle_t xStreamBufferCreate(size_t size, size_t trigger) {
+    static struct fifo made = FIFO;
+    return size == sizeof(made.bytes) && trigger == 1 ? &made : NULL;
+}
+
+static size_t xStreamBufferSendFromISR(StreamBufferHandle_t to, const void *bytes, size_t size, BaseType_t *woken) {
+    *woken = 1;
+    return fifo_put(to, bytes, size);
+}
+
+static size_t xStreamBufferReceive(StreamBufferHandle_t from, void *bytes, size_t size, TickType_t wait) {
+    return fifo_get(from, bytes, size, wait);
+}
+
+static BaseType_t xTaskCreate(void (*run)(void *), const char *name, unsigned short stack, void *argument,
+                              UBaseType_t priority, TaskHandle_t *task) {
+    (void)name, (void)stack, (void)argument, (void)priority, (void)task;
+    tasks[tasks[0] != NULL] = run;
+    return 1;
+}
+
+static void vTaskDelay(TickType_t ticks) {
+    board_sleep(ticks);
+}
+
+static void vTaskDelete(TaskHandle_t task) {
+    (void)task;
+    pthread_exit(NULL);
+}
+
+static TickType_t xTaskGetTickCount(void) {
+    return board_now();
+}
+
+void uart_send(const uint8_t *bytes, size_t size) {
+    if (!uart_write(bytes, size)) {
+        exit(3);
+    }
+}
+
+static void uart_arrived(const uint8_t *bytes, size_t size) {
+    uart_interrupt(bytes, size);
+}
+
+static void *second_task(void *argument) {
+    tasks[1](argument);
+    return NULL;
+}
+
+static void vTaskStartScheduler(void) {
+    pthread_t thread;
+    uart_open();
+    pthread_create(&thread, NULL, second_task, NULL);
+    tasks[0](NULL);
+}
+
+#endif
