@@ -340,7 +340,12 @@ fn sort<const N: usize, const Q: usize>(
     data: &mut Queue<Q>,
     packet: &Packet<'_>,
 ) {
-    if client.receive(packet).others().next().is_some() {
+    let is_data = if client.is_idle() {
+        !packet.payload().is_empty()
+    } else {
+        client.receive(packet).others().next().is_some()
+    };
+    if is_data {
         data.push(packet.bytes());
     }
 }

@@ -689,6 +689,12 @@ impl<const N: usize> Client<N> {
         table.free(|_| true);
     }
 
+    /// Is every packet data, because no reply is expected?
+    pub(crate) fn is_idle(&self) -> bool {
+        let table = self.table();
+        table.behind == 0 && table.waiting().next().is_none()
+    }
+
     fn table(&self) -> &Slots {
         &self.table
     }
