@@ -163,7 +163,9 @@ export class Ranking {
 
     /** Returns how much of a document's title was asked for, from 0 to 1; 1 if one of its keywords was. */
     #shareOf(at, stems) {
-        const [title, ...keywords] = this.#phrases[at].map((phrase) => phrase.filter((one) => stems.has(one)).length / (phrase.length || 1));
+        const [title, ...keywords] = this.#phrases[at].map(
+            (phrase) => phrase.filter((one) => stems.has(one)).length / (phrase.length || 1),
+        );
         return Math.max(title, ...keywords.filter((share) => share === 1));
     }
 
