@@ -6,6 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..columns.distinct import distinct
+
 #: Numbers of averages in a factor of ten of their length.
 _PER_DECADE = 10
 #: The ratio of the flattest part of an Allan deviation to the bias instability, as IEEE 952 defines it.
@@ -18,7 +20,7 @@ def deviation(values: Any, rate: float) -> tuple[Any, Any]:
     """Computes the overlapping Allan deviation of each column. Returns the times, and a row for each of them."""
     longest = len(values) // 9
     count = max(int(_PER_DECADE * np.log10(max(longest, 1))), 1)
-    sizes = np.unique(np.logspace(0, np.log10(max(longest, 1)), count).astype(int))
+    sizes = distinct(np.logspace(0, np.log10(max(longest, 1)), count).astype(int))
     sums = np.vstack([np.zeros(values.shape[1]), np.cumsum(values - values.mean(axis=0), axis=0)])
     rows = []
     for size in sizes:

@@ -6,6 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..columns.distinct import distinct
+
 #: Latitudes and longitudes into which the directions are divided, in cells of equal area.
 _BANDS, _SECTORS = 10, 20
 #: Measurements closer together than this share of the field count once, so that a pause does not decide the fit.
@@ -46,7 +48,7 @@ def coverage(points: Any, centre: Any) -> float:
     x, y, z = directions.T / np.maximum(np.linalg.norm(directions, axis=1), 1e-12)
     band = np.minimum((z + 1) / 2 * _BANDS, _BANDS - 1).astype(int)
     sector = ((np.arctan2(y, x) / (2 * np.pi) + 0.5) * _SECTORS).astype(int) % _SECTORS
-    return len(np.unique(band * _SECTORS + sector)) / (_BANDS * _SECTORS)
+    return len(distinct(band * _SECTORS + sector)) / (_BANDS * _SECTORS)
 
 
 def fitted(points: Any, soft: bool = True, field: float | None = None) -> Fit:
