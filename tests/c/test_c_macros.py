@@ -35,7 +35,7 @@ def test_headers_do_not_use_names_of_macros(compiler: str, header: str, tmp_path
     text += "".join(f"#undef {name}\n#define {name}(...) @ {name}\n" for name in functions)
     text += "".join(f"#undef {name}\n#define {name} @ {name}\n" for name in objects)
     program = tmp_path / ("program.c" if header == "mip.h" else "program.cpp")
-    more = "line.h" if header == "mip.h" else "cpp/ostream.hpp"
+    more = "line.h" if header == "mip.h" else "extra/ostream.hpp"
     program.write_text(f'{text}#include "mip/{header}"\n#include "mip/{more}"\nint unused;\n')
     assert (folder("real") / "src/mip" / header).exists()
     includes = (include("real"), f"-I{folder('real')}/ports")
