@@ -158,13 +158,20 @@ function flat(expression) {
     return `${head}${pad}${items.map(flat).join(", ")}${items.length === 1 ? alone : ""}${pad}${tail}`;
 }
 
-/** An expression, with a line for each item in brackets if one line is too long. */
+/** So many items without brackets are elements of an array, several of which are on a line. */
+const ARRAY = 13;
+
+/** An expression, with a line for each item in brackets if one line is too long. Those of long arrays fill lines. */
 export function laidOut(expression, width) {
     const line = flat(expression);
     if (line.length <= width || typeof expression === "string" || expression.items.length === 0) return line;
     const { head, items, tail, comma } = expression;
     const inner = flat({ ...expression, head: "", tail: "", pad: "" });
     if (inner.length <= width - 4) return `${head}\n    ${inner}\n${tail}`;
+    if (items.length >= ARRAY && items.every((item) => typeof item === "string")) {
+        const filled = (inner + comma).replace(new RegExp(`(.{1,${width - 4}})(?: |$)`, "g"), "    $1\n");
+        return `${head}\n${filled}${tail}`;
+    }
     const each = items.map((item) => `    ${laidOut(item, width - 5).replaceAll("\n", "\n    ")}`);
     return `${head}\n${each.join(",\n")}${comma}\n${tail}`;
 }
