@@ -30,6 +30,7 @@
     clippy::cast_precision_loss,
     clippy::cast_sign_loss,
     // texts and numbers come from the specification;
+    clippy::approx_constant,
     clippy::doc_markdown,
     clippy::unreadable_literal,
     // macros and traits use the same signatures for all types;

@@ -22,6 +22,7 @@ pub(crate) trait Limited {
 macro_rules! limited {
     ($($number:ident)*) => {$(
         impl Limited for $number {
+            #[allow(clippy::cast_lossless)] // one macro for all numbers
             fn outside(&self, bound: Bound) -> Option<f64> {
                 // Bounds have the precision of the value: the `f32` next to π is greater than π.
                 let inside = match bound {

@@ -14,6 +14,7 @@ use crate::time::{Time, Times};
 ///
 /// The time is that of the packet's first clock in [`Clock::ALL`](crate::Clock::ALL), or `None` if
 /// it has no valid one. Packets without these fields are skipped.
+#[must_use = "iterators are lazy and do nothing unless consumed"]
 pub struct Timed<S, F> {
     pub(crate) source: S,
     pub(crate) wait_ms: u32,
@@ -44,7 +45,6 @@ impl<S, F> Timed<S, F> {
 
     /// Reads the times of this device; see [`Times::of`].
     #[cfg(feature = "devices")]
-    #[must_use]
     pub fn of_device(mut self, device: &crate::devices::Profile) -> Self {
         self.reader.times = Times::of(device);
         self
