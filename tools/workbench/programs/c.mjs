@@ -34,7 +34,7 @@ export function cProgram(names, field, calls) {
     calls.forEach((values, i) => {
         lines.push(...cCall(names, field, values, i ? "result = " : `struct ${names.package}_result result = `));
         const { response } = wayOf(names, field, values);
-        if (response) lines.push("if (mip_succeeded(result)) {", printed(names, names.protocol.field(response), "response."), "}");
+        if (response) lines.push(braced("if (mip_succeeded(result))", printed(names, names.protocol.field(response), "response.")));
     });
     return lines.join("\n");
 }
@@ -65,13 +65,20 @@ export function numbers(names, record, path, member = ({ name }) => names.member
 /** The statement that prints the first values of a record. */
 function printed(names, record, path) {
     const shown = numbers(names, record, path).map(([at, { kind, size }]) => {
-        if (kind === "float") return size === 8 ? ["%.10g", at] : ["%g", `(double)${at}`];
-        return kind === "char" ? ["%s", at] : ["%lld", `(long long)${at}`];
+        if (kind === "float") return [size === 8 ? "%.10g" : "%g", at];
+        if (kind === "char") return ["%s", at];
+        return size <= 2 ? [kind === "unsigned" ? "%u" : "%d", at] : ["%lld", `(long long)${at}`];
     });
     if (!shown.length) shown.push(["%s", `"${record.name.split(".").at(-1)}"`]);
     const text = `"${shown.map(([conversion]) => conversion).join(" ")}\\n"`;
-    const call = laidOut(brackets("printf(", [text, ...shown.map(([, argument]) => argument)], ");", { comma: "" }), 92);
+    const call = laidOut(brackets("printf(", [text, ...shown.map(([, argument]) => argument)], ");", { comma: "" }), 96);
     return call.replace(/^/gm, "    ");
+}
+
+/** A block, on one line if it fits. */
+export function braced(head, body) {
+    const line = `${head} { ${body.trim()} }`;
+    return !body.includes("\n") && line.length <= 100 ? line : `${head} {\n${body}\n}`;
 }
 
 /** The function that calls a command with these values, and decodes its response. */

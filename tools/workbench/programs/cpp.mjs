@@ -1,7 +1,7 @@
 // Programs in C++, whose structures and numbers are written as in C.
 
 import { enumValue, parameterOf } from "mip-protocol/tools";
-import { cString, cType, cValue, numbers, wayOf } from "./c.mjs";
+import { braced, cString, cType, cValue, numbers, wayOf } from "./c.mjs";
 import { after, alternativeOf, brackets, flagsOf, isDerived, laidOut, Names, operationOf, refuseOptional, statement } from "./common.mjs";
 import { hexLiteral } from "../words.mjs";
 
@@ -15,7 +15,7 @@ export function cppProgram(names, field, calls) {
         const name = i ? "answer" : "result";
         lines.push(...call(names, c, field, values, `const auto ${name} = `));
         const { response } = wayOf(c, field, values);
-        if (response) lines.push(`if (${name}) {`, printed(names, c, names.protocol.field(response), `${name}->`), "}");
+        if (response) lines.push(braced(`if (${name})`, printed(names, c, names.protocol.field(response), `${name}->`)));
     });
     return lines.join("\n");
 }

@@ -28,7 +28,7 @@ class Programs:
             name = "answer" if i else "result"
             lines += _call(f, form, self.samples, f"const auto {name} = ")
             if response := snippets.call_of(f, form, self.samples).response:
-                lines += [f"if ({name}) {{", _printed(response, f"{name}->"), "}"]
+                lines.append(snippets.braced(f"if ({name})", _printed(response, f"{name}->")))
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:

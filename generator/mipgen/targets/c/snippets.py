@@ -29,7 +29,7 @@ class Programs:
         for i, form in enumerate(self.samples.shown(f)):
             lines += _call(f, form, self.samples, "result = " if i else "struct mip_result result = ")
             if response := call_of(f, form, self.samples).response:
-                lines += ["if (mip_succeeded(result)) {", printed(response, "response."), "}"]
+                lines.append(braced("if (mip_succeeded(result))", printed(response, "response.")))
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
@@ -75,14 +75,22 @@ def printed(record: m.Record, path: str) -> str:
     shown = [(at, *_format(scalar)) for at, scalar in numbers(record, path)] or [(record.name, "%s", '"{}"')]
     text = " ".join(conversion for _, conversion, _ in shown)
     arguments = [f'"{text}\\n"', *(argument.format(at) for at, _, argument in shown)]
-    return "\n".join(f"    {x}" for x in laid_out(Brackets("printf(", arguments, ");", comma=""), 92).split("\n"))
+    return "\n".join(f"    {x}" for x in laid_out(Brackets("printf(", arguments, ");", comma=""), 96).split("\n"))
+
+
+def braced(head: str, body: str) -> str:
+    """Writes a block on one line if it fits."""
+    line = f"{head} {{ {body.strip()} }}"
+    return line if "\n" not in body and len(line) <= 100 else f"{head} {{\n{body}\n}}"
 
 
 def _format(scalar: m.Scalar) -> tuple[str, str]:
-    """Returns the conversion of `printf` for a number or a text, and its argument."""
+    """Returns the conversion of `printf` for a number or a text, and its argument: small integers need no cast."""
     if scalar.kind == "float":
-        return ("%.10g", "{}") if scalar.size == 8 else ("%g", "(double){}")
-    return ("%s", "{}") if scalar.kind == "char" else ("%lld", "(long long){}")
+        return ("%.10g" if scalar.size == 8 else "%g"), "{}"
+    if scalar.kind == "char":
+        return "%s", "{}"
+    return ("%u" if scalar.kind == "unsigned" else "%d", "{}") if scalar.size <= 2 else ("%lld", "(long long){}")
 
 
 def sequence(
