@@ -43,8 +43,8 @@ int main(int argc, char **argv) {
     }
     printf("%s\n", info.device_info.model_name);
     result = mip_device_stream(&device, MIP_SENSOR_SET, MIP_ARRAY(rates));
-    if (!mip_succeeded(result)) {
-        return failed("stream", &device, result); /* rates[0].nearest is the nearest supported rate */
+    if (!mip_succeeded(result)) { /* rates[0].nearest is the nearest supported rate */
+        return failed("stream", &device, result);
     }
     while (mip_device_poll(&device)) { /* until the port is lost */
     }

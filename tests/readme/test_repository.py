@@ -39,7 +39,7 @@ PAGES = (".github", "docs", "examples", "runtime", "spec", "templates", "tools")
 TOP = (*PAGES, "generated", "generator", "tests")
 #: Files of the reader, or of what is built or installed: they are not in the project.
 ELSEWHERE = re.compile(
-    r"(my[-_]\w+|build|external)[/.].*|spec/devices/MODEL\.yaml|assets/tools\.css|(std\w+|time)\.h|(models|witness|ruamel)\.yaml"
+    r"(my[-_]\w+|build|external)[/.].*|(spec/devices/MODEL|MODEL-FIRMWARE)\.yaml|assets/tools\.css|(std\w+|time)\.h|(models|witness)\.yaml"
 )
 
 

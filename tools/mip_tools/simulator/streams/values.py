@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from enum import IntEnum, IntFlag
 from functools import cache
 from typing import Any
@@ -37,7 +38,7 @@ def encoder(kind: type[Field], profile: Device, world: World, set_number: int, c
     if not all(_packs(p) for p, _ in _flat(kind)):
         unchanging = _defaults(kind)
         return lambda: [unchanging]
-    source = value_sources(kind, set_number)
+    source = _computed(value_sources(kind, set_number))
     simulated = _encoder(kind, profile, world, set_number, source, channel)
     motion = world.motion
     if not isinstance(motion, Replay) or not _recorded(source):
@@ -87,6 +88,20 @@ def _defaults(kind: type[Field]) -> bytes:
         if p.kind not in ("constant", "counter"):
             values[p.attribute] = filled(p, values, p.default)
     return kind(**values).encode()
+
+
+def _computed(source: FieldValues) -> FieldValues:
+    """Leaves out quantities of another specification, which the world does not compute: their values are defaults."""
+
+    def known(name: str) -> bool:
+        return not name or name in QUANTITIES
+
+    return replace(
+        source,
+        parameters={path: value for path, value in source.parameters.items() if known(value.quantity)},
+        for_each=source.for_each if known(source.for_each) else "",
+        valid_if=source.valid_if if known(source.valid_if) else "",
+    )
 
 
 def _recorded(source: FieldValues) -> bool:
