@@ -58,20 +58,26 @@ impl<E: fmt::Display> fmt::Display for EmbeddedError<E> {
 
 impl<E: fmt::Debug + fmt::Display> core::error::Error for EmbeddedError<E> {}
 
+/// Tries again after an interruption, which may hide that bytes have arrived; nothing has if an error
+/// only means that it is to be tried later.
+fn patiently<V: Default, E: Error>(
+    mut once: impl FnMut() -> Result<V, E>,
+) -> Result<V, EmbeddedError<E>> {
+    let result = match once() {
+        Err(error) if error.kind() == ErrorKind::Interrupted => once(),
+        result => result,
+    };
+    result.or_else(|error| match error.kind() {
+        ErrorKind::Interrupted | ErrorKind::TimedOut => Ok(V::default()),
+        _ => Err(EmbeddedError::Driver(error)),
+    })
+}
+
 impl<T: Read + ReadReady + Write, F: FnMut() -> u32> Port for EmbeddedPort<T, F> {
     type Error = EmbeddedError<T::Error>;
 
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Self::Error> {
-        let mut once = || if self.io.read_ready()? { self.io.read(buffer) } else { Ok(0) };
-        let count = match once() {
-            // There may be more.
-            Err(error) if error.kind() == ErrorKind::Interrupted => once(),
-            count => count,
-        };
-        count.or_else(|error| match error.kind() {
-            ErrorKind::Interrupted | ErrorKind::TimedOut => Ok(0),
-            _ => Err(EmbeddedError::Driver(error)),
-        })
+        patiently(|| if self.io.read_ready()? { self.io.read(buffer) } else { Ok(0) })
     }
 
     // `write_all` would panic if the driver accepts no bytes.
@@ -93,7 +99,7 @@ impl<T: Read + ReadReady + Write, F: FnMut() -> u32> Port for EmbeddedPort<T, F>
     }
 
     fn waits(&mut self) -> Result<bool, Self::Error> {
-        self.io.read_ready().map_err(EmbeddedError::Driver)
+        patiently(|| self.io.read_ready())
     }
 
     fn now_ms(&mut self) -> u32 {
