@@ -333,9 +333,9 @@ def test_the_registry_lists_the_sets_that_are_there() -> None:
 #[test]
 fn test() {{
     assert_eq!(mip_protocol::registry::FIELDS.len(), {len(own)} + 1); // and the acknowledge field
-    let field = mip_protocol::RawField {{ set: 0x80, descriptor: 0x01, data: &[0; 14] }};
+    let field = mip_protocol::RawField {{ set: mip_protocol::DescriptorSet(0x80), descriptor: 0x01, data: &[0; 14] }};
     assert_eq!(mip_protocol::AnyField::decode(&field), Ok(None));
-    let field = mip_protocol::RawField {{ set: 0x01, descriptor: 0x01, data: &[] }};
+    let field = mip_protocol::RawField {{ set: mip_protocol::DescriptorSet(1), descriptor: 0x01, data: &[] }};
     assert!(matches!(mip_protocol::AnyField::decode(&field), Ok(Some(_))));
 }}
 """

@@ -8,7 +8,8 @@ use core::hint::black_box;
 use mip_protocol::device::{Device, Port};
 use mip_protocol::registry::{visit, visit_with, Listed, Own, Visitor};
 use mip_protocol::{
-    AnyField, Client, Command, EncodeError, Field, List, Packet, PacketBuilder, RawField,
+    AnyField, Client, Command, DescriptorSet, EncodeError, Field, List, Packet, PacketBuilder,
+    RawField,
 };
 
 pub struct Line;
@@ -111,5 +112,5 @@ pub fn command<C: Command>(command: &C, (client, device, packet): Parts<'_>) {
 }
 
 pub fn any(field: &AnyField, device: &mut Device<Line, 2, 600>) -> bool {
-    device.send_all(1, |request| request.add_any(field)).is_ok()
+    device.send_all(DescriptorSet(1), |request| request.add_any(field)).is_ok()
 }
