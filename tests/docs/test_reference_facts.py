@@ -154,7 +154,8 @@ def check_parameters(manual: Manual, record: m.Record, section: str) -> None:
         below += [f"{place.path}: {x}" for x in sentences(describe.topics(facts, "variant", "note"), place.prefix)]
         check_type(manual, place, row)
     lists = section.partition("| Name | Type |")[2].partition("\n\n")[2].split("\n\n")
-    assert bullets(lists[0]) == below or (not below and not lists[0].startswith("- "))
+    shown = [x for x in bullets(lists[0]) if " Ignore the other bits. Type: " not in x]  # see below
+    assert shown == below or (not below and not lists[0].startswith("- "))
 
 
 def check_type(manual: Manual, place: Place, row: dict[str, str]) -> None:
@@ -177,7 +178,13 @@ def test_values_beside_parameters(manual: Manual) -> None:
         for place in places(f):
             p = place.parameter
             for t in [p.element, *(v.type for v in p.readings)] if p and not p.selector else []:
-                if isinstance(t, (m.Enum, m.Bitfield)):
+                if isinstance(t, m.Bitfield) and len(t.bits) == 1 and t.scalar:
+                    (bit, mask, bit_name, about), *_ = wanted_rows(t, manual)
+                    said = f": {bit}, {bit_name} ({mask}): {about} Ignore the other bits. Type: {t.name}."
+                    lines = re.findall(rf"^- .*`{re.escape(place.path)}`.*: .*$", page, re.M)
+                    (line,) = [x for x in lines if words(x).endswith(said)]
+                    assert [a.rpartition(".")[2] for a in ANCHOR.findall(line)] == [bit_name]
+                elif isinstance(t, (m.Enum, m.Bitfield)):
                     (text,) = [x for users, name, x in found if f"`{place.path}`" in users and name == t.name]
                     rows = wanted_rows(t, manual)
                     assert rows_of(text)[2:] == rows, (f.full_name, t.name)
