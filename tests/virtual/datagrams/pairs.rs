@@ -51,7 +51,7 @@ fn main() {
     for (set, _) in [0x80, 0x82, 0x91, 0x92, 0x93, 0x94, 0xA0].into_iter().cycle().zip(0..arguments.next().unwrap()) {
         let before = right;
         match device.request(&GetBaseRate::new(set)) {
-            Ok(response) if response.descriptor_set == set => right += 1,
+            Ok(response) if response.descriptor_set.0 == set => right += 1,
             Ok(_) => stale += 1,
             Err(_) => other += 1,
         }
