@@ -183,7 +183,6 @@ check: $(if $(NPM),$(BUILD)/npm/stamp) tools-check $(VENV)/development.stamp ## 
 	@$(RUN) tests/first_page.py --check
 	@$(RUN) tests/status.py --check
 	@$(RUN) tests/wording.py $(SPEC)
-	@$(MIPGEN) diff --release --spec $(SPEC)
 	@$(RUN) tools/release/interface.py --check --out $(OUT)
 	@$(VENV)/bin/ruff check --quiet .
 	@$(VENV)/bin/ruff format --quiet --check .

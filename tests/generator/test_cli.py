@@ -1,4 +1,4 @@
-"""The command line: folders, help, a specification to start from, completion; and runs with nothing to do."""
+"""The command line: folders, help, a specification to start from; and runs with nothing to do."""
 
 from __future__ import annotations
 
@@ -238,46 +238,6 @@ def commands() -> dict[str, Any]:
 def test_targets(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["targets"]) == 0
     assert "c          C99, library mip\n" in capsys.readouterr().out
-    assert cli.main(["targets", "--names"]) == 0
-    assert capsys.readouterr().out.split() == discovery.target_names()
-
-
-def completed(script: Path, words: str, folder: Path) -> list[str]:
-    """What bash offers after these words."""
-    program = f"""
-        source {script}
-        COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))
-        {"COMP_WORDS+=(''); COMP_CWORD=$((COMP_CWORD + 1))" if words.endswith(" ") else ":"}
-        $(complete -p mipgen | sed 's/.*-F \\([^ ]*\\).*/\\1/') mipgen "${{COMP_WORDS[COMP_CWORD]}}"
-        printf '%s\\n' "${{COMPREPLY[@]}}"
-    """
-    environment = {**os.environ, "PATH": f"{script.parent / 'bin'}:{os.environ['PATH']}"}
-    done = subprocess.run(["bash", "-c", program], capture_output=True, text=True, cwd=folder, env=environment)
-    return done.stdout.split()
-
-
-def test_completion_in_bash(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.main(["completion", "bash"]) == 0
-    script = tmp_path / "mipgen.bash"
-    script.write_text(capsys.readouterr().out)
-    program = tmp_path / "bin/mipgen"
-    program.parent.mkdir()
-    program.write_text(f'#!/bin/sh\nPYTHONPATH={ROOT}/generator exec {sys.executable} -m mipgen "$@"\n')
-    program.chmod(0o755)
-    (tmp_path / "folder").mkdir()
-    assert completed(script, "mipgen generate --target p", tmp_path) == ["python"]
-    assert completed(script, "mipgen gen", tmp_path) == ["generate"]
-    assert completed(script, "mipgen generate --targ", tmp_path) == ["--target", "--target-path"]
-    assert completed(script, "mipgen new f", tmp_path) == ["folder"]
-    assert sorted(completed(script, "mipgen generate --spec ", tmp_path)) == ["bin", "folder"]
-    assert completed(script, "mipgen completion z", tmp_path) == ["zsh"]
-
-
-@pytest.mark.parametrize("shell", ["zsh", "fish"])
-def test_completion_in_other_shells(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.main(["completion", shell]) == 0
-    shown = capsys.readouterr().out
-    assert all(command in shown for command in commands()) and "mipgen targets --names" in shown
 
 
 # --------------------------------------------------------------------------- nothing to do

@@ -27,30 +27,6 @@ examples:
 'mipgen COMMAND --help' describes a command. Results that are slow to compute are cached in
 ~/.cache/mipgen. Set MIPGEN_CACHE to use another folder, or to an empty value to turn the cache off.
 """
-DIFF = """\
-verdicts:
-  same        nothing that a program could notice                             exit status 0
-  compatible  something added, or another description, range or default       3
-  source      renamed or removed: programs must be changed to build again     4
-  wire        the same bytes mean something else, or other bytes are sent     5
-
-classes (the second word of a line):
-  wire        unit, frame, valid, layout, value, condition, constant
-  source      name, removed, type, short name
-  compatible  added, default, range, description, profile, ...
-  reading     the meaning of a shared parameter on a device: wire if its type, unit, frame or
-              valid flag changed, else compatible
-
-changes to ignore, in a file for --ignore; * matches any text, and without 'class', all
-changes of the subject are ignored:
-  ignore:
-    - {subject: 3dm.gyro_bias.bias, class: unit, reason: The old unit was a mistake.}
-"""
-COMPLETION = """\
-  bash:  mipgen completion bash > ~/.local/share/bash-completion/completions/mipgen
-  zsh:   mipgen completion zsh > a folder of $fpath, as _mipgen
-  fish:  mipgen completion fish > ~/.config/fish/completions/mipgen.fish
-"""
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -109,65 +85,37 @@ def parser() -> argparse.ArgumentParser:
     made.set_defaults(run=None)
     commands = made.add_subparsers(metavar="COMMAND", title="commands")
 
-    def command(name: str, run: str, text: str, epilog: str = "") -> argparse.ArgumentParser:
+    def command(name: str, text: str) -> argparse.ArgumentParser:
         added = commands.add_parser(
             name,
             help=text,
             description=f"{text[0].upper()}{text[1:]}.",
-            epilog=epilog,
             formatter_class=_Layout,
         )
-        added.set_defaults(run=run)
+        added.set_defaults(run=name)
         return added
 
-    new = command("new", "new", "write a small specification to start from")
+    new = command("new", "write a small specification to start from")
     new.add_argument("folder", type=folder_argument, metavar="FOLDER", help="a new or empty folder")
 
-    validate = command("validate", "validate", "check a specification and write nothing")
+    validate = command("validate", "check a specification and write nothing")
     _spec(validate)
     _targets(validate)
 
-    generate = command("generate", "generate", "check a specification and write the files of all targets")
+    generate = command("generate", "check a specification and write the files of all targets")
     _spec(generate)
     _part(generate)
     _out(generate)
     _output(_targets(generate))
 
-    diff = command("diff", "diff", "list what changed between two specifications, and what it breaks", DIFF)
-    diff.add_argument("old", metavar="OLD", nargs="?", help="a folder, or a revision of the repository")
-    diff.add_argument("new", metavar="NEW", nargs="?", help="the same (default: the folder of --spec)")
-    diff.add_argument(
-        "--format",
-        choices=("text", "json", "github"),
-        default="text",
-        help="print text, JSON, or file annotations for a GitHub workflow (default: text)",
-    )
-    diff.add_argument("--json", action="store_true", help="the same as --format json")
-    diff.add_argument(
-        "--ignore",
-        type=Path,
-        metavar="FILE",
-        help="a YAML list of changes to ignore, each with a reason",
-    )
-    diff.add_argument(
-        "--release",
-        action="store_true",
-        help="compare with the last release, and fail if the version number was not raised accordingly",
-    )
-    _spec(diff)
-
-    check = command("check", "check", "fail if generated files differ from the specification")
+    check = command("check", "fail if generated files differ from the specification")
     _spec(check)
     _part(check)
     _out(check)
     _output(_targets(check))
 
-    targets = command("targets", "targets", "list the targets")
-    targets.add_argument("--names", action="store_true", help="print only their names")
+    targets = command("targets", "list the targets")
     _target_path(targets)
-
-    completion = command("completion", "completion", "print a script that completes commands in a shell", COMPLETION)
-    completion.add_argument("shell", choices=("bash", "zsh", "fish"), help="the shell that will read the script")
     return made
 
 

@@ -6,9 +6,8 @@ import os
 import shlex
 import sys
 from argparse import Namespace
-from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from mipgen.base import resources
 from mipgen.base.errors import Failure
@@ -17,12 +16,7 @@ from mipgen.emit import discovery, output, stamp
 #: The options that select a part of a specification.
 PARTS = ("devices", "sets", "fields")
 
-#: Exit statuses of `mipgen diff`; 1 and 2 are for errors.
-EXIT_STATUS = {"same": 0, "compatible": 3, "source": 4, "wire": 5}
-
 if TYPE_CHECKING:
-    from mipgen.compare.changes import Report
-    from mipgen.compare.ignored import Entry
     from mipgen.emit.build import Output
     from mipgen.emit.discovery import Source
     from mipgen.model import Model
@@ -208,102 +202,6 @@ def _remember(options: Namespace, key: str | None, summary: str, outputs: list[O
         stamp.remember(key, summary, {o.name: (o.title, o.files) for o in outputs})
 
 
-def diff(options: Namespace) -> int:
-    """Prints what changed; returns the verdict as the exit status."""
-    from mipgen.compare import changes, ignored
-
-    listed = ignored.entries(options.ignore) if options.ignore else []
-    if options.release:
-        return _since_release(options, listed)
-    if options.old is None:
-        raise Failure("specify what to compare with: a folder, a revision, or --release")
-    sides = [name for name in (options.old, options.new) if name is not None]
-    # To compare two folders, no specification is needed here.
-    spec, *overlays = _specs(options) if options.spec or not all(map(_is_spec, sides)) or len(sides) < 2 else [Path()]
-    old, _ = _of_another_time(options.old, spec)
-    new, folder = (_of_this_time(spec, overlays), "") if options.new is None else _of_another_time(options.new, spec)
-    report = ignored.without_ignored(changes.compare_models(old, new).moved(folder, f"{spec}/"), listed)
-    _print(options, report, options.old)
-    return EXIT_STATUS[report.verdict]
-
-
-def _is_spec(name: str) -> bool:
-    return bool(name) and Path(name).is_dir()
-
-
-def _print(options: Namespace, report: Report, old: str) -> None:
-    import json
-
-    match "json" if options.json else options.format:
-        case "json":
-            print(json.dumps(report.plain(), indent=2))
-        case "github":
-            print(report.github(old))
-        case _:
-            print(report.text(old))
-
-
-def _since_release(options: Namespace, listed: list[Entry]) -> int:
-    """Compares with the last release; fails if the version number was not raised enough for the changes."""
-    from mipgen.compare import changes, ignored, revisions
-
-    spec, *overlays = _specs(options)
-    tag = revisions.last_release(spec)
-    if tag is None:
-        print("there is no release to compare with yet")
-        return 0
-    new = _of_this_time(spec, overlays)
-    try:
-        report = ignored.without_ignored(changes.compare_models(_of_another_time(tag, spec)[0], new), listed)
-    except Unreadable:
-        report = changes.unreadable(tag.removeprefix("v"), new)
-    _print(options, report, tag)
-    if changes.enough(report):
-        return 0
-    print(f"mipgen: the version {report.new} is too low for these changes; raise it in protocol.yaml", file=sys.stderr)
-    return 1
-
-
-def _of_this_time(spec: Path, overlays: list[Path]) -> Model:
-    from mipgen.read.problems import SpecError
-    from mipgen.resolve.load import load_model
-
-    try:
-        return load_model(spec, *overlays)
-    except SpecError as error:
-        raise Unreadable(str(spec), [str(p) for p in error.problems]) from None
-
-
-def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
-    """Loads the specification of a folder or a revision, which may be too old for this program. Also returns the path
-    below which the files of a revision were unpacked."""
-    from mipgen.compare import revisions
-    from mipgen.read.loader import display_path
-    from mipgen.read.problems import SpecError
-    from mipgen.resolve.load import load_model
-
-    with revisions.spec_folder(name, spec) as folder:
-        prefix = "" if _is_spec(name) else f"{display_path(folder)}/"
-        try:
-            return load_model(folder), prefix
-        except SpecError as error:
-            problems = [str(p) for p in error.problems]
-            if prefix:
-                problems = [line.replace(prefix, f"{name}:{spec}/", 1) for line in problems]
-            raise Unreadable(name, problems) from None
-
-
-class Unreadable(Failure):
-    """One of the compared specifications cannot be read by this program; each problem has its position."""
-
-    def __init__(self, name: str, problems: list[str]) -> None:
-        super().__init__("this mipgen cannot read it", name)
-        self.lines = problems
-
-    def __str__(self) -> str:
-        return "\n".join([*self.lines, super().__str__()])
-
-
 # --------------------------------------------------------------------------- others
 
 
@@ -327,31 +225,5 @@ def new(options: Namespace) -> int:
 def targets(options: Namespace) -> int:
     for source in discovery.chosen(None, options.target_path):
         own = "" if source.ours else f"  [{source.folders[0]}]"
-        print(source.name if options.names else f"{source.name:10} {source.load().title}{own}")
+        print(f"{source.name:10} {source.load().title}{own}")
     return 0
-
-
-def completion(options: Namespace) -> int:
-    import shtab
-
-    from . import arguments
-
-    parser = arguments.parser()
-    for action in _actions(parser):
-        if action.type is arguments.folder_argument:
-            action.complete = shtab.DIRECTORY
-        elif action.dest == "targets":
-            action.complete = shtab.cmd("mipgen targets --names")
-        elif action.dest == "plugins":
-            action.complete = shtab.FILE
-    print(shtab.complete(parser, options.shell))
-    return 0
-
-
-def _actions(parser: Any) -> Iterator[Any]:
-    """Yields all arguments of a parser and of its commands."""
-    for action in parser._actions:
-        yield action
-        if isinstance(action.choices, dict):
-            for command in action.choices.values():
-                yield from _actions(command)

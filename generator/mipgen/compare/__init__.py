@@ -1,1 +1,0 @@
-"""Finds what a change to a specification means for its users."""
