@@ -108,8 +108,8 @@ golden-diff: $(VENV)/generator.stamp ## show what changed in that output since a
 	@git --no-pager diff --no-index --stat -p $(BUILD)/golden/invented $(BUILD)/invented || true
 
 .PHONY: audit
-audit: $(VENV)/generator.stamp ## compare the specification with its sources: make audit MANUALS="ID=FILE ID=FILE" SDK=FOLDER, EXTRACT=1 writes their facts
-	@$(AUDIT) --spec $(SPEC) $(addprefix --manual ,$(MANUALS)) $(addprefix --sdk ,$(SDK)) $(if $(EXTRACT),--extract)
+audit: $(VENV)/generator.stamp ## compare the specification with facts of other sources, or with the vendor's SDK: make audit SDK=FOLDER, EXTRACT=1 writes its facts
+	@$(AUDIT) --spec $(SPEC) $(addprefix --sdk ,$(SDK)) $(if $(EXTRACT),--extract)
 
 # Each ends with a line that says what was run and what was left out; nothing is skipped in between.
 # Tests start many programs in Python: what is compiled is kept, even where Python is told to keep nothing.

@@ -7,12 +7,14 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from audit import rules, sdk, tables, witnesses
+import yaml
+from audit import rules, sdk, witnesses
 from audit.__main__ import main
 from mipgen.base.errors import Failure
-from mipgen.read.problems import SpecError
+from mipgen.read.loader import load_witnesses
+from mipgen.read.problems import Problems, SpecError
 from small_specs import load
-from support import ROOT, heavy, model
+from support import ROOT, SPECS, model
 
 SPEC = """\
 set: 0x05
@@ -193,15 +195,16 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
 
 def test_another_revision_of_the_sdk(tmp_path: Path) -> None:
     """It may agree where a difference is accepted; what it has in addition is named, with its parameters."""
-    folder, revision = tmp_path / "witness", tmp_path / "witness.yaml"
-    folder.mkdir()
     accepted = 'differences:\n- {at: {sdk: [radio.move]}, reason: It is so., texts: ["speed: unit s, witness m"]}\n'
-    (folder / "sdk.yaml").write_text(FACTS.replace("unit: sec}", "unit: meters}", 1), "utf-8")
-    (folder / "accepted.yaml").write_text(accepted, "utf-8")
-    assert witnesses.audit_all(load(SPEC), folder).lines() == []
+    (tmp_path / "sdk.yaml").write_text(FACTS.replace("unit: sec}", "unit: meters}", 1), "utf-8")
+    (tmp_path / "accepted.yaml").write_text(accepted, "utf-8")
+    assert witnesses.audit_all(load(SPEC), tmp_path).lines() == []
     more = '- {key: "0x05,0x07", role: command, name: Sing, parameters: [{name: key, type: u16}]}\nstructs:'
-    revision.write_text(FACTS.replace("structs:", more, 1).replace("named: {}", 'named: {"0x05,0x09": HUM}'), "utf-8")
-    assert [str(d) for d in witnesses.audit_all(load(SPEC), folder, witnesses.read_witness(revision)).differences] == [
+    newer = tmp_path / "newer/sdk.yaml"
+    newer.parent.mkdir()
+    newer.write_text(FACTS.replace("structs:", more, 1).replace("named: {}", 'named: {"0x05,0x09": HUM}'), "utf-8")
+    (revision,) = load_witnesses(newer.parent, Problems())
+    assert [str(d) for d in witnesses.audit_all(load(SPEC), tmp_path, revision.root.plain()).differences] == [
         "0x05,0x07: no such command; the witness has Sing: key:u16 (sdk)",
         "0x05,0x09: not listed; the witness names it HUM (sdk)",
     ]
@@ -212,66 +215,6 @@ def test_the_specification_agrees_with_its_witnesses() -> None:
     assert found.lines() == []
     assert found.counts["layouts"] > 600
     assert found.counts["units"] > 1200
-
-
-# --------------------------------------------------------------------------- tables of manuals
-
-MANUAL = """\
-## Rate (0x05,0x10)
-<b>Description</b>\tSets the rate in the NED frame.
-Parameter Name\tData Type\tDescription
-Field Length\tu8\t12
-Descriptor\tu8\t0x10
-Function Selector\tu8\tWrite Read [WR]
-Port [WR]\t<a href="#">u8</a>\tCounting from 1.
-Speed [W]\t<a href="#">Vector3f</a>\tSpeed [meters/second]
-Mode [W]\tu8 enum\t<table><tr><td>OFF</td><td>0</td><td></td></tr><tr><td>ON</td><td>0x01</td></tr></table>
-Flags [W]\tu16 bitfield\t<table><tr><td>a</td><td>0</td></tr><tr><td>b</td><td>1-3</td></tr></table>
-Entries [W]\tEntry[num]\tList.
-Response Data\tData Type\tDescription
-Response Descriptor\tu8\t0x90
-Sec\tu8\tSecond (0-59)
-
-5.1.1 Level (0x85, 0x04)
-\t14 (0x0E)\t0x04\tBinary Offset\tDescription\tData Type\tUnits
-\t\t\t0\tX Level\tfloat\tradians
-\t\t\t4\tY Level\tu16\tN/A
-5.1.2 Broken (0x85, 0x05)
-\t\t\t0\tX Level\tfloat\tradians
-\t\t\t8\tZ Level\tfloat\tradians
-4.2.1 Filter (0x05, 0x20)
-Description\tPossible: 0x01 - Apply 0x02 - Read. 1-1000 seconds, default = 10 seconds
-Command\t0x08\t0x20\tU8 - Function selector U8 - Enable
-\t\t\tfloat - Time (sec)
-Reply Field 1: ACK/NACK\t0x04\t0xF1\tU8 - Echo U8 - Error
-Reply Field 2\t0x09\t0xA0\tU8 - Enable float - Time (sec)
-"""
-
-
-def test_tables_of_a_manual(tmp_path: Path) -> None:
-    path = tmp_path / "manual.txt"
-    path.write_text(MANUAL, "utf-8")
-    facts = tables.extract_manual("book", path)
-    layouts = {layout["key"]: layout for layout in facts["layouts"]}
-    assert list(layouts) == ["0x05,0x10", "0x05,0x90", "0x85,0x04", "0x05,0x20"]  # whose rows make up its length
-    rate = layouts["0x05,0x10"]
-    assert (rate["role"], rate["functions"], rate["frames"]) == ("command", "WR", ["ned"])
-    assert rate["parameters"] == [
-        {"name": "port", "type": "u8", "for": "WR", "range": [1.0, None]},
-        {"name": "speed", "type": "float", "count": 3, "of": "Vector3f", "for": "W", "unit": "meters/second"},
-        {"name": "mode", "type": "u8", "for": "W", "values": {"OFF": 0, "ON": 1}},
-        {"name": "flags", "type": "u16", "for": "W", "bits": {"a": [0, 1], "b": [1, 3]}},
-        {"name": "entries", "type": "struct", "struct": "Entry", "by": "num", "for": "W"},
-    ]
-    assert layouts["0x05,0x90"]["parameters"] == [{"name": "sec", "type": "u8", "unit": "second", "range": [0.0, 59.0]}]
-    assert [p["type"] for p in layouts["0x85,0x04"]["parameters"]] == ["float", "u16"]
-    assert layouts["0x05,0x20"]["parameters"] == [
-        {"label": "enable", "type": "u8"},
-        {"label": "time", "type": "float", "unit": "sec", "default": 10.0, "range": [1.0, 1000.0]},
-    ]
-    assert facts["units"] == {"m/s": ["meters/second"], "rad": ["radians"], "s": ["sec", "second"]}
-    (tmp_path / "book.yaml").write_text(tables.dump(facts, "by a test"), "utf-8")
-    assert [d.at for d in witnesses.audit_all(load(SPEC), tmp_path).differences] == list(layouts)
 
 
 # --------------------------------------------------------------------------- a working copy of the SDK
@@ -496,17 +439,18 @@ def test_a_working_copy_of_the_sdk(tmp_path: Path) -> None:
     assert facts["enums"]["FunctionSelector"] == {"type": "u8", "values": {"WRITE": 1}}
 
 
-@heavy("audits of the whole specification")
 def test_auditing_a_working_copy(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """It is compared with the specification, or becomes its witness."""
-    copy = working_copy(tmp_path / "copy")
-    arguments = ["--spec", str(ROOT / "spec"), "--sdk", str(copy)]
+    copy, spec = working_copy(tmp_path / "copy"), tmp_path / "spec"
+    shutil.copytree(SPECS["invented"][0], spec)
+    (spec / "witness").mkdir()
+    arguments = ["--spec", str(spec), "--sdk", str(copy)]
+    assert main([*arguments, "--extract"]) == 0
+    assert yaml.safe_load((spec / "witness/sdk.yaml").read_text("utf-8")) == sdk.extract_sdk(copy)
     assert main(arguments) == 1
     assert "0x05,0x01: no such command; the witness has commands_radio::Tune: " in capsys.readouterr().out
-    spec = tmp_path / "spec"
-    shutil.copytree(ROOT / "spec", spec)
-    assert main(["--spec", str(spec), "--sdk", str(copy), "--extract"]) == 0
-    assert witnesses.read_witness(spec / "witness/sdk.yaml")["layouts"] == sdk.extract_sdk(copy)["layouts"]
+    assert main([*arguments[:3], str(tmp_path)]) == 1
+    assert "this is no working copy of the vendor's SDK" in capsys.readouterr().err
 
 
 def test_a_working_copy_of_another_form(tmp_path: Path) -> None:

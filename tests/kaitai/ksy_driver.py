@@ -1,4 +1,4 @@
-"""What the tests of mip.ksy share: its text as a tree, and drivers in both languages for any output."""
+"""What the tests of mip.ksy share: its text as a tree, what the compiler makes of it, and a driver for any output."""
 
 from __future__ import annotations
 
@@ -36,17 +36,22 @@ def file(spec: str) -> Path:
 
 def compiled(generated: Path, name: str, language: str) -> Path:
     """The folder of what the compiler makes of generated/kaitai, and the modules of Node beside it."""
-    built(generated, name, language)
+    build_driver(generated, name, language)
     return BUILD / f"conformance-{name}-kaitai" / language
 
 
-def built(generated: Path, name: str, language: str) -> Driver:
-    environment = {"KAITAI_LANGUAGE": language, "PYTHON": need("python3")}
+def built(generated: Path, name: str) -> Driver:
+    command = build_driver(generated, name, "python").splitlines()[-1]
+    return Driver("kaitai", command.split(), {})
+
+
+def build_driver(generated: Path, name: str, language: str) -> str:
     build = BUILD / f"conformance-{name}-kaitai"
     with locked(build):
         done = subprocess.run(
             [str(ROOT / "tests/kaitai/build_driver.sh"), str(generated), str(build)],
-            capture_output=True, text=True, env={**os.environ, **environment},
+            capture_output=True, text=True,
+            env={**os.environ, "KAITAI_LANGUAGE": language, "PYTHON": need("python3")},
         )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr
-    return Driver(f"kaitai in {language}", done.stdout.splitlines()[-1].split(), environment)
+    return done.stdout

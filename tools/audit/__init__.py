@@ -1,4 +1,4 @@
-"""Compares this specification with manuals and other sources: `make audit`.
+"""Compares this specification with facts of other sources: `make audit`.
 
 `tests/generator/test_witness.py` tests it.
 """

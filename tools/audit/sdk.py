@@ -58,12 +58,10 @@ _NAMED = re.compile(r"([A-Z][\w-]*) = (\d+)()")
 _INVALID = re.compile(r"0 ?[-=] ?invalid,? ?1 ?[-=]? ?valid", re.IGNORECASE)
 
 
-def is_working_copy(folder: Path) -> bool:
-    return (folder / DEFINITIONS).is_dir()
-
-
 def extract_sdk(folder: Path) -> dict[str, Any]:
-    """Returns the facts of a working copy in the format of a `spec/witness` file."""
+    """Returns the facts of a working copy in the format of a `spec/witness` file. Raises Failure."""
+    if not (folder / DEFINITIONS).is_dir():
+        raise Failure("this is no working copy of the vendor's SDK", str(folder))
     try:
         return _facts(folder)
     except (KeyError, StopIteration, OSError) as error:

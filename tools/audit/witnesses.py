@@ -63,16 +63,6 @@ class Report:
         return f"witnesses: {facts}; {rest}" + f"; nor have these facts of devices: {debt}" * bool(debt)
 
 
-def read_witness(path: Path) -> dict[str, Any]:
-    """Returns the facts of one file. Raises SpecError if it cannot be read."""
-    problems = Problems()
-    document = loader.load_witness(path, problems)
-    problems.raise_if_any()
-    assert document is not None
-    facts: dict[str, Any] = document.root.plain()
-    return facts
-
-
 def audit_all(model: m.Model, folder: Path, revision: dict[str, Any] | None = None, name: str = "sdk") -> Report:
     """Compares the model with all files of a folder, or with another SDK revision only: the facts in `revision`, as the
     witness `name`. Accepted differences are then not reported as stale. Raises SpecError if a file cannot be read."""

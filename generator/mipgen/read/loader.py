@@ -115,12 +115,6 @@ def load_witnesses(folder: Path, problems: Problems) -> list[Document]:
     return documents
 
 
-def load_witness(path: Path, problems: Problems) -> Document | None:
-    """Reads a witness file, in any folder; None if it cannot be read."""
-    root = read(path, display_path(path), problems)
-    return Document("witness", path.name, root) if root is not None and _valid("witness", root, problems) else None
-
-
 def _key(path: Path, kind: str, over: bool) -> str:
     """Returns the cache key for the nodes of a file, whose positions contain the path as shown. Empty if unreadable."""
     try:
