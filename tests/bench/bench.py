@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import bench_c
@@ -16,8 +13,6 @@ import bench_generate
 import bench_rust
 
 ROOT = Path(__file__).parents[2]
-HERE = Path(__file__).parent
-
 
 #: The table of C beside the vendor's SDK, and of microcontrollers.
 PEER = ROOT / "docs/parts/bench_c_peer.md"
@@ -51,9 +46,6 @@ def main() -> None:
         return
     print(bench_rust.report())
     print(bench_columns.report())
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(ROOT / "tools"), str(ROOT / "generated/python")))}
-    print("\nPython: " + subprocess.check_output([sys.executable, str(HERE / "bench_python_objects.py")], text=True,
-                                                   env=environment))  # fmt: skip
 
 
 if __name__ == "__main__":
