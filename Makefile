@@ -95,7 +95,7 @@ status: generate ## write docs/status.md and the figures of README.md, from comm
 	@$(RUN) tests/status.py
 
 .PHONY: keys
-keys: $(VENV)/generator.stamp ## write spec/keys.md, the index of the keys of a specification
+keys: $(VENV)/generator.stamp ## write generated/keys.md, the index of the keys of a specification
 	@$(RUN) tests/keys.py
 
 # The commit's generator runs in a copy of that commit; both outputs have the same place within their folder.

@@ -53,7 +53,7 @@ SECTIONS = {
     },
     "Specification": {
         "spec/README.md": "The specification language",
-        "spec/keys.md": "Keys of the language",
+        "generated/keys.md": "Keys of the language",
         "docs/specifications.md": "Your own fields and protocols",
         "docs/new-language.md": "Generate another language",
         "docs/contribute-a-device.md": "Contribute a device",

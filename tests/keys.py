@@ -1,4 +1,4 @@
-"""Writes spec/keys.md, the index of all keys, from the schemas; with --check, only compares it."""
+"""Writes generated/keys.md, the index of all keys, from the schemas; with --check, only compares it."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ import yaml
 
 ROOT = Path(__file__).parents[1]
 SCHEMAS = ROOT / "spec/schema"
-PAGE = ROOT / "spec/keys.md"
+PAGE = ROOT / "generated/keys.md"
 LONGEST = 60
 
 HEAD = """\
 # Index of keys
 
 All keys of the files of a specification: what each means, and an example from this specification. The
-[README](README.md) explains them by subject. `make keys` writes this page from the schemas, and `make check` compares
-it.
+[README](../spec/README.md) explains them by subject. `make keys` writes this page from the schemas, and `make check`
+compares it.
 """
 
 #: Kind of schema -> the files that it describes.
