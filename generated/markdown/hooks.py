@@ -23,7 +23,7 @@ _PROGRAM = re.compile(r'<details class="program" markdown="1">\n<summary>(.*?)</
 _PROGRAMS = re.compile(r"^(?:```(?:c|cpp|python|rust|javascript)\n(?:(?!```).*\n)*```\n){2,}", re.M)
 #: A program of a guide in one language, and where it is in all.
 _SAME = re.compile(
-    r"^```python\n(?:(?!```).*\n)*```\n\n(.*); \[the same in [^\]]*\]\((programs/[^)#]+)#([^)]+)\)", re.M
+    r"^```python\n(?:(?!```).*\n)*```\n\n(.*); \[the same in [^\]]*\]\((programs\.md)#([^)]+)\)", re.M
 )
 _FENCE = re.compile(r"```(\w+)\n(.*?)```\n", re.S)
 _LANGUAGES = {"c": "C", "cpp": "C++", "python": "Python", "rust": "Rust", "javascript": "JavaScript"}
@@ -102,7 +102,7 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
 def on_page_content(content: str, page: Any, **_: Any) -> str:
     """Keeps the text of a page for the search, which leaves out indexes. Colours packets."""
     path = page.file.src_uri
-    if path.startswith(("indexes/", "guides/programs/")):
+    if path.startswith(("indexes/", "guides/programs.")):
         return content
     if path.startswith(("fields/", "guides/")):
         content = rulers(labelled(content))

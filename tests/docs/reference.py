@@ -197,8 +197,7 @@ class Manual:
         return self.field(command), 1 if command.selector else 0
 
     def example(self, e: m.Example) -> str:
-        family = next(s.family for s in self.model.sets if s.number == e.set)
-        return self.section(f"examples/{e.manual}/{family}.md", f"example.{e.id}")
+        return self.section(f"examples/{e.manual}.md", f"example.{e.id}")
 
     def type(self, t: m.Type) -> str:
         owner = getattr(t, "owner", None)

@@ -11,6 +11,7 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.resolve.load import load_model
+from mipgen.targets.markdown.view.manuals import parts_of_examples
 from reference import Manual, made, manual_of, path_of, prose, table_with, words
 from support import SPECS, some
 
@@ -31,7 +32,7 @@ def test_every_example_has_its_section(manual: Manual) -> None:
         assert bytes.fromhex(block) == shown(e)
         assert bytes.fromhex(" ".join(words(row["Bytes"]) for row in rows)) == shown(e), e.id
         device = f", {e.device.title}" if e.device else ""
-        assert f"\n## {e.id}\n\n{e.title} ({ROLES[e.role]}{device}), in “{e.section}”." in seen
+        assert f"\n### {e.id}\n\n{e.title} ({ROLES[e.role]}{device}), in “{e.section}”." in seen
         assert prose(e.note, manual.model) in seen
         assert (
             (e.string is not None)
@@ -102,10 +103,11 @@ def test_examples_are_in_the_order_of_their_manual(manual: Manual) -> None:
         own = [e for e in manual.model.examples if e.manual == of.id]
         if of.sections:
             own = [e for section in of.sections for e in own if e.section == section]
-        for path, ids in seen.items():
-            if f"/{of.id}/" in path:
-                assert ids == [e.id for e in own if e.id in ids]
-                assert f"](examples/{path.removeprefix('docs/examples/')}) | {len(ids)} |" in manual.page("examples.md")
+        parts = [x for x in parts_of_examples(manual.model) if x.manual == of]
+        assert seen.get(f"docs/examples/{of.id}.md", []) == [e.id for x in parts for e in x.entries]
+        for x in parts:
+            assert [e.id for e in x.entries] == [e.id for e in own if e in x.entries]
+            assert f"](examples/{of.id}.md#{x.anchor}) | {len(x.entries)} |" in manual.page("examples.md")
 
 
 def test_two_devices_with_one_manual(tmp_path: Path) -> None:

@@ -152,15 +152,15 @@ def test_fields_and_types_between_backticks_are_links() -> None:
 
 
 def test_descriptors_in_quotations_are_links() -> None:
-    errata = manual_of("invented").page("errata/leaflet/meaning.md")
+    errata = manual_of("invented").page("errata.md")
     assert "- Published: See (0x01,0x7F)." in errata
     text = "The text refers to `tools.ping` by (0x01,0x01)."
     quoting = dataclasses.replace(model("invented").errata[0], printed=text, right=text, reason=text)
     manual = made(dataclasses.replace(model("invented"), errata=(quoting,)))
-    page = manual.page(f"errata/{quoting.manual}/{quoting.severity}.md")
-    quoted = "The text refers to `tools.ping` by [(0x01,0x01)](../../fields/tools/ping.md#tools.ping)."
+    page = manual.page("errata.md")
+    quoted = "The text refers to `tools.ping` by [(0x01,0x01)](fields/tools/ping.md#tools.ping)."
     assert f"- Published: {quoted}\n- Correct: {quoted}\n" in page
-    reason = "The text refers to [Ping (0x01,0x01)](../../fields/tools/ping.md#tools.ping) by (0x01,0x01)."
+    reason = "The text refers to [Ping (0x01,0x01)](fields/tools/ping.md#tools.ping) by (0x01,0x01)."
     assert f"- Reason: {reason}" in page
 
 
@@ -250,7 +250,7 @@ def test_text_is_never_markup() -> None:
     f = awkward.families[0].fields[0]
     assert words(manual.field(f)).count(prose(NASTY, awkward)) == 2
     markdown_ = importlib.import_module("markdown")  # comes with mkdocs
-    for path in (path_of(f), f"sets/{f.family}.md", "errata/guide/wire.md", f"devices/{awkward.devices[0].id}.md"):
+    for path in (path_of(f), f"sets/{f.family}.md", "errata.md", f"devices/{awkward.devices[0].id}.md"):
         page = markdown_.markdown(manual.page(path), extensions=["tables", "fenced_code"])
         assert not re.search(r"<b>|<em>[cd]</em>|href=\"f\"", page)
         assert prose(NASTY, awkward) in html.unescape(re.sub(r"</?code>", "", page)), path

@@ -37,7 +37,7 @@ def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
 def program_of_guide(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
     _, guide, sequence = play
     number = guide.sequences.index(sequence) + 1
-    part = manual.section(f"guides/programs/{guide.name}.md", f"{guide.name}.programs_{number}")
+    part = manual.section("guides/programs.md", f"{guide.name}.programs_{number}")
     if language == "python":
         part = manual.section(f"guides/{guide.name}.md", f"{guide.name}.{number}")
     (block,) = re.findall(rf"^```{language}\n(.*?)^```$", part, re.M | re.S)

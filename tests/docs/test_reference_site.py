@@ -40,8 +40,7 @@ in_browser = heavy("Chromium")
 
 #: One page of each kind, and those with the widest tables.
 PAGES = (
-    "index.html", "packets.html", "errata.html", "units.html",
-    "errata/3dm-gx5-15/wire.html", "examples/3dm-gx5-15/3dm.html",
+    "index.html", "packets.html", "errata.html", "units.html", "examples/3dm-gx5-15.html",
     "sets/3dm.html", "sets/filter_data.html", "types/3dm.html",
     "devices/3dm-cv7-gnss-ins.html", "devices/3dm-gx5-15.html",
     "fields/3dm/pps_source_control.html", "fields/3dm/event_trigger_config.html", "fields/3dm/message_format.html",
@@ -119,7 +118,7 @@ def test_site_builds(spec: str) -> None:
         if '<div class="filter' in text:
             assert 'class="filter' in page and re.search(r'<script src="(\.\./)*assets/filter\.js"', page), path
         programs = re.findall(r'^<details class="program"', text, re.M)
-        if path.startswith(("fields/", "programs.", "guides/programs/")):
+        if path.startswith(("fields/", "programs.", "guides/programs.")):
             programs += re.findall(r"^```(?:c|cpp|python|rust|javascript)$", text, re.M)
         elif path.startswith("guides/"):  # the site has all languages
             programs += re.findall(r"^```python$", text, re.M) * len(LANGUAGES)
@@ -179,7 +178,7 @@ def test_text_for_the_search(spec: str) -> None:
     manual, site = manual_of(spec), built(spec)
     script = (site / "assets/text.js").read_text("utf-8")
     texts = json.loads(script.removeprefix("globalThis.mipText = ").removesuffix(";\n"))
-    repeating = ("indexes/", "guides/programs/")
+    repeating = ("indexes/", "guides/programs.")
     listed = (path for _, path in navigation(manual) if not path.startswith(repeating))
     of_the_manual = sorted(url for url, _, _ in texts if not url.startswith("project/"))
     assert of_the_manual == sorted(f"{path[:-3]}.html" for path in listed)
@@ -262,12 +261,12 @@ def test_text_of_pages_is_found_and_collections_are_not_first() -> None:
         "big-endian": "packets.html#numbers",
         "units and frames": "units.html",
         "3DM-CV7-GNSS/INS": "devices/3dm-cv7-gnss-ins.html",
-        "cv7-pps-disabled": "errata/3dm-cv7-gnss-ins/meaning.html#erratum.cv7-pps-disabled",
+        "cv7-pps-disabled": "errata.html#erratum.cv7-pps-disabled",
     }
     found = searched([*wanted, "checksum", "event trigger", "baud rate", "gnss"])
     assert {query: page for query, page in wanted.items() if page not in found.pop(query)} == {}
     for query, addresses in found.items():
-        collected = [address.startswith(("errata/", "examples/")) for address in addresses]
+        collected = [address.startswith(("errata.", "examples/")) for address in addresses]
         assert addresses and not any(collected[:3]), query
 
 
@@ -433,7 +432,7 @@ def test_inspector_links_to_the_reference(page: browser.Page) -> None:
     found = shown(page, ".mip-field h3 a")
     assert found[0] == page_of("3dm.pps_source_control") and found[1] == page_of("protocol.acknowledge")
     assert found[2] == page_of("3dm.pps_source_control_response")
-    assert "errata/3dm-cv7-gnss-ins/meaning.html#erratum.cv7-pps-disabled" in shown(page, ".mip-note a")
+    assert "errata.html#erratum.cv7-pps-disabled" in shown(page, ".mip-note a")
 
 
 @in_browser
@@ -659,7 +658,7 @@ def test_the_scheme_is_switched_and_kept(page: browser.Page) -> None:
 
 
 #: Pages with very many tables, of a kind that other pages have, too.
-MANY = {"examples/3dm-gx5-15/3dm.html", "errata/3dm-gx5-15/wire.html", "compare/commands.html", "indexes/c.html"}
+MANY = {"examples/3dm-gx5-15.html", "errata.html", "compare/commands.html", "indexes/c.html"}
 
 #: Widths and colour schemes in which a page is seen.
 WAYS = ((1400, "default"), (390, "default"), (390, "slate"))

@@ -42,7 +42,7 @@ def texts_by_place(manual: Manual) -> Iterator[tuple[str, object]]:
     for d in of.devices:
         things = (d, *d.limits, *d.notes, *(s for s in d.supports if s.deprecated))
         yield from ((manual.page(f"devices/{d.id}.md"), thing) for thing in things)
-    yield from ((manual.section(f"errata/{e.manual}/{e.severity}.md", f"erratum.{e.id}"), e) for e in of.errata)
+    yield from ((manual.section("errata.md", f"erratum.{e.id}"), e) for e in of.errata)
     for word in (*protocol.units, *protocol.frames):
         yield from ((manual.page("units.md"), thing) for thing in (word, *word.conversions))
     yield from ((manual.page("packets.md"), thing) for thing in (*protocol.notes, *protocol.functions))
@@ -128,7 +128,7 @@ def test_what_a_device_supports_or_refuses(
 def test_errata_and_what_they_are_about_lead_to_each_other(manual: Manual) -> None:
     of = manual.model
     for e in of.errata:
-        section = manual.section(f"errata/{e.manual}/{e.severity}.md", f"erratum.{e.id}")
+        section = manual.section("errata.md", f"erratum.{e.id}")
         for c in e.claims:
             f = of.field(c.subject)
             shown = next((x for x in of.examples if c.kind == "example" and x.id == c.subject), None)

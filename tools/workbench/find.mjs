@@ -38,7 +38,7 @@ export function synonymsOf({ synonyms = [], vocabulary }) {
 
 /**
  * Returns the fields that a text may mean, the best first, at most `limit` of them. A text is a descriptor in any form
- * ("0x0D13", "82 10", "(0x82,0x10)", "0x82"), a name, a symbol in a binding (including values), a vendor's name, or
+ * ("0x0D13", "82 10", "(0x82,0x10)", "0x82", 3399), a name, a symbol in a binding (including values), a vendor's name, or
  * words. `rank` is 0 or less if the text is a descriptor, a name, a symbol or a keyword of the field, and `WORDS` if the field
  * has words of the text.
  */
@@ -57,7 +57,7 @@ export function find(index, text, limit = 20) {
 export function exactly(index, text) {
     const query = text.trim();
     const ranks = new Map();
-    for (const { field, rank } of byDescriptor(index, query)) ranks.set(field, rank);
+    for (const { field, rank } of [...byDescriptor(index, query), ...byNumber(index, query)]) ranks.set(field, rank);
     const squashed = squash(query);
     const vendor = /\s/.test(query) ? "" : index.vendorWords(query);
     const part = query.includes("_") ? squashed : ""; // single words are those of too many
@@ -132,6 +132,13 @@ function byDescriptor({ protocol }, query) {
     return protocol.model.fields
         .filter((field) => occursIn(field, first) || field.descriptor === first)
         .map((field) => ({ field, rank: occursIn(field, first) ? EXACT - 2 : EXACT - 1 }));
+}
+
+/** Finds what MSCL's messages call by set and descriptor in one decimal number: "The command (3399) is not supported". */
+function byNumber({ protocol }, query) {
+    const numbers = query.match(/(?<![\w.,])\d{4,5}(?![\w.,])/g) ?? [];
+    const fields = numbers.flatMap((number) => protocol.candidates(number >> 8, number & 0xff));
+    return fields.map((field) => ({ field, rank: EXACT - 3 }));
 }
 
 // ------------------------------------------------------------------------------------------------ names

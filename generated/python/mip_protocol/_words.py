@@ -4,6 +4,7 @@ from __future__ import annotations
 
 #: Full names of fields -> keywords.
 KEYWORDS: dict[str, tuple[str, ...]] = {
+    "base.ping": ("connection test", "is the device there"),
     "base.set_idle": ("stop streaming", "standby", "pause data"),
     "base.get_device_info": (
         "serial number",
@@ -210,6 +211,7 @@ KEYWORDS: dict[str, tuple[str, ...]] = {
         "manual heading",
         "start heading",
     ),
+    "filter.run": ("start the filter",),
     "filter.vehicle_dynamics_mode": (
         "airborne",
         "automotive",
@@ -243,6 +245,7 @@ KEYWORDS: dict[str, tuple[str, ...]] = {
         "use magnetometer for heading",
         "use gnss heading",
     ),
+    "filter.auto_initialization_control": ("automatic initialization", "initialize automatically"),
     "filter.accel_noise": ("accel noise density", "tune the filter", "process noise"),
     "filter.gyro_noise": (
         "gyro noise density",
@@ -425,6 +428,7 @@ KEYWORDS: dict[str, tuple[str, ...]] = {
         "auxiliary port",
         "usb or uart",
     ),
+    "system.comm_mode": ("direct mode", "talk to the receiver", "native protocol of the receiver"),
     "sensor.scaled_accel": ("accel", "acceleration", "accelerometer", "imu data", "specific force"),
     "sensor.scaled_gyro": (
         "gyro",
@@ -631,7 +635,7 @@ SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("drifts", "drifting", "wander", "wanders"),
     ("found", "connect", "communicate", "detected", "recognized"),
     ("power-up", "startup", "boot", "restart", "reboot", "power", "cycle"),
-    ("lost", "fails", "fail", "failing", "stops", "breaks"),
+    ("lost", "fails", "fail", "failing", "stops", "breaks", "stuck", "hangs", "freezes"),
     ("heading", "yaw"),
     ("zero", "tare", "rezero"),
     ("refused", "error"),
@@ -642,7 +646,7 @@ SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("direction", "sign", "polarity"),
     ("synchronized", "sync", "synchronize", "synchronization"),
     ("spreadsheet", "excel", "csv"),
-    ("uncertainty", "deviation", "covariance", "sigma", "variance"),
+    ("uncertainty", "deviation", "covariance", "sigma", "variance", "accuracy", "precision"),
     ("attitude", "orientation"),
     ("interference", "disturbance", "distortion", "anomaly"),
     ("heading", "compass", "magnetometer"),
@@ -672,6 +676,22 @@ SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("simulate", "virtual", "emulator", "mock"),
     ("record", "log", "logging", "recording"),
     ("parse", "parser", "decode"),
+    ("level", "flat", "horizontal", "upright", "desk"),
+    ("low", "below", "lower", "slow", "slower"),
+    ("unplugged", "replugged", "plugged", "disconnected", "reconnect"),
+    ("receiver", "chip", "ublox", "septentrio"),
+    ("direct", "directly", "passthrough", "bypass", "transparent"),
+    ("latency", "delay", "lag", "late"),
+    ("wrong", "incorrect", "unexpected", "strange", "weird"),
+    ("vehicle", "robot", "car", "axle", "chassis", "rover"),
+    ("vibration", "noisy", "shaking"),
+    ("convert", "export"),
+    ("replace", "migrate", "upgrade", "successor"),
+    ("serial", "tty", "ttyacm", "ttyusb", "ttyacm0", "ttyusb0"),
+    ("connector", "wiring", "pinout", "cable"),
+    ("satellites", "sats", "sv"),
+    ("gga", "gpgga", "gngga"),
+    ("rmc", "gprmc", "gnrmc"),
     ("fault", "failure", "failed", "broken", "faulty", "damaged"),
     ("structure", "layout", "format"),
     ("enable", "activate", "turn", "switch"),

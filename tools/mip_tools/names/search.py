@@ -45,7 +45,10 @@ def all_fields() -> list[Occurrence]:
 
 
 def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
-    """Returns the fields that have words of a text, the best first."""
+    """Returns the fields that have words of a text, the best first; before them, those of its decimal numbers."""
+    numbers = {int(number) for number in re.findall(r"(?<![\w.,])\d{4,5}(?![\w.,])", text)}  # MSCL: "command (3399)"
+    numbered = [f for f in fields if f.set << 8 | f.kind.DESCRIPTOR in numbers]
+    text = re.sub(r"(?<=[a-z0-9])(?=[A-Z][a-z])", " ", text)  # PpsSource
     scores: dict[Occurrence, float] = defaultdict(float)
     covered: dict[Occurrence, float] = defaultdict(float)
     parts = list(_parts(list(dict.fromkeys(_words(text)))))
@@ -63,7 +66,8 @@ def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
         if field in scores
     }
     best = max(totals.values(), default=0)
-    return sorted((f for f in totals if totals[f] >= best * _LEAST), key=lambda f: -totals[f])
+    others = [f for f in totals if totals[f] >= best * _LEAST and f not in numbered]
+    return numbered + sorted(others, key=lambda f: -totals[f])
 
 
 def _having(meant: dict[str, float]) -> dict[Occurrence, tuple[float, float]]:

@@ -87,18 +87,18 @@ def _lists(site: Site, model: m.Model) -> Iterator[File]:
     for tool in TOOLS:
         yield file(at(places.place(tool, model)[0]), "tool.md.j2", tool=tool)
     errata, examples = parts_of_errata(model), parts_of_examples(model)
-    yield file(at(places.ERRATA), "errata.md.j2", parts=errata)
-    for e in errata:
-        yield file(p := at(e.path), "errata_of_manual.md.j2", part=e, errata=[Erratum(p, x) for x in e.entries])
+    yield file(p := at(places.ERRATA), "errata.md.j2", parts=[(x, [Erratum(p, e) for e in x.entries]) for x in errata])
     yield file(at(places.EXAMPLES), "examples.md.j2", parts=examples)
-    for part in examples:
-        yield file(
-            p := at(part.path), "examples_of_set.md.j2", part=part, examples=[Example(p, x) for x in part.entries]
-        )
+    for manual in dict.fromkeys(x.manual for x in examples):
+        p = at(places.examples_page(manual.id))
+        parts = [(x, [Example(p, e) for e in x.entries]) for x in examples if x.manual == manual]
+        yield file(p, "examples_of_manual.md.j2", manual=manual, parts=parts)
+    if sequences := [g for g in model.guides if g.sequences]:
+        p = at(places.GUIDE_PROGRAMS)
+        yield file(p, "guide_programs.md.j2", guides=[Guide(p, g) for g in sequences])
     p = at(places.INDEX)  # paths in the navigation are relative to docs/
-    programs = [(f"Programs: {places.label(g)}", places.guide_programs(g)) for g in model.guides if g.sequences]
-    views = {"page": p, **site.lists, "contents": Contents(p), "examples": examples, "errata": errata}
-    views["guide_programs"] = programs
+    views = {"page": p, **site.lists, "contents": Contents(p), "examples": examples}
+    views["guide_programs"] = bool(sequences) and places.GUIDE_PROGRAMS
     yield File("mkdocs.yml", "mkdocs.yml.j2", views)
 
 
@@ -109,9 +109,6 @@ def _things(site: Site, model: m.Model) -> Iterator[File]:
         (Set, model.sets), (Field, fields), (Device, model.devices), (Guide, model.guides),
     ]  # fmt: skip
     for guide in model.guides:
-        if guide.sequences:
-            page = site.at(places.guide_programs(guide))
-            yield site.file(page, "guide_programs.md.j2", guide, guide=Guide(page, guide))
         if guide.picture:
             yield File(places.guide_picture(guide), "picture.svg.j2", {"picture": guide.picture})
     for view, things in kinds:

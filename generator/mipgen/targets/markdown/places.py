@@ -21,6 +21,7 @@ README = "README.md"
 INDEX = "docs/index.md"
 START = "docs/start.md"
 PROGRAMS = "docs/programs.md"
+GUIDE_PROGRAMS = "docs/guides/programs.md"
 PACKETS = "docs/packets.md"
 UNITS = "docs/units.md"
 TYPES = "docs/types.md"
@@ -53,24 +54,13 @@ def types_page(owner: str | None) -> str:
     return f"docs/types/{owner}.md" if owner else TYPES
 
 
-def examples_page(x: m.Example, model: m.Model) -> str:
-    """Returns the page of a manual's examples that are packets of one family."""
-    s = model.set(x.set)
-    return f"docs/examples/{x.manual}/{s.family if s else hexadecimal(x.set)}.md"
-
-
-def guide_programs(guide: Guide) -> str:
-    """The page with the programs of a guide in all languages."""
-    return f"docs/guides/programs/{guide.name}.md"
+def examples_page(manual: str) -> str:
+    """Returns the page of a manual's examples."""
+    return f"docs/examples/{manual}.md"
 
 
 def guide_picture(guide: Guide) -> str:
     return f"docs/assets/guides/{guide.name}.svg"
-
-
-def errata_page(e: m.Erratum) -> str:
-    """Returns the page of an erratum: one for each manual and severity."""
-    return f"docs/errata/{e.manual}/{e.severity}.md"
 
 
 def place(thing: Thing, model: m.Model) -> tuple[str, str]:
@@ -89,9 +79,9 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
             page = PACKETS if thing.family == model.protocol.acknowledge.family else field_page(thing)
             return page, thing.full_name
         case m.Example():
-            return examples_page(thing, model), f"example.{thing.id}"
+            return examples_page(thing.manual), f"example.{thing.id}"
         case m.Erratum():
-            return errata_page(thing), f"erratum.{thing.id}"
+            return ERRATA, f"erratum.{thing.id}"
         case m.Manual():
             return INDEX, f"manual.{thing.id}"
         case m.Word():

@@ -6,7 +6,7 @@
     const addresses = {
         fieldPage: `${site}fields/{set}/{page}.html#{field}`,
         acknowledgePage: `${site}packets.html#{field}`,
-        erratumPage: `${site}errata/{manual}/{severity}.html#erratum.{id}`,
+        erratumPage: `${site}errata.html#erratum.{id}`,
         inspectorPage: `${site}tools/inspector.html#{packet}`,
     };
     const loading = new Map();

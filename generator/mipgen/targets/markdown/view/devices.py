@@ -68,7 +68,7 @@ class Device(View[m.Device]):
 
     @property
     def certain(self) -> list[Section]:
-        """The fields that the device supports, with the functions that it accepts, set by set."""
+        """The fields of a device that is wholly known, with the functions that it accepts, set by set."""
         sections = []
         for s in self.model.sets:
             rows = [entry(self.page, x.field, x.functions, self.of) for x in self.of.certain if x.set == s.number]
@@ -166,7 +166,14 @@ class Device(View[m.Device]):
 
     @property
     def notes(self) -> list[Section]:
-        return [Section(inline(x.title), _note_table(x), self.page.prose(x.description)) for x in self.of.notes]
+        """Notes; a table that several devices have is on the page of the first one."""
+        sections = []
+        for x in self.of.notes:
+            first = next(d for d in self.model.devices if any((n.title, n.rows) == (x.title, x.rows) for n in d.notes))
+            elsewhere = bool(x.rows) and first.id != self.of.id
+            body = f"The table is on the page of the {self.page.link(first)}." if elsewhere else _note_table(x)
+            sections.append(Section(inline(x.title), body, self.page.prose(x.description)))
+        return sections
 
 
 def _undefined(e: m.Evidence) -> str:

@@ -13,7 +13,7 @@ from mipgen.facts.sample_values import GivenValues
 from mipgen.lower import codec
 from mipgen.model import guides
 
-from ..places import Page, guide_picture, guide_programs
+from ..places import GUIDE_PROGRAMS, Page, guide_picture
 from ..snippets import Program, sequences
 from ..text import code, inline, table
 from .base import View
@@ -100,7 +100,7 @@ class Sequence(View[guides.Sequence]):
     @property
     def elsewhere(self) -> str:
         """The address of the programs in other languages."""
-        return self.page.url(f"{guide_programs(self.guide)}#{self.guide.name}.programs_{self.number}")
+        return self.page.url(f"{GUIDE_PROGRAMS}#{self.guide.name}.programs_{self.number}")
 
     @property
     def number(self) -> int:

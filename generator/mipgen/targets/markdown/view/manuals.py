@@ -1,4 +1,4 @@
-"""The examples and the errata of the manuals, a page for each part of a manual."""
+"""The examples and the errata of the manuals."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Generic, TypeVar
 
 from mipgen import model as m
 
-from ..places import errata_page, examples_page, label
+from ..places import label
 from ..text import hexadecimal, inline
 from .base import View
 
@@ -17,45 +17,45 @@ Entry = TypeVar("Entry", m.Example, m.Erratum)
 
 @dataclass(frozen=True, slots=True)
 class Part(Generic[Entry]):
-    """The examples or errata of a manual that are on one page, in the order of the manual's sections."""
+    """The examples of a manual and family, or the errata of a manual and severity, in the order of its sections."""
 
-    path: str
     manual: m.Manual
-    first: bool  # of its manual
+    anchor: str
     title: str  # Markdown
     entries: Sequence[Entry]
 
 
 def parts_of_examples(model: m.Model) -> list[Part[m.Example]]:
-    """Returns a page for each manual and family."""
+    """Returns a part for each manual and family."""
 
-    def place(x: m.Example) -> tuple[str, str, str]:
+    def place(x: m.Example) -> tuple[str, str]:
         s = model.set(x.set)
         family = model.family(s.family) if s else None
-        return examples_page(x, model), label(family) if family else hexadecimal(x.set), x.section
+        return label(family) if family else hexadecimal(x.set), x.section
 
-    return list(_parts(model, sorted(model.examples, key=lambda x: place(x)[0]), place))
+    return list(_parts(model, sorted(model.examples, key=lambda x: x.set), place))
 
 
 def parts_of_errata(model: m.Model) -> list[Part[m.Erratum]]:
-    """Returns a page for each manual and severity, worst first."""
+    """Returns a part for each manual and severity, worst first."""
     worst_first = sorted(model.errata, key=lambda e: e.severity, reverse=True)
-    return list(_parts(model, worst_first, lambda e: (errata_page(e), e.severity, e.section.partition(" > ")[0])))
+    return list(_parts(model, worst_first, lambda e: (e.severity, e.section.partition(" > ")[0])))
 
 
 def _parts(
-    model: m.Model, entries: Iterable[Entry], place: Callable[[Entry], tuple[str, str, str]]
+    model: m.Model, entries: Iterable[Entry], place: Callable[[Entry], tuple[str, str]]
 ) -> Iterator[Part[Entry]]:
-    """Yields the pages of each manual; `place` returns the page, its title, and the section of an entry."""
+    """Yields the parts of each manual; `place` returns the title of the part, and the section of an entry."""
     for manual in model.protocol.manuals:
         order = {section: i for i, section in enumerate(manual.sections)}
-        pages: dict[tuple[str, str], list[tuple[int, Entry]]] = {}
+        parts: dict[str, list[tuple[int, Entry]]] = {}
         for x in entries:
             if x.manual == manual.id:
-                path, title, section = place(x)
-                pages.setdefault((path, title), []).append((order.get(section, -1), x))
-        for i, ((path, title), placed) in enumerate(pages.items()):
-            yield Part(path, manual, i == 0, title, [x for _, x in sorted(placed, key=lambda entry: entry[0])])
+                title, section = place(x)
+                parts.setdefault(title, []).append((order.get(section, -1), x))
+        for i, (title, placed) in enumerate(parts.items()):
+            anchor = f"manual.{manual.id}" + (f".{i + 1}" if i else "")
+            yield Part(manual, anchor, title, [x for _, x in sorted(placed, key=lambda entry: entry[0])])
 
 
 class Erratum(View[m.Erratum]):
