@@ -40,7 +40,10 @@ from typing import Any
 
 ROOT = Path(__file__).parents[1]
 BUILD = ROOT / "build/mutate"
-COPY = BUILD / "copy"
+#: The project as it was when the run began, because people go on changing theirs; and the copy that is changed.
+SOURCE, COPY = BUILD / "source", BUILD / "copy"
+#: What the last tests that failed have printed.
+PRINTED = BUILD / "failed.txt"
 #: What earlier runs have found: file -> the tests that killed mutants of it, and how many; test module -> seconds.
 KNOWN = BUILD / "known.json"
 Known = dict[str, dict[str, float]]
@@ -144,7 +147,7 @@ def hidden(line: str) -> str:
 
 
 def mutants(path: Path, docs: bool) -> Iterator[Mutant]:
-    name, quoted = path.relative_to(ROOT).as_posix(), False
+    name, quoted = path.relative_to(SOURCE).as_posix(), False
     for number, line in enumerate(path.read_text("utf-8").splitlines(), 1):
         marks = line.count('"""')
         was, quoted = quoted, quoted ^ (marks % 2 == 1)
@@ -183,19 +186,23 @@ def listed() -> list[str]:
     return [name for name in done.stdout.splitlines() if (ROOT / name).is_file()]
 
 
-def restore(places: tuple[str, ...] = ("",)) -> None:
-    """Makes the copy equal again; files that are equal keep their times, so that little is built anew."""
-    names = [n for n in listed() if n.startswith(places)]
+def bring(names: list[str], source: Path, target: Path) -> None:
+    """Makes these files of a folder equal to those of another; equal ones keep their times, so that little is built."""
+    for name in names:
+        if not (target / name).is_file() or (target / name).read_bytes() != (source / name).read_bytes():
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source / name, target / name)
+            shutil.copymode(source / name, target / name)
+
+
+def restore(names: list[str], places: tuple[str, ...] = ("",)) -> None:
+    """Makes the copy equal again, below these places: of a folder, files that were added go."""
+    names = [name for name in names if name.startswith(places)]
     for folder in (COPY / place for place in places if place.endswith("/")):
         for path in folder.rglob("*"):
             if path.is_file() and path.relative_to(COPY).as_posix() not in names:
                 path.unlink()
-    for name in names:
-        source, target = ROOT / name, COPY / name
-        if not target.is_file() or target.read_bytes() != source.read_bytes():
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(source, target)
-            shutil.copymode(source, target)
+    bring(names, SOURCE, COPY)
 
 
 def run(limit: float, *command: str) -> tuple[int, str]:
@@ -238,6 +245,8 @@ def fails(part: str, limit: float, tests: list[str], known: Known, *options: str
         seconds[module] = seconds.get(module, 0) + float(took)
     before = known.setdefault("seconds", {})
     before.update({module: max(took, before.get(module, 0)) for module, took in seconds.items()})
+    if status not in (0, 5):
+        PRINTED.write_text(printed, "utf-8")
     found = re.search(r"^(?:FAILED|ERROR) ([^\[@\s]+)", printed, re.M)  # parameters may be any text
     return "" if status in (0, 5) else found[1] if found else printed.strip()[-150:]
 
@@ -252,14 +261,14 @@ def words_of(path: Path) -> frozenset[str]:
 
 def likeliest(mutant: Mutant, modules: list[Path], seconds: dict[str, float]) -> list[Path]:
     """The test modules; first those with most, and the rarest, words of the changed line, and the quicker ones."""
-    lines = (ROOT / mutant.path).read_text("utf-8").splitlines()[: mutant.line]
+    lines = (SOURCE / mutant.path).read_text("utf-8").splitlines()[: mutant.line]
     function = next((line for line in reversed(lines) if re.match(r"\w.*\(|\s*(async )?(def|fn|class) ", line)), "")
     near = " ".join((mutant.path, function, lines[-1])).lower()
     common = {w: sum(w in words_of(path) for path in modules) for w in re.findall(r"[a-z0-9]{3,}", near)}
 
     def score(path: Path) -> float:
         rare = sum(math.log(len(modules) / number) for w, number in common.items() if w in words_of(path))
-        return -rare / math.sqrt(2 + seconds.get(path.relative_to(ROOT).as_posix(), 0))
+        return -rare / math.sqrt(2 + seconds.get(path.relative_to(SOURCE).as_posix(), 0))
 
     return sorted(modules, key=score)
 
@@ -272,16 +281,18 @@ def proven(mutant: Mutant, known: Known) -> Iterator[str]:
             kills[test] += int(number) * (1000 if path == mutant.path else 1)
     for test, _ in kills.most_common():
         path, _, name = test.partition("::")
-        if (ROOT / path).is_file() and f"def {name}(" in (ROOT / path).read_text("utf-8"):
+        if (SOURCE / path).is_file() and f"def {name}(" in (SOURCE / path).read_text("utf-8"):
             yield test
 
 
-def outcome(name: str, mutant: Mutant, limit: float, known: Known) -> str:
+def outcome(name: str, mutant: Mutant, limit: float, known: Known, names: list[str]) -> str:
     """What kills the mutant; empty if nothing does."""
     part, end = PARTS[name], time.monotonic() + limit
     folders = [*part.tests, *(["tests/conformance"] if part.languages else [])]
-    modules = [p for f in folders for p in ([ROOT / f] if f.endswith(".py") else sorted((ROOT / f).rglob("test_*.py")))]
-    ranked = [p.relative_to(ROOT).as_posix() for p in likeliest(mutant, modules, known.get("seconds", {}))]
+    modules = [
+        p for f in folders for p in ([SOURCE / f] if f.endswith(".py") else sorted((SOURCE / f).rglob("test_*.py")))
+    ]
+    ranked = [p.relative_to(SOURCE).as_posix() for p in likeliest(mutant, modules, known.get("seconds", {}))]
     killers = [test for test in proven(mutant, known) if test.partition("::")[0] in ranked][:5]
     path = COPY / mutant.path
     lines = path.read_text("utf-8").splitlines(keepends=True)
@@ -295,12 +306,12 @@ def outcome(name: str, mutant: Mutant, limit: float, known: Known) -> str:
             if not why and tests:
                 why = fails(name, end - time.monotonic(), tests, known, *options)
     finally:
-        restore((mutant.path, *(f"generated/{target}/" for target in part.targets)))
+        restore(names, (mutant.path, *(f"generated/{target}/" for target in part.targets)))
     return why
 
 
 def difference(mutant: Mutant) -> str:
-    old = (ROOT / mutant.path).read_text("utf-8").splitlines()
+    old = (SOURCE / mutant.path).read_text("utf-8").splitlines()
     new = old[: mutant.line - 1] + ([mutant.text] if mutant.text else []) + old[mutant.line :]
     return "\n".join(list(difflib.unified_diff(old, new, lineterm="", n=1))[2:])
 
@@ -310,7 +321,7 @@ def difference(mutant: Mutant) -> str:
 
 def chosen(name: str, number: int, seed: int, within: str) -> list[Mutant]:
     """As many mutants of a part, of those files whose path contains a text; more of them begin with the same ones."""
-    paths = sorted({p for pattern in PARTS[name].files for p in ROOT.glob(pattern) if "README" not in p.name})
+    paths = sorted({p for pattern in PARTS[name].files for p in SOURCE.glob(pattern) if "README" not in p.name})
     found = [mutant for path in paths if within in path.as_posix() for mutant in mutants(path, name == "docs")]
     random.Random(seed).shuffle(found)
     return found[:number]
@@ -327,8 +338,13 @@ def main() -> int:
     parser.add_argument("--path", default="", help="only files whose path contains this")
     given = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # no test outlives it
-    restore()
-    state = hashlib.sha256(b"".join((ROOT / name).read_bytes() for name in listed())).hexdigest()
+    names = listed()
+    for old in SOURCE.rglob("*"):
+        if old.is_file() and old.relative_to(SOURCE).as_posix() not in names:
+            old.unlink()
+    bring(names, ROOT, SOURCE)
+    restore(names, ("", *(f"{name}/" for name in sorted({name.partition("/")[0] for name in names if "/" in name}))))
+    state = hashlib.sha256(b"".join((SOURCE / name).read_bytes() for name in names)).hexdigest()
     kept = BUILD / f"{given.seed}-{state[:12]}.json"
     results: dict[str, dict[str, Any]] = read(kept)
     known = read(KNOWN)
@@ -340,11 +356,11 @@ def main() -> int:
         if str(mutant) in results:
             continue
         began, used = time.monotonic(), sum(os.times()[2:4])  # of processes that have ended
-        why = outcome(name, mutant, given.limit, known)
+        why = outcome(name, mutant, given.limit, known, names)
         took = {"seconds": time.monotonic() - began, "cpu": sum(os.times()[2:4]) - used}
         if "::" in why and why not in sound:
             if fails(name, given.limit, [why], known):
-                print(f"{name}: fails without any change: {why}", file=sys.stderr)
+                print(f"{name}: fails without any change: {why}; {PRINTED} has what it printed", file=sys.stderr)
                 return 2
             sound.add(why)
         if "::" in why:
