@@ -9,11 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from bad_spec_files import BASE
 from mipgen.emit import output, render
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
 from spec_defaults import filled
-from support import ROOT, Driver, build_script, decode_request, differences, expected, heavy, need, uses
+from support import Driver, build_script, decode_request, differences, expected, heavy, need, uses
 
 JAVASCRIPT = pytest.param("javascript", marks=uses("node"))
 RUST = pytest.param("rust", marks=[heavy("another crate"), uses("cargo")])
@@ -61,7 +62,7 @@ fields:
 @pytest.mark.parametrize("language", ["c", "json", "python", JAVASCRIPT, RUST])
 def test_large_numbers(language: str, tmp_path: Path) -> None:
     spec = tmp_path / "spec"
-    shutil.copytree(ROOT / "tests/bad_specs/base", spec)
+    shutil.copytree(BASE, spec)
     (spec / "sets/large.yaml").write_text(filled(SET), "utf-8")
     model = load_model(spec)
     output.write(render.render(language, model), tmp_path / language)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 from mipgen import model as m
-from mipgen.facts.misprints import misprint_text
-from mipgen.lower.lengths import computed_length
+from mipgen.facts.examples import misprint_text
+from mipgen.lower.extent import computed_length
 from small_specs import field
 from support import model
 

@@ -6,6 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from bad_spec_files import BASE
 from mipgen import cli
 from mipgen import model as m
 from mipgen.facts import describe
@@ -14,7 +15,6 @@ from mipgen.resolve.load import load_model
 from support import ROOT, SPECS, model, some
 
 OVERLAY = ROOT / "tests/overlay"
-BASE = ROOT / "tests/bad_specs/base"
 
 
 def test_an_overlay_adds_sets_fields_types_units_and_support() -> None:

@@ -11,6 +11,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from bad_spec_files import BASE
 from c_build import headers
 from mipgen import model as m
 from mipgen.emit import build, discovery, output, render
@@ -139,7 +140,7 @@ def accepted(kind: str, target: str, folder: Path) -> tuple[m.Model, int]:
     refused = 0
     for _ in range(6):
         shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(ROOT / "tests/bad_specs/base", folder)
+        shutil.copytree(BASE, folder)
         for path, text in KINDS[kind](names).items():
             (folder / path).write_text(text, "utf-8")
         try:

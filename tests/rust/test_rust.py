@@ -16,6 +16,7 @@ from pathlib import Path
 
 import everything
 import pytest
+from bad_spec_files import BASE
 from crates import WORK, bare, cargo, crate, passes, project, rendered, specification, without_dependencies, write
 from mipgen import model as m
 from mipgen.emit import render
@@ -23,7 +24,7 @@ from mipgen.resolve.load import load_model
 from mipgen.resolve.subset import Selection, select
 from mipgen.targets.rust import names
 from random_values import chance
-from support import ROOT, SEED, heavy, locked, need, nightly, rounds
+from support import SEED, heavy, locked, need, nightly, rounds
 
 HERE = Path(__file__).parent
 EMBEDDED = "thumbv7m-none-eabi"
@@ -318,7 +319,7 @@ def test_a_part_of_a_specification_builds(part: str, tmp_path: Path) -> None:
         spec, selection = PARTS[part]
         of = select(specification(spec), selection)
     else:
-        shutil.copytree(ROOT / "tests/bad_specs/base", tmp_path / "spec", ignore=lambda *_: ["devices", "guides"])
+        shutil.copytree(BASE, tmp_path / "spec", ignore=lambda *_: ["devices", "guides"])
         of = load_model(tmp_path / "spec")
     with locked(WORK / f"part-{part}"):
         write(without_dependencies(render.render("rust", of)), folder)

@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-from captures import datagrams
-from shark import Shark
+from shark import Shark, datagrams
 
 PORT = 6565
 Element = ElementTree.Element

@@ -6,8 +6,8 @@ import random
 import re
 from pathlib import Path
 
-import captures
 import pytest
+import shark as captures
 from conformance.test_conformance import samples
 from dissected import PORT, Element, accel, acknowledge, broken, field_bytes, packet, shark, shown, trees
 from mipgen.lower import codec

@@ -11,8 +11,8 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-import captures
 import pytest
+import shark as captures
 from conformance.test_conformance import random_values
 from dissected import Element, accel, acknowledge, broken, copied, field_bytes, packet, shark, shown, trees
 from mipgen import model as m

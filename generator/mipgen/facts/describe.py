@@ -14,8 +14,7 @@ from . import fields, parameters
 from .devices import device, evidence, firmware, length_facts, summary, why
 from .fields import changed, condition, conditions
 from .measures import default_text, limits_text
-from .parameters import case
-from .parts import bits, bits_place, type_facts, value
+from .parameters import bits, bits_place, case, type_facts, value
 from .remarks import sources, uncertain
 from .texts import Fact, Ref, Text, Thing, fact, joined, measured, number, prose, quotation, say, topics
 from .variants import usual_text, variant_text, variants

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mipgen import model as m
-from mipgen.lower.lengths import computed_length
+from mipgen.lower.extent import computed_length
 
 from .remarks import uncertain
 from .texts import Fact, Text, device_ref, fact, joined, prose, say, thing_ref

@@ -1,4 +1,4 @@
-"""Facts about parameters: their references, conditions and measures."""
+"""Facts about parameters, types and their parts."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from mipgen import model as m
 
 from .measures import measures, numeral, validity
-from .remarks import remarks
-from .texts import Fact, Ref, fact, functions
+from .remarks import needed, remarks, uncertain
+from .texts import Fact, Ref, fact, field_ref, functions, joined
 from .variants import variants
 
 
@@ -60,3 +60,38 @@ def case(c: m.Case, union: m.Parameter, record: m.Record) -> Fact:
     assert isinstance(tag.element, m.Enum)
     value = (Ref(tag, tag.name, record), " is ", Ref(c.tag, c.tag.name, tag.element))
     return fact("case", value, "If {}." if c.parameter else "Empty if {}.")
+
+
+def bits_place(b: m.Bits) -> str:
+    """
+    >>> bits_place(m.Bits("a", 3, 3, "", False)), bits_place(m.Bits("b", 4, 7, "", False))
+    ('bit 3', 'bits 4 to 7')
+    """
+    return f"bit {b.first}" if b.width == 1 else f"bits {b.first} to {b.last}"
+
+
+def type_facts(t: m.Type, model: m.Model) -> list[Fact]:
+    """Returns the facts about a type besides its description."""
+    return uncertain(t, model)
+
+
+def bits(b: m.Bits, model: m.Model) -> list[Fact]:
+    place = bits_place(b)
+    facts = [Fact("place", (place,), (f"{place.capitalize()}.",))]
+    if b.enum is not None:
+        facts.append(fact("values", (Ref(b.enum, b.enum.name),), "A value of {}."))
+    if b.alias:
+        facts.append(fact("alias", (), "Overlaps other bits."))
+    if b.when is not None:
+        states = model.type(b.when.type)
+        assert isinstance(states, m.Enum)
+        values = [(Ref(v, v.name, states),) for v in states.values if v.name in b.when.values]
+        facts.append(fact("when", (f"`{b.when.parameter}` is ", *joined(values, "or")), "Only while {}."))
+    about = [f for name in b.concerns if (f := model.field(name)) is not None]
+    if about:
+        facts.append(fact("concerns", joined([(field_ref(f),) for f in about]), "Affects {}."))
+    return [*facts, *needed(b.needs), *uncertain(b, model)]
+
+
+def value(v: m.EnumValue, model: m.Model) -> list[Fact]:
+    return [*([fact("deprecated", (), "Deprecated.")] if v.deprecated else []), *needed(v.needs), *uncertain(v, model)]

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from pathlib import PurePath
 
 from mipgen import model as m
-from mipgen.facts.misprints import misprint_text
-from mipgen.lower.lengths import computed_length, same
+from mipgen.facts.examples import misprint_text
+from mipgen.lower.extent import computed_length, same
 from mipgen.lower.validity import NANOSECONDS
 from mipgen.read.problems import Problems, nearest
 

@@ -11,10 +11,9 @@ from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
 from . import inheritance, meaning
-from .hardware import check_able, check_needs, hardware, left, needed_hardware
 from .types import Types
 from .variation import UNKNOWN, resolve_variant
-from .vocabulary import sources_of_node, texts_of_node
+from .vocabulary import check_able, check_needs, hardware, left, needed_hardware, sources_of_node, texts_of_node
 
 #: The keys that a profile must have unless it is declared incomplete.
 REQUIRED = ("supports", "base_rates", "ack_codes")

@@ -13,7 +13,7 @@ from mipgen import model as m
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
-from .hardware import hardware, needed_hardware
+from .vocabulary import hardware, needed_hardware
 
 #: Keys that are inherited as a whole, unless they are given.
 TAKEN = ("generation", "sensors", "receivers", "antennas", "description", "ack_codes", "incomplete", "uncertain")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from mipgen import model as m
-from mipgen.lower.lengths import computed_length, same
+from mipgen.lower.extent import computed_length, same
 
 from ..offsets import length
 from ..places import Page, label

@@ -8,7 +8,7 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.facts import describe, descriptors
-from mipgen.facts.misprints import misprint_text
+from mipgen.facts.examples import misprint_text
 from mipgen.facts.texts import Ref, field_ref
 from mipgen.lower import codec, extent
 

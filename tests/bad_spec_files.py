@@ -1,10 +1,11 @@
-"""Bad specifications: the rows of the tables in tests/bad_specs, each laid over the good specification in `base/`.
+"""Bad specifications: the rows of the tables in tests/bad_specs, each laid over the good specification of base.yaml.
 
-`PYTHONPATH=generator python tests/generator/bad_spec_files.py [name ...]` writes what is reported now into the rows.
+`PYTHONPATH=generator python tests/bad_spec_files.py [name ...]` writes what is reported now into the rows.
 """
 
 from __future__ import annotations
 
+import hashlib
 import re
 import shutil
 import sys
@@ -21,16 +22,31 @@ from mipgen.emit import build, discovery
 from mipgen.read import loader, nodes
 from mipgen.read.problems import Problems, SpecError
 from mipgen.resolve.load import load_model
+from support import BUILD, locked
 
-CORPUS = Path(__file__).parents[1] / "bad_specs"
-BASE = CORPUS / "base"
+CORPUS = Path(__file__).parent / "bad_specs"
 TARGETS = CORPUS / "targets"
-FRAMES = CORPUS / "frames.yaml"
+FRAMES, GOOD = CORPUS / "frames.yaml", CORPUS / "base.yaml"
 
 _KEY = re.compile(r" *(- )?([\w\".*]+:(?= |$)|\{name: \w+,)")
 _MARK = re.compile(r"( *)\^ (.*)")
 _OPTION = re.compile(r"! (target|remove|encoding|typical): (.*)")
 _PLACE = re.compile(r"(.+?):(\d+):(\d+): error: (.*)", re.DOTALL)
+
+
+def good_specification() -> Path:
+    """The folder of the good specification, one for each version of base.yaml."""
+    text = GOOD.read_text("utf-8")
+    folder = BUILD / f"bad_specs/{hashlib.sha256(text.encode()).hexdigest()[:8]}"
+    with locked(folder):
+        for name, content in yaml.safe_load(text).items():
+            if not (folder / name).is_file():
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
+                (folder / name).write_text(content, "utf-8")
+    return folder
+
+
+BASE = good_specification()
 
 
 @dataclass(frozen=True)
@@ -63,7 +79,7 @@ class BadSpec:
 
 
 def tables() -> list[Path]:
-    return [path for path in sorted(CORPUS.glob("*.yaml")) if path != FRAMES]
+    return [path for path in sorted(CORPUS.glob("*.yaml")) if path not in (FRAMES, GOOD)]
 
 
 @cache
