@@ -110,7 +110,8 @@ def own(folder: Path) -> Iterator[tuple[str, Run]]:
 
 def write_own(folder: Path, count: int) -> None:
     """Writes a specification with this number of data fields besides those of `mipgen new`."""
-    shutil.copytree(GENERATOR / "mipgen/new", folder)
+    command = [sys.executable, "-m", "mipgen", "new", folder]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env={**os.environ, "PYTHONPATH": str(GENERATOR)})
     for number in range(count // IN_ONE_SET):
         lines = [
             f"set: {0x81 + number}",

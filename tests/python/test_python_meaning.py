@@ -19,7 +19,7 @@ from typing import Any
 import pytest
 from mipgen import model as m
 from mipgen.facts import describe
-from mipgen.lower.numbers import in_numbers
+from mipgen.lower.codec import in_numbers
 from mipgen.targets.python import names
 from mipgen.targets.python.docs import COMMENTS
 from packages import REAL, Package, mip, real

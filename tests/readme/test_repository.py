@@ -11,6 +11,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+import wording
 import yaml
 from support import ROOT, heavy
 
@@ -39,7 +40,7 @@ PAGES = (".github", "docs", "examples", "runtime", "spec", "templates", "tools")
 TOP = (*PAGES, "generated", "generator", "tests")
 #: Files of the reader, or of what is built or installed: they are not in the project.
 ELSEWHERE = re.compile(
-    r"(my[-_]\w+|build|external)[/.].*|(spec/devices/MODEL|MODEL-FIRMWARE)\.yaml|assets/tools\.css|(std\w+|time)\.h|(models|witness)\.yaml"
+    r"(my[-_]\w+|build|external)[/.].*|types/common\.yaml|(spec/devices/MODEL|MODEL-FIRMWARE)\.yaml|assets/tools\.css|(std\w+|time)\.h|(models|witness)\.yaml"
 )
 
 
@@ -122,3 +123,20 @@ def test_the_session_is_up_to_date(tmp_path: Path) -> None:
 def test_the_committed_session_is_small_and_well_formed() -> None:
     ElementTree.parse(COMMITTED)
     assert COMMITTED.stat().st_size < 300_000 and len(commands(COMMITTED)) > 5
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("- description: Where the data comes from.\n", "is a question"),
+        ("- {data: 1, description: A level; it may be 0.}\n", "divide it into sentences"),
+        ("- {command: 1, description: The level of the tank.}\n", "begins with a verb"),
+        ("- notes:\n    - fine\n    - The manual\n      gives it.\n", "“gives”"),
+        ("- {command: 1, description: Sets it., notes: [It takes effect.], section: What it says}\n", ""),
+    ],
+)
+def test_what_it_sees(text: str, found: str, tmp_path: Path) -> None:
+    (tmp_path / "a.yaml").write_text(text, "utf-8")
+    findings = list(wording.findings(tmp_path / "a.yaml"))
+    assert len(findings) == bool(found) and all(found in x for x in findings)
+    assert wording.main([str(tmp_path)]) == bool(found)

@@ -9,7 +9,7 @@ from pathlib import Path
 from mipgen.base.errors import Failure
 from mipgen.resolve.load import load_model
 
-from . import sdk, tables, witnesses
+from . import sdk, witnesses
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -36,7 +36,7 @@ def audit(options: argparse.Namespace) -> int:
     revision = sdk.extract_sdk(options.sdk) if options.sdk else None
     if options.extract and revision is not None:
         made = witness / f"{sdk.NAME}.yaml"
-        made.write_text(tables.dump(revision, "make audit SDK=FOLDER EXTRACT=1"), "utf-8", newline="\n")
+        made.write_text(sdk.dump(revision, "make audit SDK=FOLDER EXTRACT=1"), "utf-8", newline="\n")
         print(f"{made}: {len(revision['layouts'])} layouts")
         return 0
     compared = witnesses.audit_all(load_model(options.spec), witness, revision, sdk.NAME)

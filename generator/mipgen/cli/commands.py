@@ -207,14 +207,18 @@ def _remember(options: Namespace, key: str | None, summary: str, outputs: list[O
 
 def new(options: Namespace) -> int:
     """Writes a valid specification to an empty or new folder."""
+    import yaml
+
     folder: Path = options.folder
-    schemas = resources.root() / "spec/schema"
+    text = (resources.package() / "new.yaml").read_text("utf-8")
+    files = {path: content.encode() for path, content in yaml.safe_load(text).items()}
+    schemas = resources.files_in(resources.root() / "spec/schema", "schema/")
     try:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise Failure("this folder is not empty; specify a new or empty folder", str(folder))
-        for path, file in (*resources.files_in(resources.package() / "new"), *resources.files_in(schemas, "schema/")):
+        for path, content in {**files, **{path: file.read_bytes() for path, file in schemas}}.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            (folder / path).write_bytes(file.read_bytes())
+            (folder / path).write_bytes(content)
     except OSError as error:
         raise Failure(f"cannot be written: {_reason(error)}; choose another folder", str(folder)) from None
     named = "" if folder == Path("spec") else f" --spec {shlex.quote(str(folder))}"

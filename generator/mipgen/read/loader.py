@@ -13,8 +13,7 @@ from mipgen.base import cache, fingerprint
 from mipgen.base.resources import MANIFEST
 
 from . import overlay, schemas
-from .documents import Document
-from .nodes import Node, read
+from .nodes import Document, Node, read
 from .position import Position
 from .problems import Problems, close, nearest
 from .spelling import strange

@@ -281,3 +281,10 @@ def _rewritten(text: str) -> str | None:
         sign, whole, fraction, exponent = number.groups(default="")
         return sign + (whole or "0") + fraction.rstrip(".") + exponent
     return None
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    kind: str  # the schema that validates it
+    path: str  # relative to the folder of its specification
+    root: Node

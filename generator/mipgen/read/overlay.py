@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from .documents import Document
-from .nodes import Node
+from .nodes import Document, Node
 from .problems import Problems, nearest
 
 #: Kind of extension -> the kind that it extends, the key with the name of the extended thing, and the keys it may add.

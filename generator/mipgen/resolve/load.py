@@ -11,8 +11,7 @@ from mipgen import model as m
 from mipgen.base import resources
 from mipgen.facts import references
 from mipgen.read import loader
-from mipgen.read.documents import Document
-from mipgen.read.nodes import Node
+from mipgen.read.nodes import Document, Node
 from mipgen.read.problems import Problems, nearest
 
 from . import beside, checks, devices, evidence, frames, guides, simulation

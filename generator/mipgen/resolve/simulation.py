@@ -9,7 +9,7 @@ from typing import Any
 from mipgen import model as m
 from mipgen.facts import simulated_values
 from mipgen.lower import codec
-from mipgen.lower.numbers import in_numbers
+from mipgen.lower.codec import in_numbers
 from mipgen.model.simulation import AFFECTED, PORTS, SETS, Behavior, Effect, Quantity, Simulation, Source, Value
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest

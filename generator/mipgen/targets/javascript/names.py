@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 
 from mipgen.base import resources
-from mipgen.emit.classes import Classes
-from mipgen.emit.naming import Escape, Grammar, upper
+from mipgen.emit.naming import Classes, Escape, Grammar, upper
 from mipgen.emit.render import language
 
 _LANGUAGE = language("javascript")

@@ -23,8 +23,10 @@ from mipgen.lower.lists import Listing, listings
 from mipgen.lower.session import Rate, session
 from mipgen.model import guides, simulation
 from mipgen.model.simulation import Quantity
-
-from .names import call_data, symbols, type_name
+from mipgen.targets.c import api as c
+from mipgen.targets.javascript import api as javascript
+from mipgen.targets.python import api as python
+from mipgen.targets.rust import api as rust
 
 #: The version of the document's format, which the README explains; the schema states it too.
 FORMAT = "1.0"
@@ -192,6 +194,11 @@ def json_value(value: Any) -> Any:
 
 def _source(source: simulation.Source) -> dict[str, Any]:
     return _attributes(source) | ({"field": source.field.name_in(source.set)} if source.set is not None else {})
+
+
+def type_name(t: m.Scalar | m.Type) -> str:
+    """Returns the name of a type, prefixed with the set that owns it."""
+    return t.name if isinstance(t, m.Scalar) else t.full_name
 
 
 #: Class -> the value that represents an object inside another.
@@ -417,3 +424,25 @@ def _operation(p: m.Parameter) -> dict[str, Any]:
 
 def _case(c: m.Case) -> dict[str, Any]:
     return {"value": c.tag.value, **({"operation": _operation(c.parameter)} if c.parameter else {})}
+
+
+def symbols(thing: m.Type | m.Field) -> dict[str, str]:
+    """Returns the names in the bindings of a field's type, or of a type. C++ has no type for a command, but one for
+    each way to send it."""
+    names = {"c": c.symbol(thing), "cpp": c.cpp_symbol(thing), "python": python.symbol(thing)}
+    names |= {"rust": rust.symbol(thing), "javascript": javascript.symbol(thing)}
+    return {language: name for language, name in names.items() if name}
+
+
+def call_data(model: m.Model) -> dict[str, dict[str, Any]]:
+    """Returns the data that a tool needs, besides `symbols`, to write calls of the bindings.
+
+    Its tables contain only names that differ between a language and the specification.
+    """
+    return {
+        "c": c.writing(model),
+        "cpp": c.cpp_writing(model),
+        "python": python.writing(model),
+        "rust": rust.writing(model),
+        "javascript": javascript.writing(model),
+    }

@@ -10,7 +10,7 @@ from typing import Any
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.lower import validity
-from mipgen.lower.numbers import in_numbers
+from mipgen.lower.codec import in_numbers
 
 from .names import class_name, constant, member, qualified
 

@@ -6,8 +6,7 @@ import builtins
 import re
 
 from mipgen.base import resources
-from mipgen.emit.classes import Classes
-from mipgen.emit.naming import Escape, Grammar, upper
+from mipgen.emit.naming import Classes, Escape, Grammar, upper
 from mipgen.emit.render import language
 
 _LANGUAGE = language("python")
