@@ -1,5 +1,5 @@
 """Writes each lock with a line per package, and leaves in it only what the smaller one lacks, which it includes:
-`make lock`.
+`make lock`. With `--cargo`, it writes one that `cargo update` has made in `build/rust/real/workspace` for Rust's tests.
 """
 
 from __future__ import annotations
@@ -27,5 +27,17 @@ def main(names: list[str]) -> None:
         smaller, include = lock, f"-r {Path(name).name}\n"
 
 
+def cargo(text: str) -> str:
+    """A lock of cargo, which reads this form, too."""
+    one_line = re.sub(r"\n ?(?=[\]\"])", " ", text).replace(", ]", "]").replace("[ ", "[")
+    version, *packages = one_line.strip().split("\n\n[[package]]\n")
+    lines = [f" {{ {package.replace(chr(10), ', ')} }},\n" for package in packages]
+    return f"{version}\npackage = [\n{''.join(lines)}]\n"
+
+
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    if sys.argv[1] == "--cargo":
+        made = Path("build/rust/real/workspace/Cargo.lock").read_text("utf-8")
+        Path("tests/rust/Cargo.lock").write_text(cargo(made), "utf-8")
+    else:
+        main(sys.argv[1:])

@@ -49,7 +49,7 @@ def promised() -> dict[str, str]:
 def pinned(name: str) -> str:
     """The version of a dependency that the tests use."""
     lock = (Path(__file__).parent / "Cargo.lock").read_text("utf-8")
-    return lock.partition(f'name = "{name}"\nversion = "')[2].partition('"')[0]
+    return lock.partition(f'name = "{name}", version = "')[2].partition('"')[0]
 
 
 @cache

@@ -151,7 +151,7 @@ def tested() -> dict[str, str]:
         f"pkg:pypi/{name}": version for lock in locks for name, version in re.findall(r"^(\S+)==(\S+)", lock, re.M)
     }
     lock = (ROOT / "tests/rust/Cargo.lock").read_text("utf-8")
-    crates = re.findall(r'^name = "(.*)"\nversion = "(.*)"', lock, re.M)
+    crates = re.findall(r'name = "([^"]*)", version = "([^"]*)"', lock)
     return pinned | {f"pkg:cargo/{name}": version for name, version in crates}
 
 
