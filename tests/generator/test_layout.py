@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 from mipgen import model as m
+from mipgen.targets.c import names as c
 from small_specs import field, load
 from support import model, some
 
@@ -64,6 +65,15 @@ def test_an_open_array_in_a_case_has_the_room_that_is_left() -> None:
     f = field("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u16, count: rest}}}]")
     (open_array,) = f.parameters[1].alternatives
     assert open_array.kind == "array" and open_array.capacity == 126
+
+
+def test_a_union_has_the_name_that_the_specification_states() -> None:
+    """Its type is beside others in the languages that name it."""
+    union = "{name: a, type: mode}, {name: b, switch: a, %scases: {slow: {}, fast: {type: u16}}}"
+    plain, named = (field(f"[{union % name}]") for name in ("", "union: outline, "))
+    own, other = (next(p for p in f.parameters if p.union) for f in (plain, named))
+    assert c.union_name(own, plain).removeprefix(c.symbol(plain)) == "_b"
+    assert c.union_name(other, named) == c.symbol(named).removesuffix(named.name) + "outline"
 
 
 def test_required_by_function() -> None:

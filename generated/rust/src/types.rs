@@ -815,7 +815,7 @@ record! {
         /// Thresholds of the comparison.
         ///
         /// Selected by [`type_`](EventTriggerThreshold::type_).
-        pub thresholds: EventTriggerThresholdThresholds,
+        pub thresholds: EventThreshold,
     }
     wire 20 {
         [descriptor_set]
@@ -829,7 +829,7 @@ record! {
 union! {
     /// The alternatives of `thresholds` in [`EventTriggerThreshold`].
     #[derive(Copy)]
-    pub enum EventTriggerThresholdThresholds: EventThresholdType {
+    pub enum EventThreshold: EventThresholdType {
         /// The value is in a window between two thresholds, or outside of it.
         ///
         /// If [`type_`](EventTriggerThreshold::type_) is [`EventThresholdType::WINDOW`].
@@ -841,7 +841,7 @@ union! {
         #[cfg_attr(feature = "serde", serde(rename = "interval"))]
         INTERVAL => Interval(EventThresholdInterval) "interval",
     }
-    default EventTriggerThresholdThresholds::Other(EventThresholdType(0))
+    default EventThreshold::Other(EventThresholdType(0))
 }
 
 item! { EventTriggerThreshold { descriptor_set field_descriptor parameter_id type_ thresholds } }
@@ -858,7 +858,7 @@ constructors! {
         descriptor_set: impl Into<crate::DescriptorSet>,
         field_descriptor: u8,
         parameter_id: u8,
-        thresholds: EventTriggerThresholdThresholds,
+        thresholds: EventThreshold,
     ), type_: thresholds.tag();
 }
 

@@ -47,6 +47,7 @@ class Union:
     tag: str
     type: Enum  # of the tag
     cases: tuple[Case, ...]
+    name: str = ""  # of its type; empty: that of its record and its own
 
 
 def alike(cases: Sequence[Case], others: Sequence[Case]) -> bool:

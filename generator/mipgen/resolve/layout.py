@@ -113,7 +113,7 @@ class Layout:
                 f"the union '{name}' has no case for {', '.join(missing)} of '{tag.element.name}'; "
                 "add one ({} if it is empty)",
             )
-        union = m.Union(tag_name, tag.element, tuple(cases))
+        union = m.Union(tag_name, tag.element, tuple(cases), node.scalar("union", ""))
         return m.Parameter(name, None, None, union=union, position=node.position)
 
     def case(self, label: str, node: Node, place: m.Position) -> m.Parameter | None:

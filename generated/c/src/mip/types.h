@@ -617,7 +617,7 @@ struct mip_event_threshold_interval {
 };
 
 /** The member of mip_event_trigger_threshold that `type` selects. */
-union mip_event_trigger_threshold_thresholds {
+union mip_event_threshold {
     /**
      * If type is MIP_EVENT_THRESHOLD_TYPE_WINDOW. The value is in a window between two thresholds,
      * or outside of it.
@@ -648,7 +648,7 @@ struct mip_event_trigger_threshold {
     /** Kind of comparison. A value of enum mip_event_threshold_type. */
     uint8_t type;
     /** Thresholds of the comparison. Selected by type. */
-    union mip_event_trigger_threshold_thresholds thresholds;
+    union mip_event_threshold thresholds;
 };
 
 /**

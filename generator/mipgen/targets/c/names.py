@@ -54,6 +54,8 @@ def symbol(thing: m.Type | m.Field) -> str:
 
 def union_name(p: m.Parameter, owner: m.Record) -> str:
     """Returns the type of a union."""
+    if p.union and p.union.name:
+        return symbol(owner).removesuffix(short(owner)) + p.union.name
     return f"{symbol(owner)}_{p.name}"
 
 

@@ -59,11 +59,11 @@ static const struct mip_record record_event_threshold_interval = {
 
 static const struct mip_parameter members_event_trigger_threshold_thresholds[] = {
     {"window", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_event_trigger_threshold_thresholds, window), 0, NULL, NULL,
-     &record_event_threshold_window, NULL, 0},
+     ONE(union mip_event_threshold, window), 0, NULL, NULL, &record_event_threshold_window, NULL,
+     0},
     {"interval", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_event_trigger_threshold_thresholds, interval), 0, NULL, NULL,
-     &record_event_threshold_interval, NULL, 0},
+     ONE(union mip_event_threshold, interval), 0, NULL, NULL, &record_event_threshold_interval,
+     NULL, 0},
 };
 static const struct mip_case cases_event_trigger_threshold_thresholds[] = {
     {1, &members_event_trigger_threshold_thresholds[0]},

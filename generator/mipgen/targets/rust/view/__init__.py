@@ -34,7 +34,7 @@ class Crate:
         for record in self.records.values():
             for p in record.of.parameters:
                 if p.union and self._union(p.union, record.home) is None:
-                    name = names.type_name(f"{record.of.name}_{p.name}")
+                    name = names.type_name(p.union.name or f"{record.of.name}_{p.name}")
                     self.unions.append(Union(record, p, p.union, name, names.path(p.union.type, record.home)))
 
     def record(self, record: m.Record) -> Record:
