@@ -2826,7 +2826,7 @@ export default {
 "members": {"type":"type_"},
 "constants": {},
 "constructors": {"write":"write","read":"read","save":"save","load":"load","default":"load_default","apply":"apply"},
-"unions": {"3dm.event_trigger_config.parameters":"mip_3dm::EventTriggerConfigParameters","3dm.event_action_config.parameters":"mip_3dm::EventActionConfigParameters","3dm.event_trigger_config_response.parameters":"mip_3dm::EventTriggerConfigParameters","3dm.event_action_config_response.parameters":"mip_3dm::EventActionConfigParameters","aiding.frame_config.rotation":"aiding::FrameConfigRotation","aiding.frame_config_response.rotation":"aiding::FrameConfigRotation","event_trigger_threshold.thresholds":"types::EventTriggerThresholdThresholds"},
+"unions": {"3dm.event_trigger_config.parameters":"mip_3dm::EventTriggerConfigParameters","3dm.event_action_config.parameters":"mip_3dm::EventActionConfigParameters","3dm.event_trigger_config_response.parameters":"mip_3dm::EventTriggerConfigParameters","3dm.event_action_config_response.parameters":"mip_3dm::EventActionConfigParameters","aiding.frame_config.rotation":"aiding::FrameConfigRotation","aiding.frame_config_response.rotation":"aiding::FrameConfigRotation","event_trigger_threshold.thresholds":"types::EventThreshold"},
 "vectors": {"vector3f":"types::Vector3f","vector3d":"types::Vector3d","ned3f":"types::Ned3f","ned3d":"types::Ned3d","matrix3f":"types::Matrix3f","quatf":"types::Quatf"},
 "variants": {"combination":"Combination","euler":"Euler","gpio":"Gpio","interval":"Interval","message":"Message","none":"None","quaternion":"Quaternion","threshold":"Threshold","window":"Window"}
 },

@@ -162,14 +162,6 @@ fn dispatched(data: &[u8]) -> usize {
     chunks(data, CHUNK, |packet| each(packet, known))
 }
 
-fn view(data: &[u8]) -> usize {
-    chunks(data, CHUNK, |packet| {
-        let Ok(Some(position)) = packet.view::<filter::LlhPosition>() else { return 0 };
-        black_box(position.valid_flags());
-        1
-    })
-}
-
 /// Two vectors and a time, which change with each packet.
 fn values(number: u32) -> (f32, u64) {
     (number as f32, u64::from(number) << 20)
@@ -330,27 +322,6 @@ fn bare_find(data: &[u8]) -> usize {
     })
 }
 
-fn bare_view(mut data: &[u8]) -> usize {
-    let mut count = 0;
-    while let Some((rest, packet)) = next(data) {
-        data = rest;
-        let mut payload = &packet[4..packet.len() - 2];
-        if packet[2] != 0x82 {
-            continue;
-        }
-        while let [length, descriptor, ..] = *payload {
-            let Some(value) = payload.get(2..usize::from(length)) else { break };
-            payload = &payload[usize::from(length)..];
-            if descriptor == 0x01 && value.len() >= 26 {
-                black_box(words::<1>(&value[24..]));
-                count += 1;
-                break;
-            }
-        }
-    }
-    count
-}
-
 fn bare_encode(data: &[u8]) -> usize {
     let mut size = 0;
     for number in numbers(data) {
@@ -403,7 +374,6 @@ const ROWS: &[Row] = &[
     ("visitor", visitor),
     ("find", find),
     ("dispatch", dispatched),
-    ("view", view),
     ("encode", encode),
     ("encode_again", encode_again),
     ("bare", bare),
@@ -411,7 +381,6 @@ const ROWS: &[Row] = &[
     ("bare_small", bare_small),
     ("bare_get", bare_get),
     ("bare_find", bare_find),
-    ("bare_view", bare_view),
     ("bare_encode", bare_encode),
     ("bare_encode_again", bare_encode_again),
     #[cfg(feature = "peer")]

@@ -10,13 +10,13 @@ use std::task::{Context, Poll, Wake, Waker};
 
 use mip_protocol::client::{Event, Request};
 use mip_protocol::device::{AsyncDevice, Commands, DeviceError, Port};
-use mip_protocol::devices::{Profile, Rejected};
-use mip_protocol::session::{ChangesBaud, Rate, StreamError};
 use mip_protocol::{
     Client, Command, CommandError, DescriptorSet, FromPacket, Packet, Parser, RequestError, Ticket,
+    Time,
 };
 
-/// A port that is read each time when it is polled. It has the clock of that port.
+/// A port that is read each time when it is polled; at first, only if it says that bytes wait. It has the clock of that
+/// port.
 pub struct Awaited<P> {
     port: P,
     now: Rc<Cell<u32>>,
@@ -34,7 +34,11 @@ where
     P::Error: embedded_io_async::Error,
 {
     async fn read(&mut self, buffer: &mut [u8]) -> Result<usize, P::Error> {
+        let mut first = true;
         poll_fn(|_| {
+            if std::mem::take(&mut first) && matches!(self.port.waits(), Ok(false)) {
+                return Poll::Pending;
+            }
             let count = self.port.read(buffer);
             self.now.set(self.port.now_ms());
             if matches!(count, Ok(0)) {
@@ -60,8 +64,8 @@ where
     }
 }
 
-type Sleep = Pin<Box<dyn Future<Output = ()>>>;
-type Inner<P, const N: usize, const Q: usize> =
+pub type Sleep = Pin<Box<dyn Future<Output = ()>>>;
+pub type Inner<P, const N: usize, const Q: usize> =
     AsyncDevice<Awaited<P>, Box<dyn FnMut(u32) -> Sleep>, N, Q>;
 
 pub struct Device<P, const N: usize = 8, const Q: usize = 4096>(Inner<P, N, Q>);
@@ -72,7 +76,7 @@ impl Wake for Nobody {
     fn wake(self: Arc<Self>) {}
 }
 
-fn block_on<T>(future: impl Future<Output = T>) -> T {
+pub fn block_on<T>(future: impl Future<Output = T>) -> T {
     let waker = Waker::from(Arc::new(Nobody));
     let mut future = pin!(future);
     loop {
@@ -119,47 +123,66 @@ where
         &mut self.0.port_mut().port
     }
 
-    pub fn connect(&mut self, rates: &[u32]) -> Result<Option<u32>, DeviceError<P::Error>> {
-        block_on(self.0.connect(rates))
-    }
-
-    pub fn stream(
-        &mut self,
-        set: DescriptorSet,
-        rates: &[Rate],
-    ) -> Result<u16, StreamError<P::Error>> {
-        block_on(self.0.stream(set, rates))
-    }
-
-    pub fn change_baud(
-        &mut self,
-        command: &impl ChangesBaud,
-    ) -> Result<u32, DeviceError<P::Error>> {
-        block_on(self.0.change_baud(command))
-    }
-
-    pub fn profile(&mut self) -> Result<Option<&'static Profile>, DeviceError<P::Error>> {
-        block_on(self.0.profile())
-    }
-
-    pub fn rejected(
-        &mut self,
-        command: &impl Command,
-    ) -> Result<Option<Rejected>, DeviceError<P::Error>> {
-        block_on(self.0.rejected(command))
+    /// The device, at the present time of the port.
+    pub fn inner(&mut self) -> &mut Inner<P, N, Q> {
+        let Awaited { port, now } = self.0.port_mut();
+        now.set(port.now_ms());
+        &mut self.0
     }
 
     pub fn request<C: Command>(
         &mut self,
         command: &C,
     ) -> Result<C::Response, DeviceError<P::Error>> {
-        block_on(self.0.request(command))
+        block_on(self.inner().request(command))
+    }
+
+    pub fn request_all<C: Commands>(
+        &mut self,
+        commands: C,
+    ) -> Result<C::Responses, DeviceError<P::Error>> {
+        block_on(self.inner().request_all(commands))
+    }
+
+    pub fn send_all<T>(
+        &mut self,
+        set: DescriptorSet,
+        add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
+    ) -> Result<T, DeviceError<P::Error>> {
+        block_on(self.inner().send_all(set, add))
+    }
+
+    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Result<C::Response, CommandError> {
+        self.0.answer(ticket)
+    }
+
+    pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
+        self.0.event(ticket)
+    }
+
+    pub fn fields<T: FromPacket>(
+        &mut self,
+        wait_ms: u32,
+    ) -> impl Iterator<Item = Result<(Option<Time>, T), DeviceError<P::Error>>> + '_
+    where
+        T: 'static,
+    {
+        let mut fields = self.inner().fields::<T>(wait_ms);
+        std::iter::from_fn(move || block_on(fields.next()))
+    }
+
+    pub fn parser(&self) -> &Parser {
+        self.0.parser()
+    }
+
+    pub fn dropped(&self) -> u32 {
+        self.0.dropped()
     }
 
     pub fn next_packet(
         &mut self,
         wait_ms: u32,
     ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
-        block_on(self.0.next_packet(wait_ms))
+        block_on(self.inner().next_packet(wait_ms))
     }
 }

@@ -26,14 +26,16 @@ LINE = re.compile(r" +-?0\.0\d{3} +-?0\.0\d{3} +-(?:0\.9|1\.0)\d{3} g")
 #: Programs whose devices block, and are awaited.
 DEVICES = {
     "blocking": "use mip_protocol::device::Device;\n",
-    "awaited": f'#[path = "{HERE / "awaited.rs"}"]\nmod awaited;\nuse awaited::Device;\n',
+    "awaited": f'#[path = "{HERE / "awaited.rs"}"]\nmod awaited;\nuse awaited::Device;\n'
+    f'#[path = "{HERE / "awaited_session.rs"}"]\nmod awaited_session;\n',
 }
 
 
 @heavy("the Rust crate in many more builds")
 def test_connect_and_stream_at_a_scripted_port() -> None:
     """With few sets: building the crate with all of them takes longer than everything else."""
-    features = '"base", "mip_3dm", "sensor", "filter_data", "shared", "std", "devices", "registry", "embedded-io-async"'
+    features = '"base", "mip_3dm", "sensor", "filter_data", "shared", "std", "devices", "registry", '
+    features += '"embedded-io-async-07"'
     manifest = f"""[package]
 name = "first-day"
 version = "0.0.0"
@@ -184,11 +186,12 @@ def test_a_log(tmp_path: object) -> None:
 
 
 @heavy(EXAMPLES)
-def test_a_port_is_opened_again(tmp_path: Path) -> None:
+@pytest.mark.parametrize("way", DEVICES)
+def test_a_port_is_opened_again(way: str, tmp_path: Path) -> None:
     """A terminal, a hundred times during a stream."""
     example = built("pulled", (reopen.HERE / "pulled.rs").read_text())
     with reopen.pulled(tmp_path, [f"pty:{tmp_path}/port"]) as (place,):
-        command = [example, f"serial:{place}", str(reopen.PULLS)]
+        command = [example, way, f"serial:{place}", str(reopen.PULLS)]
         done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert done.returncode == 0, done.stderr
     reopen.checked(json.loads(done.stdout))
@@ -197,7 +200,7 @@ def test_a_port_is_opened_again(tmp_path: Path) -> None:
 @heavy(EXAMPLES)
 def test_replies_over_udp_stay_those_of_their_commands(tmp_path: Path) -> None:
     program = built("pairs", (datagrams.HERE / "pairs.rs").read_text())
-    datagrams.check(tmp_path, {"rust": [str(program)]}, 500)
+    datagrams.check(tmp_path, {way: [str(program), way] for way in DEVICES}, 500)
 
 
 #: Loses its port, which then cannot be opened.
@@ -213,7 +216,7 @@ async fn main() {
     let error = device.reopen(std::time::Duration::ZERO).await.unwrap_err();
     assert!(matches!(error, DeviceError::Port(_)), "{error}");
     let error = device.request(&Ping::new()).await.unwrap_err();
-    assert!(matches!(error, DeviceError::Port(_)), "{error}");
+    assert!(matches!(error, DeviceError::Closed), "{error}");
 }
 """
 

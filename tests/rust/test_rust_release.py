@@ -21,8 +21,8 @@ from support import NIGHTLY, ROOT, SPECS, heavy, locked, need, rounds
 from test_rust import EMBEDDED, LONG, embedded, lints, workspace
 
 #: The Rust version that features with dependencies need, as locked for the tests.
-DEPENDENCIES = {"serde": "1.71", "defmt": "1.81", "embedded-io": "1.81", "embedded-io-async": "1.81", "open": "1.85",
-                "tokio": "1.85", "mint": OLDEST}  # fmt: skip
+DEPENDENCIES = {"serde": "1.71", "defmt": "1.81", "embedded-io-07": "1.81", "embedded-io-async-07": "1.81",
+                "open": "1.85", "tokio": "1.85", "mint": OLDEST}  # fmt: skip
 
 #: Those whose dependencies may be of versions that demand less or more, so that the README names the version as well.
 OTHERS = {"serde": "serde", "defmt": "defmt", "open": "serialport", "tokio": "serialport"}

@@ -6,7 +6,7 @@
 use core::hint::black_box;
 
 use mip_protocol::device::{Device, Port};
-use mip_protocol::registry::{visit, visit_with, Listed, Own, Visitor};
+use mip_protocol::registry::{visit, Listed, Visitor};
 use mip_protocol::{
     AnyField, Client, Command, DescriptorSet, EncodeError, Field, List, Packet, PacketBuilder,
     RawField,
@@ -73,14 +73,6 @@ impl Visitor for Each<'_> {
 
 pub fn every_field(field: &RawField<'_>, each: Each<'_>) -> Result<(), EncodeError> {
     visit(field, each)
-}
-
-pub fn own_fields<'a>(
-    field: &RawField<'_>,
-    own: &[Own<Each<'a>>],
-    each: Each<'a>,
-) -> Result<(), EncodeError> {
-    visit_with(field, own, each)
 }
 
 pub fn list(list: &mut List<u16, 5>, other: &[u16]) -> bool {

@@ -16,11 +16,10 @@ async fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
 
     let (commands, mut data) = device.split();
     let reader = tokio::spawn(async move {
-        while let Some(packet) = data.next_packet(1000).await? {
-            if let Some(accel) = packet.find::<ScaledAccel>()? {
-                let [x, y, z]: [f32; 3] = accel.scaled_accel.into();
-                println!("{x:8.4} {y:8.4} {z:8.4} g");
-            }
+        let mut data = data.fields::<ScaledAccel>(1000);
+        while let Some(found) = data.next().await {
+            let [x, y, z]: [f32; 3] = found?.1.scaled_accel.into();
+            println!("{x:8.4} {y:8.4} {z:8.4} g");
         }
         Ok::<_, Box<dyn Error + Send + Sync>>(())
     });

@@ -309,22 +309,9 @@ pub struct IterNames<B> {
     state: Option<u64>,
 }
 
-/// An iterator over the set bits of a bitfield; from `iter`.
-#[derive(Clone, Debug)]
-pub struct Iter<B> {
-    names: IterNames<B>,
-    ended: bool,
-}
-
 impl<B> IterNames<B> {
     pub(crate) fn new(left: B, bits: &'static [Bits], state: Option<u64>) -> Self {
         Self { left, bits: bits.iter(), state }
-    }
-}
-
-impl<B> Iter<B> {
-    pub(crate) fn new(left: B, bits: &'static [Bits]) -> Self {
-        Self { names: IterNames::new(left, bits, None), ended: false }
     }
 }
 
@@ -340,19 +327,6 @@ impl<B: BitSet> Iterator for IterNames<B> {
         let part = left.part(found.first, found.last);
         self.left = left.without(part);
         Some((found.name, part))
-    }
-}
-
-impl<B: BitSet> Iterator for Iter<B> {
-    type Item = B;
-
-    fn next(&mut self) -> Option<B> {
-        if let Some((_, part)) = self.names.next() {
-            return Some(part);
-        }
-        let unknown = !self.ended && !self.names.left.none();
-        self.ended = true;
-        unknown.then_some(self.names.left)
     }
 }
 

@@ -51,7 +51,7 @@ pub struct Profile {
 }
 
 /// Does a device support a command or a data field?
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Support {
     /// It does.
     Yes,
@@ -66,7 +66,7 @@ pub enum Support {
 }
 
 /// Why a device is believed to have some fields, or not to have them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct Evidence {
     /// The answer.
@@ -78,7 +78,7 @@ pub struct Evidence {
 }
 
 /// A data set of which a device supports no field.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct AbsentSet {
     /// The descriptor set.
@@ -88,7 +88,7 @@ pub struct AbsentSet {
 }
 
 /// A field that a device supports, is believed to support, or does not support.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct Supported {
     /// The descriptor set; 0xFF if it may be any data set.
@@ -104,7 +104,7 @@ pub struct Supported {
 }
 
 /// The firmware that a command or a data field requires.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct Firmware {
     /// The descriptor set.
@@ -126,7 +126,7 @@ pub struct BaseRate {
 }
 
 /// A port of a device.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct ProfilePort {
     /// Its title.
@@ -158,7 +158,7 @@ pub struct Limit {
 }
 
 /// A parameter with another meaning on a device.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct Variant {
     /// The parameter by its name in the specification, `set.field.parameter`.

@@ -23,6 +23,11 @@ use crate::time::Clock;
 /// assert_eq!((packet.set().0, kept[1].fields().count()), (1, 1));
 /// ```
 #[derive(Clone, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Vec<u8>", into = "Vec<u8>")
+)]
 pub struct PacketBuf {
     bytes: Box<[u8]>,
 }
@@ -87,24 +92,6 @@ impl From<Packet<'_>> for PacketBuf {
 impl From<&PacketBuilder> for PacketBuf {
     fn from(builder: &PacketBuilder) -> Self {
         builder.packet().into()
-    }
-}
-
-impl From<PacketBuilder> for PacketBuf {
-    fn from(builder: PacketBuilder) -> Self {
-        builder.packet().into()
-    }
-}
-
-impl From<&PacketBuf> for PacketBuilder {
-    fn from(packet: &PacketBuf) -> Self {
-        packet.packet().into()
-    }
-}
-
-impl From<PacketBuf> for PacketBuilder {
-    fn from(packet: PacketBuf) -> Self {
-        packet.packet().into()
     }
 }
 

@@ -37,6 +37,10 @@ pub(crate) fn deserialize<'de, T: Readable, D: Deserializer<'de>>(
 /// Wraps a part of a value, to implement `serde`'s traits through `Readable`.
 struct Part<T>(T);
 
+impl<T: Item> Item for Part<T> {
+    const BLANK: Self = Self(T::BLANK);
+}
+
 impl<T: Readable> Serialize for Part<&T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.0.write(serializer)
@@ -71,41 +75,41 @@ impl<T: Readable + Item, const N: usize> Readable for [T; N] {
     }
 
     fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let items = deserializer.deserialize_tuple(N, Items::<T, N>(PhantomData))?;
+        let items = deserializer.deserialize_tuple(N, Items::<Part<T>, N>(PhantomData))?;
         let (mut array, count) = ([T::BLANK; N], items.len());
         if count < N {
-            return Err(D::Error::invalid_length(count, &Items::<T, N>(PhantomData)));
+            return Err(D::Error::invalid_length(count, &Items::<Part<T>, N>(PhantomData)));
         }
-        array.iter_mut().zip(items).for_each(|(place, item)| *place = item);
+        array.iter_mut().zip(items).for_each(|(place, item)| *place = item.0);
         Ok(array)
     }
 }
 
 impl<T: Readable + Item, const N: usize> Readable for List<T, N> {
     fn write<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if self.overflowed() {
-            return Err(serde::ser::Error::custom("more items than the list can hold"));
-        }
+        self.whole()?;
         serializer.collect_seq(self.iter().map(Part))
     }
 
     fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_seq(Items(PhantomData))
+        List::<Part<T>, N>::deserialize(deserializer)
+            .map(|items| items.into_iter().map(|part| part.0).collect())
     }
 }
 
-struct Items<T, const N: usize>(PhantomData<T>);
+/// Reads at most `N` items.
+pub(crate) struct Items<T, const N: usize>(pub PhantomData<T>);
 
-impl<'de, T: Readable + Item, const N: usize> Visitor<'de> for Items<T, N> {
+impl<'de, T: Deserialize<'de> + Item, const N: usize> Visitor<'de> for Items<T, N> {
     type Value = List<T, N>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{N} items")
+        write!(f, "at most {N} items")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
         let mut list = List::new();
-        while let Some(Part(item)) = items.next_element()? {
+        while let Some(item) = items.next_element()? {
             list.push(item).map_err(A::Error::custom)?;
         }
         Ok(list)

@@ -1,6 +1,7 @@
 //! Text: one byte per character (Latin-1), usually padded with spaces.
 
-use core::{fmt, str};
+use core::fmt::{self, Write as _};
+use core::str;
 
 use crate::codec::{Counted, Reader, Wire, Writer};
 use crate::error::{EncodeErrorKind, Invalid};
@@ -34,23 +35,6 @@ impl<const N: usize> Text<N> {
         }
         Some(Self(bytes))
     }
-
-    /// Returns the text without the spaces and zeros at its end.
-    ///
-    /// Leading spaces remain; some devices align serial numbers with them.
-    ///
-    /// # Errors
-    ///
-    /// The text is neither ASCII nor UTF-8.
-    pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
-        str::from_utf8(trimmed(&self.0))
-    }
-
-    /// Returns all characters, including the padding.
-    #[must_use]
-    pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
-        self.0.iter().map(|b| char::from(*b))
-    }
 }
 
 impl<const N: usize> VarText<N> {
@@ -83,22 +67,71 @@ impl<const N: usize> VarText<N> {
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
+}
 
-    /// Returns the text without the spaces and zeros at its end.
-    ///
-    /// Leading spaces remain; some devices align serial numbers with them.
-    ///
-    /// # Errors
-    ///
-    /// The text is neither ASCII nor UTF-8.
-    pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
-        str::from_utf8(trimmed(&self.0))
-    }
+/// What both kinds of text have.
+macro_rules! text {
+    ($name:ident) => {
+        impl<const N: usize> $name<N> {
+            /// Returns the text without the spaces and zeros at its end.
+            ///
+            /// Leading spaces remain; some devices align serial numbers with them.
+            ///
+            /// # Errors
+            ///
+            /// The text is neither ASCII nor UTF-8.
+            pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
+                str::from_utf8(trimmed(self.0.as_slice()))
+            }
 
-    /// Returns all characters, including the padding.
-    #[must_use]
-    pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
-        self.0.iter().map(|b| char::from(*b))
+            /// Returns all characters, including the padding.
+            #[must_use]
+            pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
+                self.0.iter().map(|b| char::from(*b))
+            }
+        }
+
+        impl<const N: usize> fmt::Display for $name<N> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                Latin1(trimmed(self.0.as_slice())).fmt(f)
+            }
+        }
+
+        impl<const N: usize> fmt::Debug for $name<N> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("\"")?;
+                self.chars().try_for_each(|c| write!(f, "{}", c.escape_debug()))?;
+                f.write_str("\"")
+            }
+        }
+
+        /// Serializes all characters, including the padding, so that decoding restores the text
+        /// exactly.
+        #[cfg(feature = "serde")]
+        impl<const N: usize> serde::Serialize for $name<N> {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.collect_str(&Latin1(self.0.as_slice()))
+            }
+        }
+
+        #[cfg(feature = "defmt")]
+        impl<const N: usize> defmt::Format for $name<N> {
+            fn format(&self, f: defmt::Formatter<'_>) {
+                defmt::write!(f, "{=[u8]:a}", self.0.as_slice());
+            }
+        }
+    };
+}
+
+text!(Text);
+text!(VarText);
+
+/// Characters of one byte.
+struct Latin1<'a>(&'a [u8]);
+
+impl fmt::Display for Latin1<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|b| f.write_char(char::from(*b)))
     }
 }
 
@@ -108,44 +141,9 @@ fn trimmed(bytes: &[u8]) -> &[u8] {
     bytes.get(..length).unwrap_or_default()
 }
 
-fn display(bytes: &[u8], f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    use fmt::Write as _;
-    trimmed(bytes).iter().try_for_each(|b| f.write_char(char::from(*b)))
-}
-
-fn debug(bytes: &[u8], f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    f.write_str("\"")?;
-    bytes.iter().try_for_each(|b| write!(f, "{}", char::from(*b).escape_debug()))?;
-    f.write_str("\"")
-}
-
 impl<const N: usize> Default for Text<N> {
     fn default() -> Self {
         Self([b' '; N])
-    }
-}
-
-impl<const N: usize> fmt::Display for Text<N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        display(&self.0, f)
-    }
-}
-
-impl<const N: usize> fmt::Debug for Text<N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        debug(&self.0, f)
-    }
-}
-
-impl<const N: usize> fmt::Display for VarText<N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        display(&self.0, f)
-    }
-}
-
-impl<const N: usize> fmt::Debug for VarText<N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        debug(&self.0, f)
     }
 }
 
@@ -193,17 +191,7 @@ impl<const N: usize> Counted for VarText<N> {
 #[cfg(feature = "serde")]
 mod serde_text {
     use super::{fmt, Text, VarText};
-    use serde::{de, Deserialize, Deserializer, Serialize, Serializer};
-
-    /// All characters, including the padding, so that decoding restores the text exactly.
-    struct Whole<'a>(&'a [u8]);
-
-    impl fmt::Display for Whole<'_> {
-        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            use fmt::Write as _;
-            self.0.iter().try_for_each(|b| f.write_char(char::from(*b)))
-        }
-    }
+    use serde::{de, Deserialize, Deserializer};
 
     struct Visitor<const N: usize>;
 
@@ -219,18 +207,6 @@ mod serde_text {
         }
     }
 
-    impl<const N: usize> Serialize for Text<N> {
-        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-            serializer.collect_str(&Whole(&self.0))
-        }
-    }
-
-    impl<const N: usize> Serialize for VarText<N> {
-        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-            serializer.collect_str(&Whole(&self.0))
-        }
-    }
-
     impl<'de, const N: usize> Deserialize<'de> for VarText<N> {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
             deserializer.deserialize_str(Visitor)
@@ -241,19 +217,5 @@ mod serde_text {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
             VarText::<N>::deserialize(deserializer).map(|text| text.padded())
         }
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<const N: usize> defmt::Format for Text<N> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=[u8]:a}", self.0.as_slice());
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<const N: usize> defmt::Format for VarText<N> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=[u8]:a}", self.0.as_slice());
     }
 }

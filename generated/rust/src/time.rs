@@ -281,6 +281,7 @@ fn rounded(number: f64) -> Option<i64> {
 ///
 /// It is written as [`Utc`], or as seconds if its clock has no epoch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Time {
     /// The clock.
@@ -314,8 +315,10 @@ impl fmt::Display for Time {
 
 /// A time in UTC, in nanoseconds since 1970. A leap second becomes the second after it.
 ///
-/// It is written as in ISO 8601, with nine digits after the point or as many as the precision says.
+/// It is written as in ISO 8601, with nine digits after the point or as many as the precision says;
+/// with `serde`, as the number of nanoseconds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Utc(i64);
 

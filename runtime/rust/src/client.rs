@@ -654,7 +654,7 @@ impl<const N: usize> Client<N> {
     }
 
     /// Borrows the last packet to send.
-    #[cfg(feature = "embedded-io-async")]
+    #[cfg(feature = "embedded-io-async-07")]
     pub(crate) fn packet(&self) -> Packet<'_> {
         self.table().packet.packet()
     }

@@ -3,7 +3,7 @@
 //! [`Device`] uses a [`Port`]. `StdPort` is a port over anything that reads and writes with the
 //! standard library, and `EmbeddedPort` one over a driver with the traits of `embedded-io`. To use
 //! any other port, implement three functions. `AsyncDevice` does the same with `embedded-io-async`.
-//! Each requires a cargo feature: `std`, `embedded-io` or `embedded-io-async`.
+//! Each requires a cargo feature: `std`, `embedded-io-07` or `embedded-io-async-07`.
 //!
 //! ```no_run
 //! # #[cfg(feature = "std")]
@@ -53,9 +53,9 @@ use crate::time::Time;
 use crate::timed::Timed;
 
 mod all;
-#[cfg(feature = "embedded-io-async")]
+#[cfg(feature = "embedded-io-async-07")]
 mod asynchronous;
-#[cfg(feature = "embedded-io")]
+#[cfg(feature = "embedded-io-07")]
 mod embedded;
 #[cfg(feature = "open")]
 mod line;
@@ -65,9 +65,9 @@ mod line_async;
 mod standard;
 
 pub use all::Commands;
-#[cfg(feature = "embedded-io-async")]
+#[cfg(feature = "embedded-io-async-07")]
 pub use asynchronous::AsyncDevice;
-#[cfg(feature = "embedded-io")]
+#[cfg(feature = "embedded-io-07")]
 pub use embedded::{EmbeddedError, EmbeddedPort};
 #[cfg(feature = "open")]
 pub use line::Line;
@@ -578,7 +578,10 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// answered.
     fn begin(&mut self) -> Result<u32, DeviceError<P::Error>> {
         self.core.client.clear();
-        while self.port.waits().map_err(DeviceError::Port)? && self.read()? {}
+        let mut backlog = BACKLOG; // bytes may arrive without end
+        while backlog > 0 && self.port.waits().map_err(DeviceError::Port)? && self.read()? {
+            backlog = backlog.saturating_sub(1);
+        }
         if let Some(barrier) = self.core.client.barrier() {
             self.port.write(barrier.bytes()).map_err(DeviceError::Port)?;
         }

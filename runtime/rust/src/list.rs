@@ -229,55 +229,29 @@ impl<T: hash::Hash, const N: usize> hash::Hash for List<T, N> {
     }
 }
 
-impl<T: PartialEq, const N: usize> PartialEq<[T]> for List<T, N> {
-    fn eq(&self, other: &[T]) -> bool {
-        self.given == other.len() && self.as_slice() == other
-    }
+macro_rules! equal {
+    ($([$($size:tt)*] $other:ty;)*) => {$(
+        impl<T: PartialEq, $($size)* const N: usize> PartialEq<$other> for List<T, N> {
+            fn eq(&self, other: &$other) -> bool {
+                self.given == other.len() && self.as_slice() == &other[..]
+            }
+        }
+
+        impl<T: PartialEq, $($size)* const N: usize> PartialEq<List<T, N>> for $other {
+            fn eq(&self, other: &List<T, N>) -> bool {
+                *other == *self
+            }
+        }
+    )*};
 }
 
-impl<T: PartialEq, const N: usize> PartialEq<&[T]> for List<T, N> {
-    fn eq(&self, other: &&[T]) -> bool {
-        *self == **other
-    }
+equal! {
+    [] [T];
+    [] &[T];
+    [const M: usize,] [T; M];
 }
-
-impl<T: PartialEq, const M: usize, const N: usize> PartialEq<[T; M]> for List<T, N> {
-    fn eq(&self, other: &[T; M]) -> bool {
-        *self == *other.as_slice()
-    }
-}
-
-impl<T: PartialEq, const N: usize> PartialEq<List<T, N>> for [T] {
-    fn eq(&self, other: &List<T, N>) -> bool {
-        *other == *self
-    }
-}
-
-impl<T: PartialEq, const N: usize> PartialEq<List<T, N>> for &[T] {
-    fn eq(&self, other: &List<T, N>) -> bool {
-        *other == **self
-    }
-}
-
-impl<T: PartialEq, const M: usize, const N: usize> PartialEq<List<T, N>> for [T; M] {
-    fn eq(&self, other: &List<T, N>) -> bool {
-        *other == *self.as_slice()
-    }
-}
-
 #[cfg(feature = "alloc")]
-impl<T: PartialEq, const N: usize> PartialEq<Vec<T>> for List<T, N> {
-    fn eq(&self, other: &Vec<T>) -> bool {
-        *self == *other.as_slice()
-    }
-}
-
-#[cfg(feature = "alloc")]
-impl<T: PartialEq, const N: usize> PartialEq<List<T, N>> for Vec<T> {
-    fn eq(&self, other: &List<T, N>) -> bool {
-        *other == *self.as_slice()
-    }
-}
+equal!([] Vec<T>;);
 
 /// A check at compile time that an array fits.
 struct Fits<const M: usize, const N: usize>;
@@ -413,10 +387,17 @@ impl<T: Wire + Item, const N: usize> Counted for List<T, N> {
 #[cfg(feature = "serde")]
 impl<T: serde::Serialize, const N: usize> serde::Serialize for List<T, N> {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if self.overflowed() {
-            return Err(serde::ser::Error::custom("more items than the list can hold"));
-        }
+        self.whole()?;
         serializer.collect_seq(self)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<T, const N: usize> List<T, N> {
+    /// Is an error for a list that has overflowed.
+    pub(crate) fn whole<E: serde::ser::Error>(&self) -> Result<(), E> {
+        let error = || E::custom("more items than the list can hold");
+        (!self.overflowed()).then_some(()).ok_or_else(error)
     }
 }
 
@@ -426,31 +407,7 @@ where
     T: serde::Deserialize<'de> + Item,
 {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Visitor<T, const N: usize>(core::marker::PhantomData<T>);
-
-        impl<'de, T, const N: usize> serde::de::Visitor<'de> for Visitor<T, N>
-        where
-            T: serde::Deserialize<'de> + Item,
-        {
-            type Value = List<T, N>;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                write!(f, "at most {N} items")
-            }
-
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(
-                self,
-                mut items: A,
-            ) -> Result<Self::Value, A::Error> {
-                let mut list = List::new();
-                while let Some(item) = items.next_element()? {
-                    list.push(item).map_err(serde::de::Error::custom)?;
-                }
-                Ok(list)
-            }
-        }
-
-        deserializer.deserialize_seq(Visitor(core::marker::PhantomData))
+        deserializer.deserialize_seq(crate::readable::Items(core::marker::PhantomData))
     }
 }
 

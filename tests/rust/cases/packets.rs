@@ -113,7 +113,6 @@ fn packets_are_kept_and_built_on_without_checking_them_again() {
     let packet = Packet::from(&built);
     let kept = PacketBuf::from(packet);
     assert_eq!(kept, PacketBuf::from(&built));
-    assert_eq!(kept, PacketBuf::from(built.clone()));
     assert_eq!((kept.bytes(), kept.as_ref(), packet.as_ref()), (&PING[..], &PING[..], &PING[..]));
     assert_eq!((Packet::from(&kept), kept.packet()), (packet, packet));
     assert_eq!(format!("{kept:?}"), format!("{packet:?}"));
@@ -122,11 +121,10 @@ fn packets_are_kept_and_built_on_without_checking_them_again() {
     assert_eq!(PacketBuf::try_from(vec![0x75]), Err(PacketError::Sync));
     assert_eq!(PacketBuf::try_from(&PING[..]), Ok(kept.clone()));
     assert_eq!(PacketBuf::try_from(&PING[..7]), Err(PacketError::Length));
-    assert_eq!(PacketBuilder::from(kept.clone()), built);
     assert_eq!(Packet::try_from(&PING[..]), Ok(packet));
     assert_eq!(Packet::try_from(&PING[1..]), Err(PacketError::Sync));
     let mut more = PacketBuilder::from(packet);
-    assert_eq!((more == built, more == PacketBuilder::from(&kept)), (true, true));
+    assert_eq!(more, built);
     more.push(&tools::Inventory::default()).unwrap();
     assert_eq!(Packet::new(more.bytes()).unwrap().fields().count(), 2);
     assert!(more != built);

@@ -127,20 +127,12 @@ fn bitfields_are_sets_of_bits() {
     assert_eq!(BOTH & StateFlags::HOT, BOTH.intersection(StateFlags::HOT));
     assert_eq!(!BOTH, BOTH.complement());
     assert_eq!((!BOTH).bits(), StateFlags::all().bits() & !BOTH.bits());
-    assert_eq!([StateFlags::READY, StateFlags::HOT].into_iter().collect::<StateFlags>(), BOTH);
-    flags.extend(BOTH);
-    assert_eq!(flags, BOTH);
     assert!(BOTH.contains(StateFlags::HOT) && !StateFlags::HOT.contains(BOTH));
     assert!(BOTH.intersects(StateFlags::HOT) && !StateFlags::HOT.intersects(StateFlags::READY));
     let mut reserved = StateFlags(0x8000);
     reserved.insert(BOTH);
     reserved.remove(StateFlags::HOT);
     assert_eq!(reserved.0, 0x8001); // reserved bits stay
-    let mut bits = Vec::new();
-    for bit in &BOTH {
-        bits.push(bit);
-    }
-    assert_eq!(bits, [StateFlags::READY, StateFlags::HOT]);
     assert_eq!(StateFlags::empty().with_level(0xFF).0, 0x70); // more than fits
 }
 
@@ -149,8 +141,6 @@ fn bitfields_name_their_bits() {
     let flags = StateFlags(0x8051);
     let names: Vec<_> = flags.iter_names().map(|(name, bits)| (name, bits.0)).collect();
     assert_eq!(names, [("ready", 0x0001), ("level", 0x0050)]); // no bit is left for `any`
-    assert_eq!(flags.iter().map(|bits| bits.0).collect::<Vec<_>>(), [1, 0x50, 0x8000]);
-    assert_eq!(flags.into_iter().fold(StateFlags::empty(), |a, b| a | b), flags);
     assert_eq!(format!("{:?}", StateFlags(0x8000)), "StateFlags(0x8000)");
     assert_eq!(format!("{:?}", StateFlags(0)), "StateFlags()");
     // `any` has the bits of `ready` and `hot`.
@@ -173,7 +163,7 @@ fn bitfields_of_bytes_are_sets_too() {
     let mut unknown = [0; 16];
     (unknown[0], unknown[7]) = (1, 0x0A);
     assert_eq!(format!("{:?}", Health(unknown)), "Health(clock | 0xa00000000000000)");
-    assert_eq!(Health(unknown).iter().count(), 2);
+    assert_eq!(Health(unknown).iter_names().count(), 1);
 }
 
 #[test]

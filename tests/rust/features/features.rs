@@ -2,7 +2,8 @@
 
 use mip_protocol::dynamic::ToValue;
 use mip_protocol::types::{Mode, StateFlags, Vector3f};
-use mip_protocol::{measurements, mip_3d, mip_9_lives, tools, AnyField, Field, Text, VarText};
+use mip_protocol::{measurements, mip_3d, mip_9_lives, tools, AnyField, Clock, Field, PacketBuf};
+use mip_protocol::{PacketBuilder, Text, Time, Utc, VarText};
 use serde::{de::DeserializeOwned, Serialize};
 use serde_test::Token::{Bytes, Tuple, TupleEnd, U8};
 use serde_test::{assert_de_tokens_error, assert_tokens, Configure};
@@ -73,6 +74,18 @@ fn names_are_those_of_the_specification() {
     let other = tools::ChoiceParameters::Other(tools::Shape(9));
     assert_eq!(json(&other), r#"{"other":9}"#);
     assert!(serde_json::to_string(&(0..9).collect::<mip_protocol::List<u8, 2>>()).is_err());
+}
+
+#[test]
+fn packets_and_times_are_kept() {
+    let packet = PacketBuf::from(&PacketBuilder::with(&tools::Ping).unwrap());
+    assert_eq!(json(&packet), "[117,101,1,2,2,1,224,198]");
+    let cut = serde_json::from_str::<PacketBuf>("[117,101,1]").unwrap_err();
+    assert!(cut.to_string().starts_with("the bytes are not one whole packet"));
+    let clock = Clock::ALL[0];
+    let time = Time { clock, nanoseconds: -1 };
+    let text = format!(r#"{{"clock":"{}","nanoseconds":-1}}"#, clock.name());
+    assert_eq!((json(&time), json(&Utc::from_unix_nanoseconds(7))), (text, "7".into()));
 }
 
 #[test]

@@ -1,15 +1,14 @@
 //! Asynchronous ports of a computer, with `tokio`.
 
 use std::io;
-use std::pin::{pin, Pin};
+use std::pin::pin;
 use std::string::String;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::task::{Context, Poll};
 use std::time::Duration;
 use std::{borrow::ToOwned, boxed::Box};
 
 use tokio::io::{
-    split, AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt, ReadBuf, ReadHalf, WriteHalf,
+    empty, split, AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt, Empty, ReadHalf, WriteHalf,
 };
 use tokio::net::TcpStream;
 use tokio::sync::{Mutex as AsyncMutex, Notify};
@@ -17,9 +16,12 @@ use tokio::time::{sleep, timeout, Instant, Sleep};
 use tokio_serial::{SerialPort as _, SerialPortBuilderExt, SerialStream};
 
 use super::line::{is_host, named, recorded, refused, serial_name, Record, PAUSE, USUAL, WRITE};
-use super::{closed, is_over, AsyncDevice, Core, DeviceError, BACKLOG, CHUNK};
+use super::{is_over, AsyncDevice, Core, DeviceError, BACKLOG, CHUNK};
 use crate::field::Command;
 use crate::owned::PacketBuf;
+use crate::packet::FromPacket;
+use crate::time::Time;
+use crate::timed::Timed;
 
 /// A device at a port that [`AsyncLine`] has opened.
 pub type TokioDevice = AsyncDevice<AsyncLine, fn(u32) -> Sleep>;
@@ -48,34 +50,8 @@ trait Io: AsyncRead + AsyncWrite + Unpin + Send {
 
 impl Io for TcpStream {}
 
-/// A lost port, at which everything fails.
-struct Lost;
-
-impl Io for Lost {}
-
-impl AsyncRead for Lost {
-    fn poll_read(
-        self: Pin<&mut Self>,
-        _: &mut Context<'_>,
-        _: &mut ReadBuf<'_>,
-    ) -> Poll<io::Result<()>> {
-        Poll::Ready(Err(closed()))
-    }
-}
-
-impl AsyncWrite for Lost {
-    fn poll_write(self: Pin<&mut Self>, _: &mut Context<'_>, _: &[u8]) -> Poll<io::Result<usize>> {
-        Poll::Ready(Err(closed()))
-    }
-
-    fn poll_flush(self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<io::Result<()>> {
-        Poll::Ready(Err(closed()))
-    }
-
-    fn poll_shutdown(self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<io::Result<()>> {
-        Poll::Ready(Ok(()))
-    }
-}
+/// A lost port, which is closed.
+impl Io for Empty {}
 
 impl Io for SerialStream {
     fn set_baud(&mut self, rate: u32) -> bool {
@@ -177,7 +153,7 @@ impl TokioDevice {
     pub async fn reopen(&mut self, within: Duration) -> Result<(), DeviceError<io::Error>> {
         let (began, rate) = (Instant::now(), self.baud());
         self.core.restart();
-        self.port.io = Box::new(Lost); // it is closed first
+        self.port.io = Box::new(empty()); // it is closed first
         loop {
             let opened = AsyncLine::io(&self.port.place).await;
             match opened.and_then(|(mut io, _)| match rate {
@@ -325,6 +301,28 @@ impl DataHalf {
                 let mut core = self.shared.core();
                 core.look_behind();
                 return Ok(core.data.pop().map(PacketBuf::from));
+            }
+        }
+    }
+
+    /// Returns the fields `F` of the packets that [`DataHalf::next_packet`] would return, with their
+    /// times; see [`AsyncDevice::fields`].
+    pub fn fields<F: FromPacket>(&mut self, wait_ms: u32) -> Timed<&mut Self, F> {
+        Timed::new(self, wait_ms)
+    }
+}
+
+impl<F: FromPacket> Timed<&mut DataHalf, F> {
+    /// Returns the next fields, and the time of their packet; `None` if no packet arrives in time.
+    #[allow(clippy::should_implement_trait)] // it is asynchronous
+    pub async fn next(&mut self) -> Option<Result<(Option<Time>, F), DeviceError<io::Error>>> {
+        loop {
+            let packet = match self.source.next_packet(self.wait_ms).await {
+                Ok(packet) => packet?,
+                Err(error) => return Some(Err(error)),
+            };
+            if let Some(found) = self.reader.read(&packet.packet()) {
+                return Some(found.map_err(DeviceError::Data));
             }
         }
     }

@@ -514,7 +514,7 @@ $($of)* {
 
 functions! { [impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q>] [] [] }
 
-#[cfg(feature = "embedded-io-async")]
+#[cfg(feature = "embedded-io-async-07")]
 functions! {
     [
         impl<P, S, F, const N: usize, const Q: usize> crate::device::AsyncDevice<P, S, N, Q>

@@ -5,16 +5,21 @@ use super::{Flag, Part, Place, Reading, Source};
 
 /// A clock of timestamps. Of several, the first is to be preferred.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Clock {
     /// GPS time, once a receiver, a PPS or the host has set it.
+    #[cfg_attr(feature = "serde", serde(rename = "gps"))]
     Gps,
     /// Nanoseconds of the clock that is synchronized to the PPS.
+    #[cfg_attr(feature = "serde", serde(rename = "external"))]
     External,
     /// Nanoseconds since power-on, by the clock of the device.
+    #[cfg_attr(feature = "serde", serde(rename = "reference"))]
     Reference,
     /// Seconds since power-on, which a device without GPS time sends as the time of week.
+    #[cfg_attr(feature = "serde", serde(rename = "device"))]
     Device,
 }
 

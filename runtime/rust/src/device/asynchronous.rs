@@ -1,6 +1,6 @@
 //! An asynchronous device.
 
-use core::future::{poll_fn, Future};
+use core::future::{poll_fn, ready, Future};
 use core::pin::{pin, Pin};
 use core::task::Poll;
 
@@ -25,9 +25,13 @@ use crate::timed::Timed;
 /// These traits have no function for the baud rate. [`AsyncDevice::with_baud`] provides one;
 /// without it, the port keeps its rate.
 ///
+/// Each command is preceded by what has arrived, as data, so that a reply that arrives twice or out
+/// of order, as over UDP, is not taken for the next one. For this, the port's `read` is polled once,
+/// and dropped if no bytes have arrived, as when a wait ends. Use a driver that loses none by that:
+/// one that buffers what it receives, such as `BufferedUart` of embassy.
+///
 /// Dropping a future cancels the command in the client, but not in the device. The reply is then
-/// treated as data, because a barrier precedes the next command. Whether bytes are lost depends on
-/// the port.
+/// treated as data, because a barrier precedes the next command.
 ///
 /// A command continues after an [`Interrupted`](ErrorKind::Interrupted) error, and after a
 /// [`TimedOut`](ErrorKind::TimedOut) error of a read. A port whose `write` returns 0 is
@@ -168,9 +172,12 @@ where
         Ok(tickets)
     }
 
-    /// Forgets the earlier commands, and sends a barrier if one was not answered.
+    /// Forgets the earlier commands, takes in what waits, and sends a barrier if a command was not
+    /// answered.
     async fn begin(&mut self) -> Result<(), DeviceError<P::Error>> {
         self.core.client.clear();
+        let (mut backlog, mut over) = (BACKLOG, pin!(ready(())));
+        while read(&mut self.port, &mut self.core, over.as_mut(), &mut backlog).await? {}
         match self.core.client.barrier() {
             Some(barrier) => write(&mut self.port, barrier.bytes()).await,
             None => Ok(()),

@@ -257,13 +257,6 @@ macro_rules! bit_sets {
                 Self::ALL_BITS.difference(self)
             }
 
-            /// Iterates over the bits that are set, one item per name; unnamed bits come last.
-            #[inline]
-            #[must_use]
-            pub fn iter(&self) -> $crate::bits::Iter<Self> {
-                $crate::bits::Iter::new(*self, Self::BITS)
-            }
-
             /// Iterates over the bits that are set, with their names.
             ///
             /// A number of several bits is included if it is not 0. Bits that belong to several
@@ -306,38 +299,6 @@ macro_rules! bit_sets {
             #[inline]
             fn not(self) -> Self {
                 self.complement()
-            }
-        }
-
-        impl ::core::iter::Extend<$name> for $name {
-            fn extend<I: ::core::iter::IntoIterator<Item = Self>>(&mut self, all: I) {
-                all.into_iter().for_each(|bits| self.insert(bits));
-            }
-        }
-
-        impl ::core::iter::FromIterator<$name> for $name {
-            fn from_iter<I: ::core::iter::IntoIterator<Item = Self>>(all: I) -> Self {
-                all.into_iter().fold(Self::NO_BITS, Self::union)
-            }
-        }
-
-        impl ::core::iter::IntoIterator for $name {
-            type Item = Self;
-            type IntoIter = $crate::bits::Iter<Self>;
-
-            #[inline]
-            fn into_iter(self) -> Self::IntoIter {
-                self.iter()
-            }
-        }
-
-        impl ::core::iter::IntoIterator for &$name {
-            type Item = $name;
-            type IntoIter = $crate::bits::Iter<$name>;
-
-            #[inline]
-            fn into_iter(self) -> Self::IntoIter {
-                self.iter()
             }
         }
     };

@@ -177,26 +177,7 @@ macro_rules! vector {
             }
         }
 
-        #[doc(hidden)]
-        impl $crate::Wire for $name {
-            const SIZE: usize = <[$number; $count] as $crate::Wire>::SIZE;
-            const FIXED: bool = true;
-
-            #[inline]
-            fn decode_from(
-                reader: &mut $crate::Reader<'_>,
-            ) -> ::core::result::Result<Self, $crate::error::Invalid> {
-                reader.read::<[$number; $count]>().map(Self::from)
-            }
-
-            #[inline]
-            fn encode_to(
-                &self,
-                writer: &mut $crate::Writer<'_>,
-            ) -> ::core::result::Result<(), $crate::error::EncodeErrorKind> {
-                writer.write(&self.to_array())
-            }
-        }
+        through!($name: [$number; $count], to_array, Self::from);
 
         /// Serializes as an array, as in a tree of values.
         #[cfg(feature = "serde")]
@@ -215,24 +196,6 @@ macro_rules! vector {
                 deserializer: D,
             ) -> ::core::result::Result<Self, D::Error> {
                 $crate::readable::deserialize::<[$number; $count], D>(deserializer).map(Self::from)
-            }
-        }
-
-        #[cfg(feature = "dynamic")]
-        #[doc(hidden)]
-        impl $crate::dynamic::ToValue for $name {
-            fn to_value(&self) -> $crate::dynamic::Value {
-                self.to_array().to_value()
-            }
-        }
-
-        #[cfg(feature = "dynamic")]
-        #[doc(hidden)]
-        impl $crate::dynamic::FromValue for $name {
-            fn from_value(
-                value: &$crate::dynamic::Value,
-            ) -> ::core::result::Result<Self, $crate::dynamic::ValueError> {
-                <[$number; $count]>::from_value(value).map(Self::from)
             }
         }
     };
@@ -310,6 +273,21 @@ macro_rules! newtype {
             const BLANK: Self = Self(<$inner as $crate::list::Item>::BLANK);
         }
 
+        through!($name: $inner, to_inner, Self);
+
+        impl $name {
+            #[inline]
+            const fn to_inner(self) -> $inner {
+                self.0
+            }
+        }
+    };
+}
+
+/// The wire format and the tree of values of what is inside: a function that returns it, and one
+/// that makes the value of it.
+macro_rules! through {
+    ($name:ident: $inner:ty, $inside:ident, $made:expr) => {
         #[doc(hidden)]
         impl $crate::Wire for $name {
             const SIZE: usize = <$inner as $crate::Wire>::SIZE;
@@ -319,7 +297,7 @@ macro_rules! newtype {
             fn decode_from(
                 reader: &mut $crate::Reader<'_>,
             ) -> ::core::result::Result<Self, $crate::error::Invalid> {
-                reader.read().map(Self)
+                reader.read::<$inner>().map($made)
             }
 
             #[inline]
@@ -327,7 +305,7 @@ macro_rules! newtype {
                 &self,
                 writer: &mut $crate::Writer<'_>,
             ) -> ::core::result::Result<(), $crate::error::EncodeErrorKind> {
-                writer.write(&self.0)
+                writer.write(&self.$inside())
             }
         }
 
@@ -335,7 +313,7 @@ macro_rules! newtype {
         #[doc(hidden)]
         impl $crate::dynamic::ToValue for $name {
             fn to_value(&self) -> $crate::dynamic::Value {
-                self.0.to_value()
+                $crate::dynamic::ToValue::to_value(&self.$inside())
             }
         }
 
@@ -345,7 +323,7 @@ macro_rules! newtype {
             fn from_value(
                 value: &$crate::dynamic::Value,
             ) -> ::core::result::Result<Self, $crate::dynamic::ValueError> {
-                $crate::dynamic::FromValue::from_value(value).map(Self)
+                <$inner as $crate::dynamic::FromValue>::from_value(value).map($made)
             }
         }
     };
