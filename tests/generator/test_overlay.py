@@ -17,10 +17,33 @@ from support import ROOT, SPECS, model, some
 OVERLAY = ROOT / "tests/overlay"
 
 
-def test_an_overlay_adds_sets_fields_types_units_and_support() -> None:
-    before, after = model("real"), load_model(SPECS["real"][0], OVERLAY)
-    new = {f.full_name for f in after.fields} - {f.full_name for f in before.fields}
-    assert new == {"payload.lamp", "payload.lamp_response", "sensor.ambient_light"}
+WIND = """\
+extend: aiding
+parts:
+  tail: [{name: valid_flags, type: axis_flags, description: Which axes are valid.}]
+fields:
+  - command: 0x7A
+    name: wind
+    title: Wind
+    description: A measured wind, as `aiding.body_frame_velocity` has it.
+    parameters: [{include: head}, {name: wind, type: vector3f, unit: m/s, description: Wind.}, {include: tail}]
+"""
+HORN = "extend: payload\nfields:\n  - {command: 0x02, name: horn, title: Horn, description: Sounds the horn.}\n"
+
+
+@pytest.fixture(scope="module")
+def after(tmp_path_factory: pytest.TempPathFactory) -> m.Model:
+    """The real specification with an overlay, and with one that extends both."""
+    second = tmp_path_factory.mktemp("overlay")
+    (second / "sets").mkdir()
+    for name, text in (("horn", HORN), ("wind", WIND)):
+        (second / f"sets/{name}.yaml").write_text(text, "utf-8")
+    return load_model(SPECS["real"][0], OVERLAY, second)
+
+
+def test_an_overlay_adds_sets_fields_types_units_and_support(after: m.Model) -> None:
+    new = {f.full_name for f in after.fields} - {f.full_name for f in model("real").fields}
+    assert new - {"aiding.wind", "payload.horn"} == {"payload.lamp", "payload.lamp_response", "sensor.ambient_light"}
     light, lamp = after.field("sensor.ambient_light"), after.field("payload.lamp")
     assert light is not None and lamp is not None and light.sources == lamp.sources == ()
     assert light.parameters[0].units == ("lx",) and light.parameters[2].element in after.types
@@ -93,22 +116,14 @@ def test_the_names_of_an_overlay_are_free(tmp_path: Path) -> None:
     assert load_model(BASE, tmp_path / "mine").field("tools.gyroscope") is not None
 
 
-def test_an_overlay_adds_parts_and_includes_those_that_are_there(tmp_path: Path) -> None:
-    text = """\
-extend: aiding
-parts:
-  tail: [{name: valid_flags, type: axis_flags, description: Which axes are valid.}]
-fields:
-  - command: 0x7A
-    name: wind
-    title: Wind
-    description: A measured wind, as `aiding.body_frame_velocity` has it.
-    parameters: [{include: head}, {name: wind, type: vector3f, unit: m/s, description: Wind.}, {include: tail}]
-"""
-    (tmp_path / "mine/sets").mkdir(parents=True)
-    (tmp_path / "mine/sets/a.yaml").write_text(text, "utf-8")
-    wind = some(load_model(SPECS["real"][0], tmp_path / "mine").field("aiding.wind"))
+def test_an_overlay_adds_parts_and_includes_those_that_are_there(after: m.Model) -> None:
+    wind = some(after.field("aiding.wind"))
     assert [p.name for p in wind.parameters] == ["time", "frame_id", "wind", "valid_flags"]
+
+
+def test_an_overlay_may_extend_another(after: m.Model) -> None:
+    (payload,) = (x for x in after.families if x.name == "payload")
+    assert [f.name for f in payload.fields] == ["lamp", "horn", "lamp_response"]
 
 
 A = "sets/a.yaml"
@@ -147,17 +162,3 @@ def test_messages(tmp_path: Path, file: str, text: str, message: str) -> None:
         load_model(BASE, tmp_path / "over")
     place = "" if file.endswith(".txt") else file
     assert f"{place}{message}" in str(caught.value)
-
-
-def test_an_overlay_may_extend_another(tmp_path: Path) -> None:
-    sets = tmp_path / "sets"
-    sets.mkdir()
-    (sets / "a.yaml").write_text(
-        "extend: payload\nfields:\n  - {command: 0x02, name: horn, title: Horn, description: Sounds the horn.}\n"
-    )
-    both = load_model(SPECS["real"][0], OVERLAY, tmp_path)
-    assert [f.name for x in both.families if x.name == "payload" for f in x.fields] == [
-        "lamp",
-        "horn",
-        "lamp_response",
-    ]

@@ -43,6 +43,11 @@ def respelled(folder: Path, *lines: tuple[str, str]) -> Model:
     return load_model(spec)
 
 
+@pytest.fixture(scope="module")
+def degrees(tmp_path_factory: pytest.TempPathFactory) -> Model:
+    return respelled(tmp_path_factory.mktemp("degrees"), DEGREES)
+
+
 @cache
 def shows(symbol: str, text: str) -> tuple[str, ...]:
     """The lines of a text in which a unit is a word by itself."""
@@ -51,9 +56,8 @@ def shows(symbol: str, text: str) -> tuple[str, ...]:
 
 
 @pytest.mark.parametrize("target", sorted(KEEP))
-def test_another_spelling_is_one_line(target: str, tmp_path: Path) -> None:
-    model = respelled(tmp_path, DEGREES)
-    before, after = generated(target, "invented"), render.render(target, model)
+def test_another_spelling_is_one_line(target: str, degrees: Model) -> None:
+    before, after = generated(target, "invented"), render.render(target, degrees)
     changed = {path for path in after if after[path] != before[path]}
     was = [line for path in changed for line in shows("deg", before[path].decode())]
     now = [line for path in changed for line in shows("arc-degree", after[path].decode())]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -13,7 +12,7 @@ import crates
 import page_text
 import pytest
 from page_text import blocks, section
-from support import BUILD, PYTHONPATH, ROOT, SPECS, driver, heavy, need, simulated, uses
+from support import BUILD, PYTHONPATH, ROOT, driver, heavy, need, simulated, uses
 
 README = (ROOT / "README.md").read_text("utf-8")
 #: The README's section of programs.
@@ -178,17 +177,3 @@ def test_a_part(tmp_path: Path) -> None:
     out = tmp_path / "few"
     assert sorted(p.stem for p in (out / "markdown/docs/sets").iterdir()) == ["3dm", "base"]
     run(need("cc"), "-std=c99", f"-I{out}/c/src", "-fsyntax-only", *sorted((out / "c/src/mip").glob("*/*.c")))
-
-
-def test_differences(tmp_path: Path) -> None:
-    """Against a revision in a repository without tags, as a fresh clone may be; and against a folder."""
-    revision, folders = commands("See what changed")
-    clone = tmp_path / "clone"
-    shutil.copytree(SPECS["invented"][0], clone / "spec")
-    git = ("git", "-C", clone, "-c", "user.name=x", "-c", "user.email=x@localhost")
-    for words in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "x"]):
-        run(*git, *words)
-    assert mipgen(clone, revision).endswith(": same\n")
-    for name in ("spec", "old_spec"):
-        (tmp_path / name).symlink_to(SPECS["invented"][0])
-    assert mipgen(tmp_path, folders).endswith(": same\n")
