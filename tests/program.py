@@ -1,4 +1,4 @@
-"""The program `mip` as its users run it, and logs for it."""
+"""The program `mip` as its users run it, and logs for it; sections, commands and programs of pages."""
 
 from __future__ import annotations
 
@@ -176,3 +176,30 @@ def log(seconds: float = 4.0) -> bytes:
         device.advance(0.1)
         found += link.read()
     return found
+
+
+def section(page: str, title: str) -> str:
+    """A section of a page, which must be there."""
+    found = f"\n{page}".partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+    assert found, title
+    return found
+
+
+def commands(text: str, program: str = "") -> list[str]:
+    """The indented commands, of one program or of any; those in fenced blocks are not among them."""
+    return re.findall(rf"^    (?=\S)({program}.*)$", re.sub(r"```.*?```", "", text, flags=re.S), re.M)
+
+
+def blocks(text: str, language: str) -> list[str]:
+    """The fenced blocks of a language."""
+    return re.findall(rf"```{language}\n(.*?)```", text, re.S)
+
+
+def programs(folder: Path, **modules: str) -> Path:
+    """A folder with programs that run modules of Python."""
+    folder.mkdir()
+    for name, module in modules.items():
+        words = [sys.executable, *(["-m", module] if module else [])]
+        (folder / name).write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n')
+        (folder / name).chmod(0o755)
+    return folder

@@ -56,12 +56,12 @@ SPEEDS = (
     ("the same, through `client.h`", "log", "ours_client", ""),
     ("the same, handlers of `device.h`", "log", "ours_device", "peer_device"),
 )
-#: Title, program in peer/ of ours, that of theirs.
+#: Title, program in peer/ of ours, with its macros, that of theirs.
 SIZES = (
     ("size: parser, walk and builder", "ours_core", "peer_core"),
     ("size: parser and three fields", "ours_fields", "peer_fields"),
     ("size: application, waiting for replies", "ours_app", "peer_app"),
-    ("size: application, never waiting", "ours_step", ""),
+    ("size: application, never waiting", "ours_app -DSTEP", ""),
 )
 #: Functions of the hardware, which neither library provides.
 HARDWARE = ("rx", "rx_size", "tx", "port_read", "port_write", "port_now", "port_receive", "port_send", "receive")
@@ -91,10 +91,10 @@ def vendor_sources(sdk: Path) -> list[str]:
 
 def size(machine: Machine, options: list[str], program: str, made: list[str]) -> str:
     """Bytes of code and constants of a program in peer/, without the C library."""
-    elf = BUILD / "board.elf"
+    elf, (source, *macros) = BUILD / "board.elf", program.split()
     hidden = [f"-Wl,--defsym={name}=0" for name in (*OUTSIDE, *HARDWARE, "printf")]
-    run(f"{machine.tools}-gcc", *options, HERE / f"peer/{program}.c", *made, "-nostdlib", "-nostartfiles", "-lgcc",
-        "-Wl,--gc-sections", "-Wl,-e,main", *hidden, "-o", elf)  # fmt: skip
+    run(f"{machine.tools}-gcc", *options, *macros, HERE / f"peer/{source}.c", *made, "-nostdlib", "-nostartfiles",
+        "-lgcc", "-Wl,--gc-sections", "-Wl,-e,main", *hidden, "-o", elf)  # fmt: skip
     code, data = run(f"{machine.tools}-size", elf).splitlines()[1].split()[:2]
     return f"{int(code) + int(data)} B"
 

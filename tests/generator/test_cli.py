@@ -12,14 +12,13 @@ from typing import Any
 
 import pytest
 from bad_spec_files import BASE
-from command_line import mipgen
 from mipgen import __version__, cli
 from mipgen.base import fingerprint, parallel
 from mipgen.base.errors import Failure
 from mipgen.cli import arguments
 from mipgen.emit import build, discovery, stamp
 from mipgen.resolve.load import load_model
-from support import ROOT, SPECS, tree
+from support import ROOT, SPECS, mipgen, tree
 
 INVENTED, GOLDEN = SPECS["invented"]
 #: The quickest targets: what is shown here holds for all.

@@ -11,11 +11,10 @@ from pathlib import Path
 
 import golden
 import pytest
-from command_line import mipgen
 from mipgen import cli
 from mipgen.base import resources
 from mipgen.emit import output, render
-from support import ROOT, SPECS, all_fields, model, parse_as, tree
+from support import ROOT, SPECS, all_fields, mipgen, model, parse_as, tree
 
 SPEC = ("--spec", "tests/invented/spec")
 OUTPUT = SPECS["invented"][1]

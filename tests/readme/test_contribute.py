@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from page_text import commands, programs, section
+from program import commands, programs, section
 from support import PATIENCE, PYTHONPATH, ROOT, simulated
 
 PAGE = (ROOT / "docs/contribute-a-device.md").read_text("utf-8")

@@ -12,8 +12,7 @@ import pytest
 from mipgen import cli
 from mipgen.emit.target import Target
 from mipgen.resolve.load import load_model
-from page_text import blocks, commands, programs, section
-from program import mip, printed, simulated
+from program import blocks, commands, mip, printed, programs, section, simulated
 from support import ROOT, uses
 
 MIP, SETTINGS, LANGUAGE, SPEC = (

@@ -9,9 +9,9 @@ import sys
 from pathlib import Path
 
 import crates
-import page_text
+import program
 import pytest
-from page_text import blocks, section
+from program import blocks, section
 from support import BUILD, PYTHONPATH, ROOT, driver, heavy, need, simulated, uses
 
 README = (ROOT / "README.md").read_text("utf-8")
@@ -29,7 +29,7 @@ def block(language: str, title: str = "") -> str:
 
 def commands(title: str) -> list[list[str]]:
     """The commands of a section, without comments."""
-    return [line.partition("#")[0].split() for line in page_text.commands(section(SPECIFICATIONS, title), "mipgen ")]
+    return [line.partition("#")[0].split() for line in program.commands(section(SPECIFICATIONS, title), "mipgen ")]
 
 
 def run(*command: str | Path, **environment: str) -> str:

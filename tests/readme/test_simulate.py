@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from page_text import blocks, commands, programs, section
+from program import blocks, commands, programs, section
 from support import PATIENCE, PYTHONPATH, ROOT, need
 
 PAGE, REFERENCE = ((ROOT / f"docs/{name}.md").read_text("utf-8") for name in ("simulate", "simulate-reference"))
