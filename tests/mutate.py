@@ -154,6 +154,8 @@ def mutants(path: Path, docs: bool) -> Iterator[Mutant]:
         text = was or marks or bool(re.match(r"\s*(//|/\*|\*)", line)) or path.suffix == ".md"
         if docs != bool(text) or (docs and not FACT_LINE.search(line)) or (not docs and NO_CODE.match(line)):
             continue
+        if path.name.endswith(".md.j2") and not re.search(r"\{[{%]", line):
+            continue  # prose
         shown = line if docs else hidden(line)
         for pattern, becomes in FACTS if docs else CODE:
             for match in re.finditer(pattern, shown):

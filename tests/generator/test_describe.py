@@ -6,7 +6,7 @@ import dataclasses
 
 import pytest
 from mipgen import model as m
-from mipgen.facts import describe
+from mipgen.facts import describe, descriptors
 from support import model, some
 
 INVENTED, REAL = model("invented"), model("real")
@@ -417,3 +417,14 @@ def test_comments_in_code_leave_out_what_is_longer_than_all_else() -> None:
     assert left_out("tools.ping") == (["Assumed on <Old 2>."], [])
     only = next(f for f in INVENTED.fields if INVENTED.devices_of(f, "likely") and not INVENTED.devices_of(f))
     assert left_out(only.full_name)[1] == ["No device is known for certain to support it."]
+
+
+def test_only_descriptors_name_fields() -> None:
+    real = model("real")
+    item = real.type("descriptor_rate")
+    assert isinstance(item, m.Struct)
+    descriptor, decimation = item.parameters
+    field = descriptors.named_by_value(descriptor, 0x04, 0x80, real)
+    assert isinstance(field, m.Field) and field.full_name == "sensor.scaled_accel"
+    assert descriptors.named_by_value(descriptor, 0x04, None, real) is None
+    assert descriptors.named_by_value(decimation, 0x04, 0x80, real) is None
