@@ -98,7 +98,7 @@ export declare const HeadingUpdateSource: Enumeration<HeadingUpdateSource> & {
     readonly GNSS_VELOCITY_AND_EXTERNAL: HeadingUpdateSource & 5;
     /** Magnetometer and your program's heading messages. Requires a magnetometer. */
     readonly MAG_AND_EXTERNAL: HeadingUpdateSource & 6;
-    /** All three. Requires a receiver and a magnetometer. */
+    /** GNSS, magnetometer and external heading. Requires a receiver and a magnetometer. */
     readonly ALL: HeadingUpdateSource & 7;
 };
 

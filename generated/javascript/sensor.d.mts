@@ -47,7 +47,7 @@ export declare const OdometerFlags: Bitfield<OdometerFlags> & {
 /**
  * Raw accel (0x80,0x01).
  *
- * Raw acceleration in counts of the sensor, temperature compensated.
+ * Raw acceleration in sensor counts, temperature compensated.
  *
  * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
@@ -63,7 +63,7 @@ export declare class RawAccel extends Data {
 /**
  * Raw gyro (0x80,0x02).
  *
- * Raw angular rate in counts of the sensor, temperature compensated.
+ * Raw angular rate in sensor counts, temperature compensated.
  *
  * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
@@ -79,7 +79,7 @@ export declare class RawGyro extends Data {
 /**
  * Raw mag (0x80,0x03).
  *
- * Raw magnetic field in counts of the sensor, temperature compensated.
+ * Raw magnetic field in sensor counts, temperature compensated.
  *
  * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Requires a
  * magnetometer.
@@ -486,7 +486,7 @@ export declare class TemperatureStatistics extends Data {
 /**
  * Raw pressure (0x80,0x16).
  *
- * Raw ambient pressure in counts of the sensor, temperature compensated.
+ * Raw ambient pressure in sensor counts, temperature compensated.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a pressure sensor.
  *

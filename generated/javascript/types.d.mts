@@ -598,7 +598,7 @@ export interface EventTriggerCombination {
 export interface EventActionGpio {
     /** GPIO pin, counted from 1. Range: at least 1. */
     pin: number;
-    /** Control of the pin by the action. */
+    /** Pin level or pulse that the action generates. */
     mode: EventActionGpioMode;
 }
 

@@ -3193,7 +3193,7 @@ types:
       - id: mode
         type: u1
         enum: event_action_gpio_mode
-        doc: Control of the pin by the action.
+        doc: Pin level or pulse that the action generates.
   event_action_message:
     doc: An action that sends data packets.
     seq:
@@ -7929,21 +7929,21 @@ types:
         doc: "Communication mode. Default: `standard`."
   sensor_raw_accel:
     -orig-id: sensor.raw_accel
-    doc: Raw accel. Raw acceleration in counts of the sensor, temperature compensated.
+    doc: Raw accel. Raw acceleration in sensor counts, temperature compensated.
     seq:
       - id: raw_accel
         type: vector3f
         doc: "Acceleration in counts. Unit: 1. Frame: sensor."
   sensor_raw_gyro:
     -orig-id: sensor.raw_gyro
-    doc: Raw gyro. Raw angular rate in counts of the sensor, temperature compensated.
+    doc: Raw gyro. Raw angular rate in sensor counts, temperature compensated.
     seq:
       - id: raw_gyro
         type: vector3f
         doc: "Angular rate in counts. Unit: 1. Frame: sensor."
   sensor_raw_mag:
     -orig-id: sensor.raw_mag
-    doc: Raw mag. Raw magnetic field in counts of the sensor, temperature compensated.
+    doc: Raw mag. Raw magnetic field in sensor counts, temperature compensated.
     seq:
       - id: raw_mag
         type: vector3f
@@ -8098,7 +8098,7 @@ types:
         doc: "Mean of the temperatures inside the device. Unit: degC."
   sensor_raw_pressure:
     -orig-id: sensor.raw_pressure
-    doc: Raw pressure. Raw ambient pressure in counts of the sensor, temperature compensated.
+    doc: Raw pressure. Raw ambient pressure in sensor counts, temperature compensated.
     seq:
       - id: raw_pressure
         type: f4
@@ -13501,7 +13501,7 @@ enums:
       doc: "Magnetometer and your program's heading messages."
     7:
       id: all
-      doc: All three.
+      doc: GNSS, magnetometer and external heading.
   filter_mag_parameter_source:
     1:
       id: none_value

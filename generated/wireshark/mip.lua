@@ -758,7 +758,7 @@ S["event_trigger_combination"] = {
 }
 S["event_action_gpio"] = {
   { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
-  { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_action_gpio_mode"], doc = "Control of the pin by the action." },
+  { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_action_gpio_mode"], doc = "Pin level or pulse that the action generates." },
 }
 S["event_action_message"] = {
   { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set of the packet." },
@@ -3221,19 +3221,19 @@ field({ descriptor = 0x90, name = "system.comm_mode_response", role = "response"
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["system.protocol_mode"], doc = "Communication mode. Default: standard." },
     } }, { { set = 0x7F, name = "system.comm_mode_response", title = "Communication mode response" }, })
 field({ descriptor = 0x01, name = "sensor.raw_accel", role = "data", title = "Raw accel",
-    doc = "Raw acceleration in counts of the sensor, temperature compensated.", least = 12,
+    doc = "Raw acceleration in sensor counts, temperature compensated.", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "raw_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Acceleration in counts. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.raw_accel", title = "Raw accel" }, })
 field({ descriptor = 0x02, name = "sensor.raw_gyro", role = "data", title = "Raw gyro",
-    doc = "Raw angular rate in counts of the sensor, temperature compensated.", least = 12,
+    doc = "Raw angular rate in sensor counts, temperature compensated.", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "raw_gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Angular rate in counts. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.raw_gyro", title = "Raw gyro" }, })
 field({ descriptor = 0x03, name = "sensor.raw_mag", role = "data", title = "Raw mag",
-    doc = "Raw magnetic field in counts of the sensor, temperature compensated.", least = 12,
+    doc = "Raw magnetic field in sensor counts, temperature compensated.", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "raw_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Magnetic field in counts. Unit: 1. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -3350,7 +3350,7 @@ field({ descriptor = 0x14, name = "sensor.temperature_statistics", role = "data"
       { kind = "scalar", name = "mean_temperature", type = "float", size = 4, units = {"degC", }, doc = "Mean of the temperatures inside the device. Unit: degC." },
     } }, { { set = 0x80, name = "sensor.temperature_statistics", title = "Temperature statistics" }, })
 field({ descriptor = 0x16, name = "sensor.raw_pressure", role = "data", title = "Raw pressure",
-    doc = "Raw ambient pressure in counts of the sensor, temperature compensated.", least = 4,
+    doc = "Raw ambient pressure in sensor counts, temperature compensated.", least = 4,
     always = 1,
     plain = true,
     rows = {

@@ -9,10 +9,11 @@ const LONGER = 0.7; // a word that begins with the query's
 /** Words of questions that do not describe their subject. */
 const FILLING = new Set(
     (
-        "a about am an and any are as at be between by can cannot could did do does doesn don for from get got had has have how " +
-        "i if in into is it its just know like me mean means much my need no not of on one only or our please possible same set " +
-        "several should so some still t than that the their then there they this to try trying use using want was way we what " +
-        "when where which while who why will with without work works would you your"
+        "a about always am an and any are as at be between by can cannot could did do does doesn don during every for from get " +
+        "go goes got had has have how i if in into is it its just keep keeps know like make makes me mean means much my need " +
+        "never no not of on one only or our please possible put really same set several should show shows so some still t than " +
+        "that the their then there they this to try trying use using want was way we what when where which while who why will " +
+        "with without work works would you your"
     ).split(" "),
 );
 

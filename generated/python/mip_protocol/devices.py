@@ -202,9 +202,9 @@ CV7_AHRS = Device(
     limits={
         "aiding_frames": Limit(4, None, "Number of frames that the aiding frame configuration can define, according to MSCL."),
         "event_triggers": Limit(12, None, "Total number of triggers.", '>= 1.0.04'),
-        "event_gpio_triggers": Limit(4, None, "GPIO triggers.", '>= 1.0.04'),
-        "event_threshold_triggers": Limit(8, None, "Threshold triggers.", '>= 1.0.04'),
-        "event_combination_triggers": Limit(8, None, "Combination triggers.", '>= 1.0.04'),
+        "event_gpio_triggers": Limit(4, None, "Number of GPIO triggers.", '>= 1.0.04'),
+        "event_threshold_triggers": Limit(8, None, "Number of threshold triggers.", '>= 1.0.04'),
+        "event_combination_triggers": Limit(8, None, "Number of combination triggers.", '>= 1.0.04'),
         "event_tick_rate": Limit(1000, "Hz", "Rate of the event cycle.", '>= 1.0.04'),
     },
     notes={
@@ -287,9 +287,9 @@ CV7_AR = Device(
     limits={
         "aiding_frames": Limit(4, None, "Number of frames that the aiding frame configuration can define, according to MSCL."),
         "event_triggers": Limit(12, None, "Total number of triggers.", '>= 1.0.04'),
-        "event_gpio_triggers": Limit(4, None, "GPIO triggers.", '>= 1.0.04'),
-        "event_threshold_triggers": Limit(8, None, "Threshold triggers.", '>= 1.0.04'),
-        "event_combination_triggers": Limit(8, None, "Combination triggers.", '>= 1.0.04'),
+        "event_gpio_triggers": Limit(4, None, "Number of GPIO triggers.", '>= 1.0.04'),
+        "event_threshold_triggers": Limit(8, None, "Number of threshold triggers.", '>= 1.0.04'),
+        "event_combination_triggers": Limit(8, None, "Number of combination triggers.", '>= 1.0.04'),
         "event_tick_rate": Limit(1000, "Hz", "Rate of the event cycle.", '>= 1.0.04'),
     },
     notes={
@@ -347,12 +347,12 @@ CV7_GNSS_INS = Device(
     ),
     limits={
         "event_triggers": Limit(12, None, "Total number of triggers.", '>= 1.2.02'),
-        "event_gpio_triggers": Limit(4, None, "GPIO triggers.", '>= 1.2.02'),
-        "event_threshold_triggers": Limit(8, None, "Threshold triggers.", '>= 1.2.02'),
-        "event_combination_triggers": Limit(8, None, "Combination triggers.", '>= 1.2.02'),
+        "event_gpio_triggers": Limit(4, None, "Number of GPIO triggers.", '>= 1.2.02'),
+        "event_threshold_triggers": Limit(8, None, "Number of threshold triggers.", '>= 1.2.02'),
+        "event_combination_triggers": Limit(8, None, "Number of combination triggers.", '>= 1.2.02'),
         "event_actions": Limit(12, None, "Total number of actions.", '>= 1.2.02'),
-        "event_gpio_actions": Limit(6, None, "GPIO actions.", '>= 1.2.02'),
-        "event_message_actions": Limit(8, None, "Message actions.", '>= 1.2.02'),
+        "event_gpio_actions": Limit(6, None, "Number of GPIO actions.", '>= 1.2.02'),
+        "event_message_actions": Limit(8, None, "Number of message actions.", '>= 1.2.02'),
         "event_message_fields": Limit(12, None, "Maximum number of fields in the packet of a message action."),
         "event_tick_rate": Limit(1000, "Hz", "Rate of the event cycle; always the base rate of the system data set.", '>= 1.2.02'),
         "gpio_pins": Limit(4, None, "Number of user GPIO pins."),

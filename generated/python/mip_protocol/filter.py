@@ -148,7 +148,7 @@ class HeadingUpdateSource(codec.OpenEnum):
     MAG_AND_EXTERNAL = 6
     """Magnetometer and your program's heading messages. Requires a magnetometer."""
     ALL = 7
-    """All three. Requires a receiver and a magnetometer."""
+    """GNSS, magnetometer and external heading. Requires a receiver and a magnetometer."""
 
 
 @codec.open_flag(8)

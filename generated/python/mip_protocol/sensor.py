@@ -84,7 +84,7 @@ class OdometerFlags(IntFlag):
 class RawAccel(Data):
     """Raw accel (0x80,0x01).
 
-    Raw acceleration in counts of the sensor, temperature compensated.
+    Raw acceleration in sensor counts, temperature compensated.
 
     Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
@@ -121,7 +121,7 @@ class RawAccel(Data):
 class RawGyro(Data):
     """Raw gyro (0x80,0x02).
 
-    Raw angular rate in counts of the sensor, temperature compensated.
+    Raw angular rate in sensor counts, temperature compensated.
 
     Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
@@ -158,7 +158,7 @@ class RawGyro(Data):
 class RawMag(Data):
     """Raw mag (0x80,0x03).
 
-    Raw magnetic field in counts of the sensor, temperature compensated.
+    Raw magnetic field in sensor counts, temperature compensated.
 
     Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
     Requires a magnetometer.
@@ -967,7 +967,7 @@ class TemperatureStatistics(Data):
 class RawPressure(Data):
     """Raw pressure (0x80,0x16).
 
-    Raw ambient pressure in counts of the sensor, temperature compensated.
+    Raw ambient pressure in sensor counts, temperature compensated.
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a pressure
     sensor.

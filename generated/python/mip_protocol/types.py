@@ -805,7 +805,7 @@ class EventActionGpio(Structure):
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventActionGpioMode
-    """Control of the pin by the action."""
+    """Pin level or pulse that the action generates."""
 
     def __init__(self, pin: int, mode: EventActionGpioMode) -> None:
         self.pin = pin

@@ -905,7 +905,7 @@ record! {
         ///
         /// Range: at least 1.
         pub pin: u8,
-        /// Control of the pin by the action.
+        /// Pin level or pulse that the action generates.
         pub mode: EventActionGpioMode,
     }
 }

@@ -115,7 +115,7 @@ enum mip_filter_heading_update_source MIP_ENUM_8 {
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL = 5,
     /** Magnetometer and your program's heading messages. Requires a magnetometer. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL = 6,
-    /** All three. Requires a receiver and a magnetometer. */
+    /** GNSS, magnetometer and external heading. Requires a receiver and a magnetometer. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_ALL = 7
 };
 

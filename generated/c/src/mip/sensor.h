@@ -74,7 +74,7 @@ typedef uint16_t mip_sensor_odometer_flags;
 /**
  * Raw accel: data (0x80,0x01).
  *
- * Raw acceleration in counts of the sensor, temperature compensated.
+ * Raw acceleration in sensor counts, temperature compensated.
  *
  * Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
@@ -93,7 +93,7 @@ MIP_FIELD(mip_sensor_raw_accel, 0x01);
 /**
  * Raw gyro: data (0x80,0x02).
  *
- * Raw angular rate in counts of the sensor, temperature compensated.
+ * Raw angular rate in sensor counts, temperature compensated.
  *
  * Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
@@ -112,7 +112,7 @@ MIP_FIELD(mip_sensor_raw_gyro, 0x02);
 /**
  * Raw mag: data (0x80,0x03).
  *
- * Raw magnetic field in counts of the sensor, temperature compensated.
+ * Raw magnetic field in sensor counts, temperature compensated.
  *
  * Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Requires a magnetometer.
  *
@@ -566,7 +566,7 @@ MIP_FIELD(mip_sensor_temperature_statistics, 0x14);
 /**
  * Raw pressure: data (0x80,0x16).
  *
- * Raw ambient pressure in counts of the sensor, temperature compensated.
+ * Raw ambient pressure in sensor counts, temperature compensated.
  *
  * Known only from the MicroStrain MIP SDK. Requires a pressure sensor.
  *

@@ -679,7 +679,7 @@ struct mip_event_trigger_combination {
 struct mip_event_action_gpio {
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** Control of the pin by the action. A value of enum mip_event_action_gpio_mode. */
+    /** Pin level or pulse that the action generates. A value of enum mip_event_action_gpio_mode. */
     uint8_t mode;
 };
 

@@ -107,7 +107,7 @@ open_enum! {
         GNSS_VELOCITY_AND_EXTERNAL = 5, "gnss_velocity_and_external";
         /// Magnetometer and your program's heading messages. Requires a magnetometer.
         MAG_AND_EXTERNAL = 6, "mag_and_external";
-        /// All three. Requires a receiver and a magnetometer.
+        /// GNSS, magnetometer and external heading. Requires a receiver and a magnetometer.
         ALL = 7, "all";
     }
 }

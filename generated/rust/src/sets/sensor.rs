@@ -66,7 +66,7 @@ bitfield! {
 record! {
     /// Raw accel (0x80,0x01).
     ///
-    /// Raw acceleration in counts of the sensor, temperature compensated.
+    /// Raw acceleration in sensor counts, temperature compensated.
     ///
     /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
     /// SDK.
@@ -101,7 +101,7 @@ field! {
 record! {
     /// Raw gyro (0x80,0x02).
     ///
-    /// Raw angular rate in counts of the sensor, temperature compensated.
+    /// Raw angular rate in sensor counts, temperature compensated.
     ///
     /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
     /// SDK.
@@ -136,7 +136,7 @@ field! {
 record! {
     /// Raw mag (0x80,0x03).
     ///
-    /// Raw magnetic field in counts of the sensor, temperature compensated.
+    /// Raw magnetic field in sensor counts, temperature compensated.
     ///
     /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
     /// SDK. Requires a magnetometer.
@@ -1059,7 +1059,7 @@ field! {
 record! {
     /// Raw pressure (0x80,0x16).
     ///
-    /// Raw ambient pressure in counts of the sensor, temperature compensated.
+    /// Raw ambient pressure in sensor counts, temperature compensated.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Requires a
     /// pressure sensor.

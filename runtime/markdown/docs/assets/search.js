@@ -97,11 +97,18 @@ globalThis.mipSearch = (() => {
         return `${field.set ? `fields/${set}/${page}.html` : "packets.html"}#${field.name}`;
     }
 
-    /** Returns pages that compare the devices in a text, if it names two or more. */
-    function comparisonOf(index, text) {
+    /** Returns the devices that a text names, and its other words. */
+    function devicesIn(index, text) {
         const short = (name) => name.toLowerCase().replace(/^3dm-/, "");
-        const words = (text.match(/[a-z0-9]+(?:[-/][a-z0-9]+)*/gi) ?? []).map(short);
-        const named = (index.protocol.model.devices ?? []).filter(({ id, title }) => [id, title].some((one) => words.includes(short(one))));
+        const words = text.match(/[a-z0-9]+(?:[-/][a-z0-9]+)*/gi) ?? [];
+        const devices = index?.protocol.model.devices ?? [];
+        const means = (word, name) => short(name) === short(word) && (/\d/.test(short(word)) || word.includes("-"));
+        const named = (word) => devices.find(({ id, title }) => [id, title].some((one) => means(word, one)));
+        return [[...new Set(words.map(named).filter(Boolean))], words.filter((word) => !named(word)).join(" ")];
+    }
+
+    /** Returns pages that compare devices, if there are two or more. */
+    function comparisonOf(named) {
         if (named.length < 2) return [];
         const [titles, ids] = [named.map(({ title }) => title).join(" and "), named.map(({ id }) => id).join(",")];
         return ["commands", "data", "rates"].map((name) => ({
@@ -137,11 +144,16 @@ globalThis.mipSearch = (() => {
         const commands = named.map(({ field }) => field.name);
         const fields = named.filter(({ field }) => !commands.includes(field.command)).slice(0, NAMED);
         const shown = new Set(fields.map(({ href }) => href));
-        const results = ranked(documents, ranking, text);
+        const [devices, subject] = devicesIn(index, text);
+        const about = devices.length === 1 && ranking?.search(subject).found.length;
+        const results = ranked(documents, ranking, about ? subject : text);
+        const own = about ? documents.find(({ href }) => href === `devices/${devices[0].id}.html`) : undefined;
+        // A device in a question says where, not what: its page is the third result.
+        if (own) results.splice(2, results.length, own, ...results.slice(2).filter((one) => one !== own));
         const others = results.filter(({ href }) => !shown.has(href)).slice(0, MOST);
         const acknowledge = code && `packets.html#${index.protocol.model.acknowledge}.code.${index.protocol.model.ack_code}.${code.name}`;
         const groups = [
-            { title: "Comparison", items: index ? comparisonOf(index, text) : [] },
+            { title: "Comparison", items: comparisonOf(devices) },
             { title: "Tools", items: packet ? [{ packet }] : [] },
             { title: "Acknowledge", items: code ? [{ code, href: acknowledge }] : [] },
             { title: "Fields", items: fields },

@@ -533,9 +533,9 @@ static const struct mip_profile_limit cv7_ahrs_limits[] = {
     {"aiding_frames", 4, "",
      "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
     {"event_triggers", 12, "", "Total number of triggers.", ">= 1.0.04"},
-    {"event_gpio_triggers", 4, "", "GPIO triggers.", ">= 1.0.04"},
-    {"event_threshold_triggers", 8, "", "Threshold triggers.", ">= 1.0.04"},
-    {"event_combination_triggers", 8, "", "Combination triggers.", ">= 1.0.04"},
+    {"event_gpio_triggers", 4, "", "Number of GPIO triggers.", ">= 1.0.04"},
+    {"event_threshold_triggers", 8, "", "Number of threshold triggers.", ">= 1.0.04"},
+    {"event_combination_triggers", 8, "", "Number of combination triggers.", ">= 1.0.04"},
     {"event_tick_rate", 1000, "Hz", "Rate of the event cycle.", ">= 1.0.04"},
 };
 
@@ -762,9 +762,9 @@ static const struct mip_profile_limit cv7_ar_limits[] = {
     {"aiding_frames", 4, "",
      "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
     {"event_triggers", 12, "", "Total number of triggers.", ">= 1.0.04"},
-    {"event_gpio_triggers", 4, "", "GPIO triggers.", ">= 1.0.04"},
-    {"event_threshold_triggers", 8, "", "Threshold triggers.", ">= 1.0.04"},
-    {"event_combination_triggers", 8, "", "Combination triggers.", ">= 1.0.04"},
+    {"event_gpio_triggers", 4, "", "Number of GPIO triggers.", ">= 1.0.04"},
+    {"event_threshold_triggers", 8, "", "Number of threshold triggers.", ">= 1.0.04"},
+    {"event_combination_triggers", 8, "", "Number of combination triggers.", ">= 1.0.04"},
     {"event_tick_rate", 1000, "Hz", "Rate of the event cycle.", ">= 1.0.04"},
 };
 
@@ -1069,12 +1069,12 @@ static const struct mip_profile_port cv7_gnss_ins_ports[] = {
 
 static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
     {"event_triggers", 12, "", "Total number of triggers.", ">= 1.2.02"},
-    {"event_gpio_triggers", 4, "", "GPIO triggers.", ">= 1.2.02"},
-    {"event_threshold_triggers", 8, "", "Threshold triggers.", ">= 1.2.02"},
-    {"event_combination_triggers", 8, "", "Combination triggers.", ">= 1.2.02"},
+    {"event_gpio_triggers", 4, "", "Number of GPIO triggers.", ">= 1.2.02"},
+    {"event_threshold_triggers", 8, "", "Number of threshold triggers.", ">= 1.2.02"},
+    {"event_combination_triggers", 8, "", "Number of combination triggers.", ">= 1.2.02"},
     {"event_actions", 12, "", "Total number of actions.", ">= 1.2.02"},
-    {"event_gpio_actions", 6, "", "GPIO actions.", ">= 1.2.02"},
-    {"event_message_actions", 8, "", "Message actions.", ">= 1.2.02"},
+    {"event_gpio_actions", 6, "", "Number of GPIO actions.", ">= 1.2.02"},
+    {"event_message_actions", 8, "", "Number of message actions.", ">= 1.2.02"},
     {"event_message_fields", 12, "", "Maximum number of fields in the packet of a message action.",
      ""},
     {"event_tick_rate", 1000, "Hz",

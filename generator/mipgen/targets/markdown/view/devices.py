@@ -84,26 +84,16 @@ class Device(View[m.Device]):
             supports = [x for x in (*self.of.supports, *self.of.refuses) if x.evidence == e and e.answer == answer]
             own = [(s, [self._brief(x) for x in supports if x.set == s.number]) for s in self.model.sets]
             lines = [f"- {self.page.link(s)}: {', '.join(fields)}" for s, fields in own if fields]
+            if e.undefined:
+                lines.append(
+                    f"- Without a known layout: {', '.join(code(f'(0x{s:02X},0x{d:02X})') for s, d in e.undefined)}"
+                )
             if lines:
-                yield Section("", "\n".join(lines), self._evidence(e))
+                yield Section("", "\n".join(lines), self.page.markdown(describe.evidence(e, self.model)))
 
     def _brief(self, x: m.Support) -> str:
         functions = f" {code(m.letters(x.functions))}" if x.functions else ""
         return f"{self.page.link(x.field, inline(x.field.title))}{functions}"
-
-    def _evidence(self, e: m.Evidence) -> str:
-        return self.page.markdown(describe.evidence(e, self.model))
-
-    @property
-    def witnesses(self) -> str:
-        """The sources of the certain fields, unless the device's manual is the only one."""
-        evidence = [e for e in self.of.evidence if e.answer == "yes"]
-        if all(e == m.Evidence("documented") for e in evidence):
-            return ""
-        rows = [
-            [self._evidence(e), str(sum(x.evidence == e for x in self.of.supports)), _undefined(e)] for e in evidence
-        ]
-        return table(rows, ["Evidence", "Fields", "Without a known layout"])
 
     @property
     def deprecated(self) -> str:
@@ -174,10 +164,6 @@ class Device(View[m.Device]):
             body = f"The table is on the page of the {self.page.link(first)}." if elsewhere else _note_table(x)
             sections.append(Section(inline(x.title), body, self.page.prose(x.description)))
         return sections
-
-
-def _undefined(e: m.Evidence) -> str:
-    return ", ".join(code(f"(0x{number:02X},0x{descriptor:02X})") for number, descriptor in e.undefined)
 
 
 def _note_table(note: m.Note) -> str:
