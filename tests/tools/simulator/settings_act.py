@@ -6,8 +6,11 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from mip_protocol import aiding, base, gnss, mip_3dm
+from mip_protocol import Command, aiding, base, mip_3dm, reflection, registry
 from mip_protocol import filter as commands
+from mip_tools.devices import facts
+from mip_tools.devices.checks import NOTHING
+from mip_tools.devices.codes import SETS as FUNCTIONS
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.motion import Circle
 from mip_tools.simulator.streams.values import encoder
@@ -17,7 +20,7 @@ from simulator_host import Host
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs/simulate-reference.md"
 HEAD = "| Setting | Tried on | Data fields that it changes |\n|---|---|---|\n"
-BEGIN, END = "<!-- settings and data -->\n", "<!-- end -->"
+BEGIN, NO_EFFECT, END = "<!-- settings and data -->\n", "<!-- no effect -->\n", "<!-- end -->"
 
 CV7, GX5, AR = "3dm-cv7-gnss-ins", "3dm-gx5-45", "3dm-gx5-15"
 
@@ -27,8 +30,6 @@ SHOWN = [name for name in TYPES if not name.startswith(("shared.", "displacement
 TIME = aiding.MeasurementTime(timebase=aiding.Timebase(3), nanoseconds=0)
 
 
-GLONASS_OFF = mip_3dm.ConstellationSettings.decode(bytes((1, 0, 32, 1, 6, 0, 0, 0, 0, 0)))
-
 #: A device, a command, and the noise with which its effect shows.
 COMMANDS: list[tuple[str, Any, float]] = [
     (CV7, mip_3dm.AccelBias.write((0.1, 0.2, 0.3)), 0),
@@ -37,40 +38,14 @@ COMMANDS: list[tuple[str, Any, float]] = [
     (CV7, mip_3dm.MagSoftIronMatrix.write((1.1, 0, 0, 0, 1, 0, 0, 0, 1)), 0),
     (AR, commands.TareOrientation.write(7), 0),
     ("3dm-gq7", mip_3dm.PpsSourceControl.write(0), 0),
-    ("3dm-gq7", gnss.SignalConfig.write(1, 0, 0, 0), 0),
-    (GX5, mip_3dm.GnssSbasSettings.write(0, 0, ()), 0),
-    (CV7, mip_3dm.LowPassFilter.write(0x80, 0x05, True, True, 1.0), 1),
-    (GX5, mip_3dm.ImuLowPassFilter.write(0x04, True, True, 1), 1),
-    (GX5, mip_3dm.ComplementaryFilter.write(False, False, 10.0, 10.0), 1),
     ("3dm-gq7", mip_3dm.OdometerConfig.write(2, 100.0, 0.1), 0),
-    (GX5, GLONASS_OFF, 0),
     (CV7, commands.Reset(), 0),
     (CV7, commands.SetInitialHeading(1.0), 0),
     (GX5, commands.SetInitialAttitude(0.1, 0.2, 0.3), 0),
     (GX5, commands.VehicleDynamicsMode.write(2), 0),
     (GX5, commands.SensorToVehicleOffset.write((1.0, 2.0, 0.0)), 0),
     (CV7, commands.ReferencePointLeverArm.write(1, (1.0, 2.0, 0.0)), 0),
-    (CV7, commands.MultiAntennaOffset.write(1, (1.0, 2.0, 0.0)), 0),
-    (GX5, commands.AntennaOffset.write((1.0, 2.0, 0.0)), 0),
-    (GX5, commands.EstimationControl.write(0), 1),
     (CV7, commands.GnssSource.write(3), 1),
-    (GX5, commands.HeadingSource.write(0), 0),
-    (CV7, commands.AccelNoise.write((0.5, 0.5, 0.5)), 0),
-    (CV7, commands.GyroNoise.write((0.01, 0.01, 0.01)), 0),
-    (CV7, commands.GravityNoise.write((0.5, 0.5, 0.5)), 0),
-    (CV7, commands.AccelBiasModel.write((0.01,) * 3, (0.01,) * 3), 0),
-    (CV7, commands.GyroBiasModel.write((0.01,) * 3, (0.0001,) * 3), 0),
-    (GX5, commands.MagNoise.write((0.2, 0.2, 0.2)), 0),
-    (GX5, commands.PressureAltitudeNoise.write(0.01), 0),
-    (GX5, commands.AutoZupt.write(1, 100.0), 0),
-    (CV7, commands.AutoAngularZupt.write(1, 1.0), 0),
-    (GX5, commands.CommandedZupt(), 0),
-    (GX5, commands.CommandedAngularZupt(), 0),
-    (GX5, commands.ReferencePosition.write(1, 10.0, 20.0, 0.0), 0),
-    (AR, commands.EnableMeasurements.write(0), 0),
-    (AR, commands.PitchRollAiding.write(0), 0),
-    (GX5, commands.AltitudeAiding.write(0), 0),
-    (GX5, commands.MagneticDeclinationSource.write(3, 0.5), 0),
     (CV7, commands.AidingMeasurementEnable.write(0, False), 0),
     (CV7, commands.RelativePositionConfig.write(1, 2, (47.0, 8.0, 0.0)), 0),
     (CV7, commands.ExternalHeadingUpdate(1.6, 0.01, 1), 0),
@@ -135,6 +110,19 @@ def row(device: str, command: Any, changed: list[str]) -> str:
     return f"| `{command.NAME}` | {device} | {data} |\n"
 
 
+def without_effect() -> str:
+    """The commands without effect on a virtual device, which only remembers their settings: a line for each set."""
+    kinds = [kind for _, kind in registry.all_types() if issubclass(kind, Command)]
+    silencing = {(number, descriptor) for kind in kinds for number, descriptor, _, _ in kind.SILENCED_BY}
+    found: dict[str, list[str]] = {}
+    for kind in kinds:
+        sets = reflection.info(kind).parameters if not kind.RESPONSES else any(x in kind.REQUIRED for x in FUNCTIONS)
+        effect = facts.COMMANDS.get(kind.NAME, NOTHING).effect
+        if sets and not effect and (kind.SET, kind.DESCRIPTOR) not in silencing:
+            found.setdefault(kind.NAME.partition(".")[0], []).append(f"`{kind.NAME.partition('.')[2]}`")
+    return "".join(f"- {name}: {', '.join(names)}\n" for name, names in found.items())
+
+
 def block(text: str, begin: str) -> str:
     """What is between two marks of the page."""
     return text.partition(begin)[2].partition(END)[0]
@@ -143,4 +131,6 @@ def block(text: str, begin: str) -> str:
 if __name__ == "__main__":
     page = PAGE.read_text("utf-8")
     table = HEAD + "".join(row(x[0], x[1], changed(*x)) for x in COMMANDS)
-    PAGE.write_text(page.replace(BEGIN + block(page, BEGIN), BEGIN + table), "utf-8")
+    for mark, text in ((BEGIN, table), (NO_EFFECT, without_effect())):
+        page = page.replace(mark + block(page, mark), mark + text)
+    PAGE.write_text(page, "utf-8")

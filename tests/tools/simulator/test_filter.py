@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import degrees, pi, radians, remainder, sin
+from math import cos, degrees, pi, radians, remainder, sin
 from typing import Any
 
 import pytest
 from mip_protocol import aiding, filter_data, mip_3dm
 from mip_protocol import filter as commands
 from mip_tools.geometry.attitude import euler
+from mip_tools.geometry.earth import radii
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.motion import Circle, Standing
-from mip_tools.simulator.world.quantities import quantity
 from simulated_world import SETS, TYPES
 from simulator_host import Host
-from support import heavy
 
 CV7 = "3dm-cv7-gnss-ins"
 INIT, VERTICAL_GYRO, AHRS, FULL_NAV = 1, 2, 3, 4
@@ -88,7 +87,7 @@ def heading(value: float) -> Any:
 
 
 def test_alignment_by_the_user() -> None:
-    host = Host(VirtualDevice(CV7, motion=Standing(heading=60)))
+    host = Host(VirtualDevice(CV7, motion=Standing(heading=60), noise=0))
     host.ok(aiding.FrameConfig.write(1, 1, False, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
     host.ok(initialization(EXTERNAL))
     host.ok(commands.Reset())
@@ -102,7 +101,7 @@ def test_alignment_by_the_user() -> None:
 
 
 def test_a_given_heading_and_the_command_to_run() -> None:
-    host = Host(VirtualDevice(CV7, motion=Standing(heading=10)))
+    host = Host(VirtualDevice(CV7, motion=Standing(heading=10), noise=0))
     for source in (1, 4):
         host.ok(commands.AidingMeasurementEnable.write(source, False))
     host.ok(initialization(0, wait=1, heading=15.0, given=1))
@@ -126,57 +125,39 @@ def test_a_heading_that_is_not_aided_is_relative() -> None:
 # --------------------------------------------------------------------------- aiding
 
 
-DEVICES = 40
-
-
-def errors(device: VirtualDevice) -> tuple[list[float], list[float]]:
-    """Estimates minus true values, and the uncertainties: angles, velocity, position."""
-    s, world = device.world.state, device.world
-    e, u = show(device, "filter_data.euler_angles"), show(device, "filter_data.euler_angles_uncertainty")
-    v, uv = show(device, "filter_data.ned_velocity"), show(device, "filter_data.ned_velocity_uncertainty")
-    p, up = show(device, "filter_data.llh_position"), show(device, "filter_data.llh_position_uncertainty")
-    roll, pitch, yaw = (quantity(world, f"attitude.{x}") for x in ("roll", "pitch", "yaw"))
-    assert (e.roll, e.pitch, e.yaw) == pytest.approx((roll, pitch, yaw), abs=1e-6)
+def errors(device: VirtualDevice) -> list[float]:
+    """Errors divided by their uncertainties: angles, velocity, position."""
+    s, u = device.world.state, show(device, "filter_data.euler_angles_uncertainty")
+    e, v, p = (show(device, f"filter_data.{x}") for x in ("euler_angles", "ned_velocity", "llh_position"))
+    uv, up = (show(device, f"filter_data.{x}_uncertainty") for x in ("ned_velocity", "llh_position"))
     wrong = [remainder(a - b, 2 * pi) for a, b in zip((e.roll, e.pitch, e.yaw), euler(s.dcm))]
     wrong += [a - b for a, b in zip((v.north, v.east, v.down), s.velocity)]
-    wrong += world.filter._from(s, (radians(p.latitude), radians(p.longitude), p.ellipsoid_height))
-    return wrong, [u.roll, u.pitch, u.yaw, uv.north, uv.east, uv.down, up.north, up.east, up.down]
+    along, across = radii(s.latitude)
+    wrong.append((radians(p.latitude) - s.latitude) * (along + s.height))
+    wrong.append((radians(p.longitude) - s.longitude) * (across + s.height) * cos(s.latitude))
+    wrong.append(s.height - p.ellipsoid_height)
+    deviations = [u.roll, u.pitch, u.yaw, uv.north, uv.east, uv.down, up.north, up.east, up.down]
+    return [x / d for x, d in zip(wrong, deviations, strict=True)]
 
 
-def bounds(degrees: int) -> tuple[float, float]:
-    """The bounds of the middle 95 % of a chi-squared distribution, by Wilson and Hilferty."""
-    part = 2 / (9 * degrees)
-    return degrees * (1 - part - 1.96 * part**0.5) ** 3, degrees * (1 - part + 1.96 * part**0.5) ** 3
-
-
-@heavy("ten minutes of forty devices")
 @pytest.mark.parametrize("gnss", [True, False])
 def test_errors_are_as_large_as_the_uncertainties(gnss: bool) -> None:
-    """Attitude, velocity and position at the end of each of ten minutes: the sum over forty devices of the squares of
-    errors by uncertainties has a chi-squared distribution, and 95 % of these thirty sums are within its 95 % bounds.
-
-    The errors of different devices are independent. Those of one device at different times are not, so a sum may stay
-    outside for a while; of thirty independent sums, more than four would be outside in 2 % of such tests.
-    """
-    sums = [[0.0] * 3 for _ in range(10)]
-    for seed in range(DEVICES):
+    """The mean square of ten devices, each with errors of its own, in an outage, too."""
+    squares = []
+    for seed in range(10):
         device = VirtualDevice(CV7, motion=Circle(50, 5), seed=seed)
-        device.world.filter.advance()
+        device.world.advance()
         device.world.gnss = gnss
-        for minute in sums:
-            device.advance(60)
-            squares = [(x / d) ** 2 for x, d in zip(*errors(device), strict=True)]
-            for part in range(3):
-                minute[part] += sum(squares[3 * part : 3 * part + 3])
-    low, high = bounds(3 * DEVICES)
-    outside = [round(total, 1) for minute in sums for total in minute if not low < total < high]
-    assert len(outside) <= 4, (low, high, outside)
+        device.advance(100)
+        squares += [x * x for x in errors(device)]
+    assert 0.6 < sum(squares) / len(squares) < 1.4 and max(squares) < 9
 
 
 def test_an_outage_of_gnss_and_the_recovery() -> None:
     device = VirtualDevice(CV7, motion=Circle(50, 5), seed=4)
     device.advance(1)
     before = show(device, "filter_data.llh_position_uncertainty").north
+    device.world.advance()
     device.world.gnss = False
     grown = []
     for _ in range(3):
@@ -191,8 +172,7 @@ def test_an_outage_of_gnss_and_the_recovery() -> None:
     device.world.gnss = True
     device.advance(60)
     assert flags(device) == STABLE and show(device, "filter_data.llh_position_uncertainty").north < 1
-    wrong, deviations = errors(device)
-    assert all(abs(x) < 5 * d for x, d in zip(wrong, deviations))
+    assert max(map(abs, errors(device))) < 3
 
 
 def test_aiding_that_is_switched_off_is_not_used() -> None:
@@ -211,24 +191,6 @@ def test_aiding_that_is_switched_off_is_not_used() -> None:
     host.ok(commands.AidingMeasurementEnable.default(0))
     host.device.advance(60)
     assert not flags(host.device) & POSITION
-
-
-def test_a_wrong_declination_turns_the_heading() -> None:
-    """By its error, if the magnetometer is all that aids the heading."""
-    host = Host(VirtualDevice("3dm-cv7-ahrs", motion=Standing(heading=40)))
-    host.ok(commands.MagneticDeclinationSource.write(3, host.device.world.declination + 0.1))
-    host.device.advance(600)
-    assert show(host.device, "filter_data.euler_angles").yaw == pytest.approx(radians(40) + 0.1, abs=0.03)
-
-
-def test_a_measurement_that_disagrees_is_not_used() -> None:
-    host = Host(VirtualDevice(CV7, motion=Standing(heading=40)))
-    host.ok(aiding.FrameConfig.write(1, 1, False, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
-    host.ok(heading(radians(140)))
-    aids = [TYPES["filter_data.aiding_measurement_summary"].decode(x.data) for x in host.device.encoder(0x82, 0x46)()]
-    (found,) = (a for a in aids if a.type.name == "AIDING_TRUE_HEADING")
-    assert found.indicator == found.indicator.ENABLED | found.indicator.RESIDUAL_HIGH_WARNING
-    assert show(host.device, "filter_data.euler_angles").yaw == pytest.approx(radians(40), abs=0.03)
 
 
 def test_the_estimate_does_not_depend_on_when_it_is_read() -> None:
@@ -252,11 +214,11 @@ def test_a_range_limits_a_sensor() -> None:
     assert filter_data.Status.DESCRIPTOR == 0x10
 
 
-def test_estimates_change_gradually_between_epochs() -> None:
+def test_estimates_change_gradually() -> None:
     device = VirtualDevice(CV7)
     speeds = []
-    for _ in range(500):
-        device.advance(0.002)
+    for _ in range(100):
+        device.advance(0.2)
         speeds.append(device.world.place.velocity)
     assert max(abs(a - b) for v, w in pairwise(speeds) for a, b in zip(v, w)) < 0.01
     assert max(abs(a - b) for a, b in zip(speeds[0], speeds[-1])) > 0.01, "yet they change"

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache
-from math import atan2, cos, degrees, dist, hypot, isclose, pi, radians, sin, sqrt
+from math import atan2, cos, degrees, dist, hypot, isclose, pi, sin, sqrt
 from pathlib import Path
-from random import Random
 from tempfile import NamedTemporaryFile
 from typing import Any
 
@@ -17,21 +16,13 @@ from mip_tools.simulator.motion import (
     Motion,
     MotionError,
     Standing,
-    State,
-    Track,
     Trajectory,
-    Waypoint,
     parse_motion,
 )  # fmt: skip
 from support import rounds
 
 A, F = 6378137.0, 1 / 298.257223563
 YEAR = 365 * 86_400.0
-TOWN = (
-    Waypoint(47.0, 8.0, 400.0), Waypoint(47.002, 8.0005, 410.0, 14.0), Waypoint(47.0021, 8.004, 405.0),
-    Waypoint(47.0005, 8.0045, 405.0, 4.0), Waypoint(47.0, 8.002, 402.0),
-)  # fmt: skip
-LIMIT = 2.0
 
 
 def trajectory(head: str, *rows: Sequence[float], **options: Any) -> Trajectory:
@@ -61,8 +52,6 @@ MOTIONS: dict[str, Callable[[], Motion]] = {
     "standing": lambda: Standing(-33.0, 151.0, 20.0, heading=200, pitch=12, roll=-7),
     "circle": lambda: Circle(20, 5),
     "fast circle": lambda: Circle(300, 60, -78.0, 170.0),
-    "track": lambda: Track(TOWN, acceleration=LIMIT),
-    "loop": lambda: Track(TOWN, acceleration=LIMIT, loop=True),
     "trajectory": lambda: trajectory(
         f"time [s],latitude [deg],longitude [deg],height [m],{ANGLES}",
         *((*row[:2], (row[2] + 180) % 360 - 180, *row[3:6], (row[6] + 180) % 360 - 180) for row in FLIGHT),
@@ -76,7 +65,6 @@ MOTIONS: dict[str, Callable[[], Motion]] = {
         "time [s],speed [km/h],pitch [rad],yaw [rad]",
         *((t, 40 + 30 * sin(t / 9), 0.2 * sin(t / 9), t / 12) for t in range(700)),
     ),
-    "across the date line": lambda: Track([Waypoint(10, 179.999, 0), Waypoint(10.001, -179.998, 30)], 25.0),
 }
 each = pytest.mark.parametrize("motion", MOTIONS, indirect=True)
 made = cache(lambda name: MOTIONS[name]())
@@ -147,7 +135,7 @@ def test_rate_is_the_change_of_the_attitude(motion: Motion) -> None:
         assert dist(turned, middle) <= dist(a.rate, b.rate) / 2 + 1e-6, t
 
 
-@pytest.mark.parametrize("name", ["circle", "track", "loop", "across the date line"])
+@pytest.mark.parametrize("name", ["circle", "fast circle"])
 def test_vehicles_point_where_they_go(name: str) -> None:
     moving = [s for s in map(made(name).at, times(made(name))) if hypot(*s.velocity) > 0.01]
     assert moving
@@ -158,72 +146,13 @@ def test_vehicles_point_where_they_go(name: str) -> None:
         assert hypot(sin(yaw) - east / hypot(north, east), cos(yaw) - north / hypot(north, east)) < 1e-9
 
 
-@pytest.mark.parametrize("name", ["track", "loop"])
-def test_tracks_are_smooth_and_within_limits(name: str) -> None:
-    """The plane of the track stretches by less than 1 %, and with it speeds and accelerations."""
-    track, last, speeds = made(name), None, []
-    step = 0.02
-    for i in range(round(300 / step)):
-        s = track.at(i * step)
-        heading = euler(s.dcm)[2]
-        along = s.acceleration[0] * cos(heading) + s.acceleration[1] * sin(heading)
-        across = s.acceleration[1] * cos(heading) - s.acceleration[0] * sin(heading)
-        assert max(abs(along), abs(across)) < LIMIT * 1.01 and abs(s.acceleration[2]) < LIMIT * 1.3
-        speeds.append(hypot(*s.velocity[:2]))
-        if last is not None:
-            assert dist(last.velocity, s.velocity) < 2 * LIMIT * step
-            assert hypot(*rotation_vector(last.quaternion, s.quaternion)) < step * 1.0
-        last = s
-    assert speeds[0] == 0 and isclose(max(speeds), 14.0, rel_tol=0.01), "it reaches its fastest speed"
-
-
-def places(motion: Motion, end: float) -> list[State]:
-    return [motion.at(t * 0.1) for t in range(round(end * 10))]
-
-
-def test_tracks_pass_their_waypoints() -> None:
-    """At a corner to within what the arc cuts off; exactly at the ends, where they stop and stay."""
-    track = made("track")
-    assert isinstance(track, Track) and track.duration is not None
-    states = places(track, track.duration)
-    for p in TOWN:
-        north, east = radii(radians(p.latitude), p.height)
-        nearest = min(
-            hypot(
-                (s.latitude - radians(p.latitude)) * north,
-                (s.longitude - radians(p.longitude)) * east,
-                s.height - p.height,
-            )
-            for s in states
-        )  # fmt: skip
-        assert nearest < 6
-    for t in (track.duration, track.duration + 1, YEAR):
-        s = track.at(t)
-        assert s.velocity == (0, 0, 0) and s.rate == (0, 0, 0) and hypot(*s.acceleration) == 0
-        assert dist((degrees(s.latitude), degrees(s.longitude)), TOWN[-1][:2]) < 1e-7
-        assert isclose(s.height, TOWN[-1].height, abs_tol=1e-6)
-
-
-def test_loops_come_back() -> None:
-    loop = made("loop")
-    assert isinstance(loop, Track) and loop.duration is None
-    lap = loop._lap.duration
-    for t in (200.0, 300.5, 415.25):
-        a, b = loop.at(t), loop.at(t + 1000 * lap)
-        assert dist(a.velocity, b.velocity) < 1e-6 and dist(a.quaternion, b.quaternion) < 1e-6
-        assert isclose(a.latitude, b.latitude, abs_tol=1e-13) and isclose(a.height, b.height, abs_tol=1e-6)
-
-
 # --------------------------------------------------------------------------- descriptions
 
 
-def test_motions_by_name(tmp_path: Path) -> None:
-    (tmp_path / "track.csv").write_text("latitude,longitude,height\n# a comment\n\n47, 8, 400\n47.001,8,400,20\n")
+def test_motions_by_name() -> None:
     described = {
         "standing": Standing(), "standing:heading=90,roll=2": Standing(heading=90, roll=2),
         "circle:radius=7,speed=3,latitude=-10": Circle(7, 3, -10),
-        f"track:file={tmp_path}/track.csv,speed=12,corner=4,acceleration=1":
-            Track([Waypoint(47, 8, 400), Waypoint(47.001, 8, 400, 20)], 12, corner=4, acceleration=1),
     }  # fmt: skip
     for text, motion in described.items():
         for t in (0.0, 3.7, 20.0):
@@ -233,7 +162,7 @@ def test_motions_by_name(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "text, message",
     {
-        "fly": "'fly' is not a motion; use one of standing, circle, track, trajectory, replay",
+        "fly": "'fly' is not a motion; use one of standing, circle, trajectory, replay",
         "circle:size=3": "circle: unknown option 'size'; it has radius, speed, latitude, longitude, height",
         "circle:radius": "circle: option 'radius' has no value; write radius=...",
         "circle:radius=1,radius=2": "circle: option 'radius' is given twice",
@@ -247,9 +176,9 @@ def test_motions_by_name(tmp_path: Path) -> None:
         "standing:latitude=95":
             "standing: latitude 95, longitude 8, height 500 is not a place; use degrees, with a latitude of -89 to 89, "
             "and a height of -10 to 1000 km",
-        "track": "track: needs a file; write track:file=PATH",
-        "track:file=": "track: needs a file; write track:file=PATH",
-        "track:file=x,loop=maybe": "track: loop: 'maybe' is neither yes nor no",
+        "trajectory": "trajectory: needs a file; write trajectory:file=PATH",
+        "trajectory:file=": "trajectory: needs a file; write trajectory:file=PATH",
+        "trajectory:file=x,loop=maybe": "trajectory: loop: 'maybe' is neither yes nor no",
         "replay": "replay: needs a file; write replay:file=PATH",
     }.items(),
 )  # fmt: skip
@@ -257,31 +186,6 @@ def test_descriptions_that_are_wrong(text: str, message: str) -> None:
     with pytest.raises(MotionError) as error:
         parse_motion(text)
     assert str(error.value) == message
-
-
-@pytest.mark.parametrize(
-    "rows, options, message",
-    [
-        ("47,8,400", "", "1 waypoints; a track needs at least 2"),
-        ("47,8,400\n47.1,8,400", ",loop=yes", "2 waypoints; a track that loops needs at least 3"),
-        ("47,8,400\n47.1,eight,400", "", ":2: '47.1,eight,400' has a value that is not a number"),
-        ("47,8\n47.1,8,400", "", ":1: 2 numbers; a waypoint has latitude, longitude, height and optionally speed"),
-        ("47,8,400\n47,8,500", "", "waypoints 1 and 2 are at the same place; remove one"),
-        ("47,8,400\n47.1,8,400\n47,8,400", "",
-         "at waypoint 2 the path turns back by 180 degrees; add another waypoint beside it"),
-        ("47,8,400\n47.0001,8,500", "",
-         "from waypoint 1 the path climbs 100 m in 11 m; move the waypoints farther apart"),
-        ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8, 400; use degrees, with a latitude of -89 to 89"),
-        ("47,8,400,0\n47.1,8,400", "", "the speed at waypoint 1 is 0 m/s; it must be above 0"),
-        ("47,8,nan\n47.1,8,400", "", "waypoint 1 has a value that is not a number"),
-        ("47,8,400\n47.1,8,400", ",speed=-1", "track: speed=-1 must be above 0"),
-    ],
-)  # fmt: skip
-def test_tracks_that_are_wrong(tmp_path: Path, rows: str, options: str, message: str) -> None:
-    (tmp_path / "t.csv").write_text(rows)
-    with pytest.raises(MotionError) as error:
-        parse_motion(f"track:file={tmp_path}/t.csv{options}")
-    assert message in str(error.value) and "\n" not in str(error.value)
 
 
 def test_a_trajectory_passes_its_rows() -> None:
@@ -342,40 +246,3 @@ def test_trajectories_that_are_wrong(tmp_path: Path, rows: str, message: str) ->
     with pytest.raises(MotionError) as error:
         parse_motion(f"trajectory:file={tmp_path}/t.csv")
     assert f"t.csv{message}" in str(error.value) and "\n" not in str(error.value)
-
-
-@pytest.mark.parametrize("seed", range(rounds(10, 40)))
-def test_any_track_is_smooth(seed: int) -> None:
-    """Random waypoints, short legs and sharp corners among them; errors of rejected ones state why."""
-    source = Random(seed)
-    step = source.choice([1e-4, 1e-3, 1e-2])
-    points = [Waypoint(source.uniform(-80, 80), source.uniform(-180, 180), source.uniform(0, 2000))]
-    for _ in range(source.randint(1, 12)):
-        last = points[-1]
-        points.append(
-            Waypoint(
-                last.latitude + source.uniform(-step, step),
-                last.longitude + source.uniform(-step, step),
-                last.height + source.uniform(-300, 300) * step,
-                source.choice([None, source.uniform(0.5, 40)]),
-            )
-        )
-    limit = source.choice([0.3, 2.0, 8.0])
-    try:
-        track = Track(points, 15, acceleration=limit, corner=source.uniform(1, 50), loop=seed % 2 == 1)
-    except MotionError as error:
-        assert any(word in str(error) for word in ("turns back", "climbs", "needs at least")), error
-        return
-    end = track.duration or 300.0
-    at, a = 0.0, track.at(0)
-    assert a.velocity == (0, 0, 0)
-    while at < end:
-        at += STEP * 10
-        b = track.at(at)
-        assert dist(a.velocity, b.velocity) < 4 * limit * STEP * 10, at
-        assert hypot(*rotation_vector(a.quaternion, b.quaternion)) < 0.5, at
-        moved = dist((a.latitude, a.height / 6.4e6), (b.latitude, b.height / 6.4e6)) * 6.4e6
-        assert moved <= (hypot(*a.velocity) + 4 * limit * STEP * 10) * STEP * 10 * 1.01 + 1e-6, at
-        a = b
-        at += source.expovariate(1 / (end / 300))
-        a = track.at(at)

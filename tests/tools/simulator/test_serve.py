@@ -543,7 +543,10 @@ def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: p
         ("DEVICE --fault-log A_FILE/x", "A_FILE/x cannot be written: Not a directory"),
         ("DEVICE --storage A_FILE/x", "A_FILE/x cannot be written: Not a directory; name another file"),
         ("DEVICE --storage NOWHERE/x", "NOWHERE/x cannot be written: No such file or directory; name another"),
-        ("DEVICE --motion track:file=NOWHERE", "--motion track: cannot read NOWHERE: No such file or directory\n"),
+        (
+            "DEVICE --motion trajectory:file=NOWHERE",
+            "--motion trajectory: cannot read NOWHERE: No such file or directory\n",
+        ),
         ("DEVICE --motion replay:file=NOWHERE", "--motion replay: cannot read NOWHERE: No such file or directory\n"),
         ("DEVICE --motion swim", "--motion 'swim' is not a motion; use one of "),
     ],

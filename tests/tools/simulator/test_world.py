@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from datetime import datetime, timedelta
-from itertools import pairwise
 from math import atan2, cos, degrees, dist, hypot, isclose, pi, radians, sin, sqrt
 from typing import Any
 
 import pytest
 from mip_tools.geometry import earth
-from mip_tools.simulator.motion import Circle, Motion, Standing, Track, Waypoint
-from mip_tools.simulator.surroundings import wmm
+from mip_tools.simulator.motion import Circle, Motion, Standing
 from mip_tools.simulator.surroundings.surroundings import START
 from simulated_world import Shown
 
@@ -21,7 +19,7 @@ TURNED = (0.0, 1.0, 0.0, -0.6, 0.0, 0.8, 0.8, 0.0, 0.6)  # a rotation of the sen
 MOTIONS: dict[str, Motion] = {
     "standing": Standing(-33.0, 151.0, 20.0, heading=200, pitch=12, roll=-7),
     "circle": Circle(20, 5),
-    "track": Track([Waypoint(47, 8, 400), Waypoint(47.001, 8.0005, 415), Waypoint(47.0012, 8.002, 405)], 12, loop=True),
+    "fast circle": Circle(300, 60, -70.0, 170.0),
 }
 TIMES = (0.5, 3.0, 7.77, 21.0, 60.123)
 
@@ -249,38 +247,12 @@ def test_magnetic_field(shown: Shown) -> None:
         assert close(turned, shown("sensor.scaled_mag").scaled_mag, 1)
 
 
-#: Year, height in km, latitude, longitude -> X, Y, Z in nT. Those of the model of 2020 are test values that NOAA
-#: publishes with it, those of 2025 come from another program, pygeomag 1.1.0.
-KNOWN_FIELDS = [
-    (2020.0, 0, 80, 0, 6570.4, -146.3, 54606.0),
-    (2020.0, 0, -80, 240, 5940.6, 15772.1, -52480.8),
-    (2020.0, 100, 0, 120, 37636.7, 104.9, -10474.8),
-    (2022.5, 0, 0, 120, 39684.7, -42.2, -10809.5),
-    (2022.5, 100, -80, 240, 5815.0, 14803.0, -49755.3),
-    (2025.0, 0, 80, 0, 6521.6, 145.9, 54791.5),
-    (2025.0, 0, -80, 240, 6117.5, 15751.9, -52022.5),
-    (2027.5, 100, 80, 0, 6196.7, 233.8, 52670.5),
-    (2027.5, 100, -80, 240, 5984.0, 14760.1, -49317.7),
-]
-
-
-@pytest.mark.parametrize("row", KNOWN_FIELDS)
-def test_the_magnetic_field(row: tuple[float, ...]) -> None:
-    year, height, latitude, longitude, *field = row
-    found = wmm.field_in_year(year, radians(latitude), radians(longitude), height * 1000.0)
-    assert [x * 1e5 for x in found] == pytest.approx(field, abs=0.051)
-
-
-def test_the_magnetic_field_everywhere() -> None:
-    """At the poles, before the first model, and long after the last one; and between places it does not jump."""
-    for latitude in (radians(90), radians(-90)):
-        assert hypot(*wmm.field_in_year(2024.0, latitude, 1.0, 0.0)) == pytest.approx(0.56, abs=0.02)
-    assert wmm.field_in_year(1980.0, 1.0, 0.0, 0.0) == wmm.field_in_year(2020.0, 1.0, 0.0, 0.0)
-    assert wmm.field_in_year(3000.0, 1.0, 0.0, 0.0) == wmm.field_in_year(2030.0, 1.0, 0.0, 0.0)
-    there = [wmm.magnetic_field(START, 0.8 + i * 1e-6, 0.1, 400.0) for i in range(100)]
-    assert max(hypot(*(x - y for x, y in zip(a, b, strict=True))) for a, b in pairwise(there)) < 1e-5
-    exact = wmm.field_in_year(2024.0 + 6 / 366, 0.8, 0.1, 400.0)
-    assert there[0] == pytest.approx(exact, abs=1e-5)
+def test_the_magnetic_field_is_that_of_a_dipole() -> None:
+    """In Europe it points north and down; everywhere it has the right strength, within a third."""
+    north, east, down = earth.magnetic_field(radians(47), radians(8))
+    assert 0.15 < north < 0.3 and abs(east) < 0.06 and 0.35 < down < 0.5
+    assert earth.magnetic_field(radians(-89), 0.0)[2] < -0.5 < 0.5 < earth.magnetic_field(radians(89), 0.0)[2]
+    assert 0.25 < hypot(*earth.magnetic_field(0.0, 2.0)) < 0.4
 
 
 # --------------------------------------------------------------------------- time
@@ -362,6 +334,3 @@ def test_the_time_can_be_set() -> None:
     shown.world.set_gps(tow=1000)
     s = shown("shared.gps_timestamp")
     assert (s.week_number, s.tow) == (2300, 1000.25)
-
-
-# --------------------------------------------------------------------------- determinism

@@ -17,15 +17,13 @@ from ..devices.profiles import assumed_ports, assumed_rates, certain, device_nam
 from ..errors import Failure, Misuse
 from ..files import outputs, signals
 from ..geometry import earth
-from ..simulator.commands.knowledge import without_effect
 from ..simulator.device import VirtualDevice
-from ..simulator.endpoints.channel import CAPACITY
 from ..simulator.endpoints.endpoint import Endpoint, pty_at, tcp_at, udp_at
 from ..simulator.endpoints.serve import Server
 from ..simulator.faults import Faults, Injected, json_log
 from ..simulator.faults.kinds import kinds_table, parse_faults
 from ..simulator.motion import MotionError, parse_motion
-from ..simulator.scenario import SCHEMA, Scenario, Simulated, endpoint, read_scenario
+from ..simulator.scenario import Scenario, Simulated, endpoint, read_scenario
 from ..text.numbers import count_text
 
 Log = Callable[[Injected], None]
@@ -56,7 +54,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("device", nargs="?", metavar="DEVICE", help="name of the device, as listed by --list")
     add("--list", action="store_true", help="list the devices and exit")
-    add("--no-effect", action="store_true", help="list the commands that change nothing on a virtual device and exit")
     add("--certain", action="store_true", help="only the commands and data that the device is known to have")
     add("--pty", action="append", default=[], metavar="PATH", help="a pseudo-terminal, with a link to it at PATH")
     add("--tcp", action="append", default=[], metavar="[HOST:]PORT", help="a TCP port; 0: the system chooses one")
@@ -71,10 +68,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add(
         "--motion",
         metavar="MOTION",
-        help="standing (default), circle:radius=20,speed=5, track:file=CSV, trajectory:file=CSV or replay:file=LOG",
+        help="standing (default), circle:radius=20,speed=5, trajectory:file=CSV or replay:file=LOG",
     )
     add("--scenario", type=Path, metavar="FILE", help="a YAML file with events, and optionally devices and their ports")
-    add("--schema", action="store_true", help="print the JSON schema of scenario files and exit")
     add(
         "--signal",
         type=_signal,
@@ -106,13 +102,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "(default: only receivers have a time, and a replayed log that has dates)",
     )
     add("--duration", type=_seconds, metavar="S", help="stop after this many simulated seconds")
-    add(
-        "--queue",
-        type=_bytes,
-        default=CAPACITY,
-        metavar="BYTES",
-        help=f"how much waits for a slow client (default: {CAPACITY}); beyond it, the oldest packets are dropped",
-    )
     add("--storage", type=Path, metavar="FILE", help="keep saved settings in this file (default: lost at the end)")
     add("--strict-baud", action="store_true", help="baud rates limit the data, and a wrong one garbles it")
     add("--fault", action="append", default=[], metavar="FAULT,...", help="inject faults; see below")
@@ -126,12 +115,6 @@ def run(options: argparse.Namespace) -> int:
         for device in DEVICES.values():
             incomplete = f" (incomplete: {_share(device)})" if device.incomplete else ""
             print(f"{device.id:<{width}}  {device.title}{incomplete}")
-        return 0
-    if options.no_effect:
-        print("\n".join(without_effect()))
-        return 0
-    if options.schema:
-        print(SCHEMA.read_text("utf-8"), end="")
         return 0
     wanted = _wanted(options)
     _different([endpoint for simulated in wanted for endpoint in simulated.endpoints])
@@ -151,7 +134,6 @@ def run(options: argparse.Namespace) -> int:
             duration=options.duration,
             strict_baud=options.strict_baud,
             seed=options.seed,
-            capacity=options.queue,
             ready=lambda text: print(text, flush=True),
             complain=_complain,
         )
@@ -300,10 +282,6 @@ def _signal(text: str) -> tuple[int, float]:
 
 def _seconds(text: str) -> float:
     return _number(text, 1e-9, 1e10, "duration in seconds; use a number above 0")
-
-
-def _bytes(text: str) -> int:
-    return int(_number(text, 1024, 1e9, "queue; use at least 1024 bytes"))
 
 
 def _noise(text: str) -> float:

@@ -101,6 +101,19 @@ def gravity(latitude: float, height: float) -> float:
     return normal * (1 - 2 * (1 + F + m - 2 * F * s2) * ratio + 3 * ratio * ratio)
 
 
+#: The direction of the northern geomagnetic pole, Earth-fixed, and the field at the geomagnetic equator in gauss.
+_POLE = (0.0484, -0.1553, 0.9867)
+_FIELD = 0.298
+
+
+def magnetic_field(latitude: float, longitude: float) -> Vector:
+    """Returns the magnetic field in gauss, north, east, down: that of a dipole near the centre of the Earth."""
+    up = (cos(latitude) * cos(longitude), cos(latitude) * sin(longitude), sin(latitude))
+    along = sum(a * b for a, b in zip(_POLE, up))
+    x, y, z = (_FIELD * (pole - 3 * along * out) for pole, out in zip(_POLE, up))
+    return to_ned(latitude, longitude, (x, y, z))
+
+
 # Geopotential height in m, temperature in K, pressure in mbar at the lower end, and lapse rate in K/m of each layer.
 _LAYERS = (
     (0.0, 288.15, 1013.25, -0.0065),

@@ -135,6 +135,7 @@ class VirtualDevice(DeviceState):
         return self.script.plugged
 
     def unplug(self) -> None:
+        """Ends all connections."""
         for link in list(self.links):
             self.disconnect(link)
 
@@ -211,6 +212,7 @@ class VirtualDevice(DeviceState):
         return self.plugged and (streams or late or self._busy_until is not None)
 
     def reset(self) -> None:
+        """Restarts the device with its saved settings."""
         for link in self.links:
             link.clear()
         self.settings.restart()
@@ -294,6 +296,7 @@ class VirtualDevice(DeviceState):
             self._answer(*self._waiting.pop(0))
 
     def pause(self, time: int) -> None:
+        """Sends no data for some time."""
         for stream in self._streams:
             stream.skip(self.now + time)
         self.events.skip(self.now + time)
@@ -308,6 +311,7 @@ class VirtualDevice(DeviceState):
             outcome.after()
 
     def restore(self, at: Place, saved: bool) -> None:
+        """Restores the saved value of a setting, or its factory default."""
         kept = self.settings.load(at) if saved else None
         if not saved:
             self.settings.reset(at)
@@ -345,10 +349,12 @@ class VirtualDevice(DeviceState):
     # ----------------------------------------------------------------------- streams
 
     def arrange(self) -> None:
+        """Starts the streams that the settings define, and no others."""
         quiet = self.idle or self.direct
         self._streams = [] if quiet else formats.streams(self, max(self.now, self.ready_at))
 
     def encoder(self, set_number: int, descriptor: int, channel: str = "") -> Encoder:
+        """Returns the encoder of a field. Each channel counts from the time at which it last sent the field."""
         encoder = self._encoders.get((set_number, descriptor, channel))
         if encoder is None:
             kind = registry.types(set_number, descriptor)[0]
@@ -358,6 +364,7 @@ class VirtualDevice(DeviceState):
         return encoder
 
     def send_data(self, set_number: int, wanted: Iterable[int], link: Link | None = None) -> None:
+        """Sends fields of a data set by their descriptors, without those that the device does not have."""
         self.send_fields(set_number, [self.encoder(set_number, x) for x in wanted if self.sends(set_number, x)], link)
 
     def send_fields(self, set_number: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:

@@ -1,7 +1,4 @@
-"""Scenario files: devices with their ports and motions, and the events that affect them.
-
-`tests/tools/simulator/test_scenario.py` compares it with scenario.schema.json.
-"""
+"""Scenario files: devices with their ports and motions, and the events that affect them."""
 
 from __future__ import annotations
 
@@ -20,9 +17,6 @@ from .endpoints.endpoint import Endpoint, pty_at
 from .motion import MotionError, parse_motion
 from .motion.state import Motion
 from .script import KINDS, ScriptedEvent
-
-#: The schema with which an editor checks and completes a scenario.
-SCHEMA = Path(__file__).with_name("scenario.schema.json")
 
 
 @dataclass(frozen=True)

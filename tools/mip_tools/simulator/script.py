@@ -91,6 +91,7 @@ class Script:
         if device.faults is not None:
             device.faults.tell(device.now, event.event, "begins" if begins else "ends")
         if event.event == "gnss_outage":
+            world.advance()
             world.gnss = device.outdoors and not active
             world.synchronize()
         elif event.event == "magnetic_disturbance":

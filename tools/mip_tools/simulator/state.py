@@ -74,46 +74,27 @@ class DeviceState(ABC):
         """Does the device send this field in this data set? It may be a shared one."""
         return (set_number, descriptor) in self.field_keys or (0xFF, descriptor) in self.field_keys
 
-    @abstractmethod
-    def reset(self) -> None:
-        """Restarts the device with its saved settings."""
+    # What time and commands do, in `device`.
 
     @abstractmethod
-    def unplug(self) -> None:
-        """Ends all connections."""
-
+    def reset(self) -> None: ...
     @abstractmethod
-    def pause(self, time: int) -> None:
-        """Sends no data for some time."""
-
+    def unplug(self) -> None: ...
     @abstractmethod
-    def arrange(self) -> None:
-        """Starts the streams that the settings define, and no others."""
-
+    def pause(self, time: int) -> None: ...
     @abstractmethod
-    def restore(self, at: Place, saved: bool) -> None:
-        """Restores the saved value of a setting, or its factory default."""
-
+    def arrange(self) -> None: ...
     @abstractmethod
-    def all_settings(self, function: int) -> None:
-        """Saves, loads or resets all settings."""
-
+    def restore(self, at: Place, saved: bool) -> None: ...
     @abstractmethod
-    def disable_trigger(self, instance: int) -> None:
-        """Resets the mode of a trigger to its default."""
-
+    def all_settings(self, function: int) -> None: ...
     @abstractmethod
-    def encoder(self, set_number: int, descriptor: int, channel: str = "") -> Encoder:
-        """Returns the encoder of a field. Each channel counts from the time at which it last sent the field."""
-
+    def disable_trigger(self, instance: int) -> None: ...
     @abstractmethod
-    def send_data(self, set_number: int, wanted: Iterable[int], link: Link | None = None) -> None:
-        """Sends fields of a data set by their descriptors, without those that the device does not have."""
-
+    def encoder(self, set_number: int, descriptor: int, channel: str = "") -> Encoder: ...
     @abstractmethod
-    def send_fields(self, set_number: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:
-        """Sends fields in as few packets as possible, to one host or to all."""
-
+    def send_data(self, set_number: int, wanted: Iterable[int], link: Link | None = None) -> None: ...
     @abstractmethod
-    def send_sentences(self, entries: Iterable[Any], link: Link | None = None) -> None:
-        """Sends NMEA sentences."""
+    def send_fields(self, set_number: int, encoders: Iterable[Encoder], link: Link | None = None) -> None: ...
+    @abstractmethod
+    def send_sentences(self, entries: Iterable[Any], link: Link | None = None) -> None: ...

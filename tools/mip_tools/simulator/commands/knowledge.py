@@ -5,10 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from ...binding import Command, reflection, registry
-from ...devices.checks import NOTHING
-from ...devices.codes import SETS
-from ...devices.facts import COMMANDS
 from ...devices.profiles import data_sets
 from ..state import DeviceState
 from ..streams import formats, nmea
@@ -138,19 +134,6 @@ def _stream(name: str) -> Quantity:
         return formats.enabled(device, context[name]) and bool(formats.of_set(device, context[name]))
 
     return value
-
-
-def without_effect() -> list[str]:
-    """Lists the commands without effect on a virtual device, which only remembers their settings."""
-    kinds = [kind for _, kind in registry.all_types() if issubclass(kind, Command)]
-    silencing = {(set_number, descriptor) for kind in kinds for set_number, descriptor, _, _ in kind.SILENCED_BY}
-    return [
-        kind.NAME
-        for kind in kinds
-        if not COMMANDS.get(kind.NAME, NOTHING).effect
-        and (kind.SET, kind.DESCRIPTOR) not in silencing
-        and (reflection.info(kind).parameters if not kind.RESPONSES else any(x in kind.REQUIRED for x in SETS))
-    ]
 
 
 QUANTITIES: dict[str, Quantity] = {

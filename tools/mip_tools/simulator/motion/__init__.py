@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import cos, fmod, inf, isfinite, pi, radians, sin
+from math import atan2, cos, fmod, inf, isfinite, pi, radians, sin
 from pathlib import Path
 from typing import Any
 
 from ...geometry.attitude import euler_rotation
+from ...geometry.earth import radii
 from .replay import Replay
-from .state import Motion, MotionError, Plane, State, check_place
-from .track import Track
+from .state import Motion, MotionError, State, check_place, state
 from .trajectory import Trajectory
-from .waypoints import Waypoint
 
 #: The default position: degrees and metres.
 LATITUDE, LONGITUDE, HEIGHT = 47.0, 8.0, 500.0
@@ -46,13 +45,21 @@ class Circle:
                 raise MotionError(f"circle: {name}={value:g} must be above 0, and at most 1e6")
         check_place("circle", latitude, longitude, height)
         self._radius, self._speed = radius, speed
-        self._period = 2 * pi * radius / speed
-        self._plane = Plane(radians(latitude), radians(longitude), height)
+        self._latitude, self._longitude, self._height = radians(latitude), radians(longitude), height
+        along, across = radii(self._latitude)
+        self._along, self._across = along + height, (across + height) * cos(self._latitude)
 
     def at(self, t: float) -> State:
-        angle = fmod(t, self._period) * self._speed / self._radius
-        s, c, r = sin(angle), cos(angle), self._radius
-        return self._plane.state(r * c, r * s, 0.0, (-s, c), self._speed, 0.0, 1 / r)
+        w, r = self._speed / self._radius, self._radius
+        angle = fmod(t, 2 * pi / w) * w
+        north, east = r * cos(angle), r * sin(angle)
+        latitude = (self._latitude + north / self._along, -w * east / self._along, -w * w * north / self._along)
+        longitude = (self._longitude + east / self._across, w * north / self._across, -w * w * east / self._across)
+        still = (0.0, 0.0, 0.0)
+        level = state(latitude, longitude, (self._height, 0.0, 0.0), still, still, still)
+        (u, v, _), (a, b, _) = level.velocity, level.acceleration
+        q, m = euler_rotation(0.0, 0.0, atan2(v, u))
+        return level._replace(quaternion=q, dcm=m, rate=(0.0, 0.0, (u * b - v * a) / (u * u + v * v)))
 
 
 def _yes(text: str) -> bool:
@@ -78,19 +85,16 @@ _PLACE: dict[str, Callable[[str], Any]] = {"latitude": _number, "longitude": _nu
 MOTIONS: dict[str, tuple[Callable[..., Motion], dict[str, Callable[[str], Any]]]] = {
     "standing": (Standing, _PLACE | {"heading": _number, "pitch": _number, "roll": _number}),
     "circle": (Circle, {"radius": _number, "speed": _number} | _PLACE),
-    "track": (
-        Track, {"file": str, "speed": _number, "acceleration": _number, "corner": _number, "loop": _yes}
-    ),
     "trajectory": (Trajectory, _PLACE | {"file": str, "loop": _yes}),
     "replay": (Replay, {"file": str, "loop": _yes, "rate": _number}),
 }  # fmt: skip
-_REQUIRED = dict.fromkeys(("track", "trajectory", "replay"), "file")
+_REQUIRED = dict.fromkeys(("trajectory", "replay"), "file")
 
 
 def parse_motion(text: str, folder: Path = Path()) -> Motion:
     """Parses a motion: a name, optionally followed by options. Its file is relative to `folder`. Raises MotionError.
 
-    >>> parse_motion("circle:radius=20,speed=5").at(0).velocity[1]
+    >>> round(parse_motion("circle:radius=20,speed=5").at(0).velocity[1], 3)
     5.0
     """
     name, _, rest = text.partition(":")
@@ -118,7 +122,4 @@ def parse_motion(text: str, folder: Path = Path()) -> Motion:
     return motion(folder / values.pop(required), **values)
 
 
-__all__ = [
-    "MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Track", "Trajectory",
-    "Waypoint", "parse_motion",
-]  # fmt: skip
+__all__ = ["MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Trajectory", "parse_motion"]

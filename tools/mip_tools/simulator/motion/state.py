@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import cos, sin, sqrt
+from math import cos, sin
 from typing import NamedTuple, Protocol
 
-from ...geometry.attitude import Quaternion
-from ...geometry.earth import E2, A, Matrix, Vector, radii
+from ...geometry.attitude import Quaternion, euler_rotation
+from ...geometry.earth import E2, Matrix, Vector, radii
 
 
 class MotionError(ValueError):
@@ -50,68 +50,25 @@ class Motion(Protocol):
         ...
 
 
-class Plane:
-    """The surroundings of a position, as a plane in metres north and east whose grid follows the meridians."""
+#: A quantity with its first and second derivatives.
+Moving = tuple[float, float, float]
 
-    __slots__ = ("across", "along", "height", "latitude", "longitude")
 
-    def __init__(self, latitude: float, longitude: float, height: float) -> None:
-        self.latitude, self.longitude, self.height = latitude, longitude, height
-        m, n = radii(latitude)
-        self.along = m + height
-        self.across = (n + height) * cos(latitude)
-
-    def state(
-        self, north: float, east: float, up: float, direction: tuple[float, float], speed: float,
-        acceleration: float = 0.0, curvature: float = 0.0, grade: float = 0.0, bend: float = 0.0,
-    ) -> State:  # fmt: skip
-        """Returns the state of a vehicle that points in the direction of its motion.
-
-        `direction` is a unit vector. Speed and acceleration are relative to the plane. `grade` is the climb per metre,
-        `bend` the change of the grade per metre.
-        """
-        latitude = self.latitude + north / self.along
-        longitude = self.longitude + east / self.across
-        height = self.height + up
-        s, c = sin(latitude), cos(latitude)
-        w = 1 - E2 * s * s
-        n = A / sqrt(w)
-        # The plane is stretched because the meridians converge; velocities are those on the Earth.
-        kn = (n * (1 - E2) / w + height) / self.along
-        ke = (n + height) * c / self.across
-        dn, de = direction
-        tn, te = dn * kn, de * ke
-        k2 = tn * tn + te * te
-        k = sqrt(k2)
-        turn = curvature * speed
-        sideways = turn * speed
-        climb, g2 = grade * speed, grade / k
-        narrows = -s / c * speed * dn / self.along  # relative rate of ke; that of kn is negligible
-        pitch_rate = bend * speed / k / (1 + g2 * g2)
-        cp = 1 / sqrt(1 + g2 * g2)
-        sp = g2 * cp
-        cy, sy = tn / k, te / k
-        yaw_rate = turn * kn * ke / k2 + cy * sy * narrows
-        # Halves of the angles, without their functions: pitch is less than a right angle.
-        hp = sqrt((1 + cp) / 2)
-        hq = sp / (2 * hp)
-        if cy > -0.5:
-            hy = sqrt((1 + cy) / 2)
-            hz = sy / (2 * hy)
-        else:
-            hz = sqrt((1 - cy) / 2)
-            hy = sy / (2 * hz)
-            if hy < 0:
-                hy, hz = -hy, -hz
-        return State(
-            latitude, longitude, height,
-            (speed * tn, speed * te, -climb),
-            (
-                (acceleration * dn - sideways * de) * kn,
-                (acceleration * de + sideways * dn + speed * de * narrows) * ke,
-                -grade * acceleration - bend * speed * speed,
-            ),
-            (hy * hp, -hz * hq, hy * hq, hz * hp),
-            (cp * cy, cp * sy, -sp, -sy, cy, 0.0, sp * cy, sp * sy, cp),
-            (-yaw_rate * sp, pitch_rate, yaw_rate * cp),
-        )  # fmt: skip
+def state(latitude: Moving, longitude: Moving, height: Moving, roll: Moving, pitch: Moving, yaw: Moving) -> State:
+    """Computes the state of a body from its position and its angles (rad, m), which change over time."""
+    (place, dn, ddn), (meridian, de, dde), (above, up, faster) = latitude, longitude, height
+    s, c = sin(place), cos(place)
+    along, across = radii(place)
+    w = 1 - E2 * s * s
+    m, n = along + above, (across + above) * c
+    dm = 3 * along * E2 * s * c / w * dn + up
+    dr = (across * E2 * s * c / w * dn + up) * c - (across + above) * s * dn
+    (a, p, _), (b, q, _), (y, r, _) = roll, pitch, yaw
+    sr, cr, sp, cp = sin(a), cos(a), sin(b), cos(b)
+    return State(
+        place, meridian, above,
+        (m * dn, n * de, -up),
+        (m * ddn + dm * dn, n * dde + dr * de, -faster),
+        *euler_rotation(a, b, y),
+        (p - r * sp, q * cr + r * cp * sr, r * cp * cr - q * sr),
+    )  # fmt: skip

@@ -7,13 +7,12 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
 from itertools import pairwise
-from math import cos, degrees, inf, isfinite, pi, radians, sin
+from math import cos, degrees, inf, isfinite, pi, radians
 from pathlib import Path
 
 from ...geometry.attitude import euler_rotation
-from ...geometry.earth import E2, Vector, radii
-from .state import PLACES, MotionError, State, check_place, is_place
-from .waypoints import read_text
+from ...geometry.earth import Vector, radii
+from .state import PLACES, MotionError, State, check_place, is_place, state
 
 _TIME = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 _LENGTH = {"m": 1.0, "km": 1e3, "ft": 0.3048}
@@ -144,22 +143,7 @@ class Trajectory:
     def at(self, t: float) -> State:
         if self._loop and self.duration > 0:
             t %= self.duration
-        (latitude, dn, ddn), (longitude, de, dde), (height, up, faster) = (curve.at(t) for curve in self._place)
-        s, c = sin(latitude), cos(latitude)
-        along, across = radii(latitude)
-        w = 1 - E2 * s * s
-        m, n = along + height, (across + height) * c
-        dm = 3 * along * E2 * s * c / w * dn + up
-        dr = (across * E2 * s * c / w * dn + up) * c - (across + height) * s * dn
-        (roll, p, _), (pitch, q, _), (yaw, r, _) = (angle.at(t) for angle in self._angles)
-        sr, cr, sp, cp = sin(roll), cos(roll), sin(pitch), cos(pitch)
-        return State(
-            latitude, longitude, height,
-            (m * dn, n * de, -up),
-            (m * ddn + dm * dn, n * dde + dr * de, -faster),
-            *euler_rotation(roll, pitch, yaw),
-            (p - r * sp, q * cr + r * cp * sr, r * cp * cr - q * sr),
-        )  # fmt: skip
+        return state(*(curve.at(t) for curve in (*self._place, *self._angles)))
 
 
 def _unwound(angles: Sequence[float]) -> list[float]:
@@ -178,7 +162,12 @@ class _Table:
 
     def __init__(self, path: str | Path) -> None:
         self._path = path
-        text = read_text(path, "trajectory")
+        try:
+            text = Path(path).read_text("utf-8-sig")
+        except OSError as error:
+            raise MotionError(f"trajectory: cannot read {path}: {error.strerror}") from None
+        except UnicodeDecodeError:
+            raise MotionError(f"trajectory: {path} is not a text file in UTF-8") from None
         lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip() and line.lstrip()[0] != "#"]
         if len(lines) < 2:
             raise MotionError(f"{path}:1:1: a trajectory needs a line with names and units, and lines of numbers")

@@ -143,11 +143,7 @@ def _valid_encoder(
             (only,) = readers
             return lambda: [pack(*only(plain))]
         return lambda: [pack(*_joined(readers, plain))]
-    output = (
-        world.output(set_number, counting[0], rate, channel)
-        if counting
-        else Output(rate, (set_number, kind.DESCRIPTOR))
-    )
+    output = world.output(set_number, counting[0], rate, channel) if counting else Output(rate)
 
     def encode() -> list[bytes]:
         output.begin(world)

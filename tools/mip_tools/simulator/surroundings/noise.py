@@ -75,10 +75,6 @@ class Noise:
         if len(self._kept) > KEPT:
             del self._kept[next(iter(self._kept))]
 
-    def white(self, deviation: float) -> Values:
-        """Returns additional, independent white noise."""
-        return tuple([deviation * self._gauss(0.0, 1.0) for _ in self._axes])
-
 
 @lru_cache(64)
 def _change(passed: float, drift: float, period: float) -> tuple[float, float, float, float, float]:

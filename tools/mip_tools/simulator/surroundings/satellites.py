@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import asin, cos, pi, radians, sin, sqrt
 from typing import NamedTuple
 
-from ...geometry.earth import GM, LIGHT, ROTATION, SECOND, WEEK, Vector, ecef, heading_of, to_ned
+from ...geometry.earth import GM, LIGHT, ROTATION, SECOND, Vector, ecef, heading_of, to_ned
 
 NODE_RATE = -8.0e-9
 LOWEST = radians(10)
@@ -46,26 +46,6 @@ class Seen(NamedTuple):
     def strength(self) -> float:
         """Carrier to noise density ratio in dB-Hz."""
         return 35 + 15 * sin(self.elevation)
-
-
-class Ephemeris(NamedTuple):
-    """The orbit of a satellite at its reference time, in ns."""
-
-    number: int
-    of: int
-    satellite: Satellite
-    time: int
-
-    @property
-    def mean_anomaly(self) -> float:
-        s = self.satellite
-        return (s.anomaly + s.motion * (self.time / SECOND) + pi) % (2 * pi) - pi
-
-    @property
-    def node(self) -> float:
-        """Longitude of the ascending node as it is broadcast: at the start of the week."""
-        now = self.satellite.node + (NODE_RATE - ROTATION) * (self.time / SECOND)
-        return (now + ROTATION * (self.time % WEEK / SECOND) + pi) % (2 * pi) - pi
 
 
 def _constellation(
@@ -160,19 +140,6 @@ def only(satellites: Sequence[Seen], constellation: str) -> tuple[Seen, ...]:
     return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
 
 
-def renumbered(satellites: Sequence[Seen], constellations: frozenset[str]) -> tuple[Seen, ...]:
-    """Returns the satellites of other constellations, renumbered."""
-    kept = [s for s in satellites if s.satellite.constellation not in constellations]
-    return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
-
-
-def ephemerides(satellites: Sequence[Seen], constellation: str, gps: int) -> tuple[Ephemeris, ...]:
-    """Returns the latest ephemerides of a constellation's satellites in view."""
-    step = (1800 if constellation == "glonass" else 7200) * SECOND
-    time = gps // step * step
-    return tuple(Ephemeris(s.number, s.of, s.satellite, time) for s in only(satellites, constellation))
-
-
 class Dop(NamedTuple):
     gdop: float
     pdop: float
@@ -212,18 +179,3 @@ def _inverse(m: list[list[float]]) -> list[list[float]] | None:
                 k = rows[j][i]
                 rows[j] = [x - k * y for x, y in zip(rows[j], rows[i])]
     return [row[size:] for row in rows]
-
-
-def sbas(longitude: float) -> tuple[str, int]:
-    """Returns the augmentation system that serves a longitude, and one of its satellites."""
-    degree = (longitude * 180 / pi + 180) % 360 - 180
-    for east, name, number in ((-45.0, "waas", 131), (45.0, "egnos", 123), (105.0, "gagan", 127)):
-        if -170 <= degree < east:
-            return name, number
-    return "msas", 137
-
-
-def glonass_day(gps: int, leap_seconds: int) -> tuple[int, float]:
-    """Returns the day, from 1, of a four-year period that begins with a leap year, and its seconds (UTC + 3 h)."""
-    moscow = gps + (3 * 3600 - leap_seconds) * SECOND
-    return (moscow // DAY + 5) % 1461 + 1, moscow % DAY / SECOND

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import atan2, cos, hypot, pi, sin, sqrt
+from math import atan2, cos, hypot, pi, sin
 from random import Random
 from typing import Any, TypeVar
 
@@ -12,9 +12,8 @@ from ...geometry import earth
 from ...geometry.attitude import Quaternion, quaternion
 from ...geometry.earth import SECOND, Matrix, Vector, turned, turned_back
 from ..motion.state import Motion, State
-from . import wmm
 from .noise import Noise, Values
-from .satellites import DAY, Dop, Seen, dop, in_view, renumbered
+from .satellites import DAY, Dop, Seen, dop, in_view
 
 T = TypeVar("T")
 
@@ -46,14 +45,12 @@ def _random(source: Random, limit: float) -> Vector:
 class Output:
     """The state of one stream for quantities that count from its last output, or are the mean since then."""
 
-    __slots__ = ("attitude", "field", "filtered", "integrals", "previous", "rate", "velocity")
+    __slots__ = ("attitude", "integrals", "previous", "rate", "velocity")
 
-    def __init__(self, rate: float, field: tuple[int, int] = (0, 0)) -> None:
+    def __init__(self, rate: float) -> None:
         self.rate = rate  # base rate of the data, Hz
-        self.field = field  # set and descriptor
         self.previous: int | None = None  # ns
         self.integrals: dict[str, Values] = {}  # integrals of the noise at the last output
-        self.filtered: Values = ()  # the output of its low-pass filter at that time
         self.attitude: Quaternion = (1.0, 0.0, 0.0, 0.0)
         self.velocity: Vector = (0.0, 0.0, 0.0)
 
@@ -65,7 +62,6 @@ class Output:
             state = surroundings.motion.at(self.previous / SECOND)
             self.attitude, self.velocity = state.quaternion, state.velocity
             self.integrals.clear()
-            self.filtered = ()
 
     def end(self, surroundings: Surroundings) -> None:
         """Ends an output, after all values of a field were sent."""
@@ -141,18 +137,14 @@ class Surroundings:
         self.hard_iron: Vector = ZERO
         self.soft_iron: Matrix = _IDENTITY
         self.ranges: dict[str, float] = {}  # of sensors: accel in m/s^2, gyro in rad/s, mag in gauss
-        self.cutoffs: dict[tuple[int, int], float] = {}  # of low-pass filters in Hz, by set and descriptor
         self.offset: Vector = ZERO  # offset of the point whose position is reported, in the vehicle frame
         self.reference: Vector | None = None  # point of the relative position, Earth-fixed; None: the start
-        self.model: Vector | None = None  # latitude, longitude, height for gravity and magnetic field; None: current
         self.odometer = 0.0  # relative uncertainty; 0: no odometer
         self.pulse_source = ""  # as `3dm.pps_source_control` names it; "": the device has no such setting
         self.ahead = -self.booted  # ns from the time of the simulation to that of the device
         self.parts_set: frozenset[str] = frozenset()  # the parts of the time that are set: tow, week_number
         self.initialized = False  # the time has been set once
         self.updates = 0  # how often a host has set the time
-        self.signals_off: frozenset[str] = frozenset()  # constellations that are switched off
-        self.augmented = True  # SBAS is used
         self.corrected: int | None = None  # when RTCM corrections last arrived
 
     @property
@@ -366,27 +358,6 @@ class Surroundings:
         out.integrals[sensor] = now
         return tuple([self.noise * (x - y) for x, y in zip(now, before)])
 
-    def low_passed(self, sensor: str, out: Any, values: Values) -> Values:
-        """Applies the low-pass filter of a field to values, which are means since the last output.
-
-        Without a setting, the cutoff is half the output rate, which leaves the mean unchanged.
-        """
-        cutoff = self.cutoffs.get(out.field) if isinstance(out, Output) else None
-        passed = (self.now - out.previous) / SECOND if cutoff is not None else 0.0
-        if cutoff is None or passed <= 0:
-            return values
-        ratio = 2 * cutoff * passed
-        if ratio < 1:  # a filter of the first order that leaves this part of the variance
-            gain = 2 * ratio / (1 + ratio)
-            before = out.filtered or values
-            values = out.filtered = tuple([y + gain * (x - y) for x, y in zip(values, before)])
-            return values
-        noise = self.sensors.get(sensor)
-        more = min(2 * cutoff, max(out.rate, 1 / passed)) - 1 / passed
-        if noise is None or not self.noise or more <= 0:
-            return values
-        return tuple([x + y for x, y in zip(values, noise.white(self.noise * noise.density * sqrt(more)))])
-
     def within(self, sensor: str, v: Vector) -> Vector:
         """Limits a measurement to the range of its sensor."""
         most = self.ranges.get(sensor)
@@ -397,25 +368,13 @@ class Surroundings:
 
     @property
     def magnetic_field(self) -> Vector:
-        """The magnetic field along north, east and down."""
-        s = self.state
-        return wmm.magnetic_field(self.gps, s.latitude, s.longitude, s.height)
-
-    @property
-    def modelled_field(self) -> Vector:
-        """The magnetic field at the position for which the device computes it."""
-        return wmm.magnetic_field(self.gps, *self.modelled)
+        """The magnetic field of the Earth along north, east and down, in gauss."""
+        return self.once("magnetic field", lambda: earth.magnetic_field(*self.state[:2]))
 
     @property
     def declination(self) -> float:
         north, east, _ = self.magnetic_field
         return atan2(east, north)
-
-    @property
-    def modelled(self) -> Vector:
-        """Latitude, longitude and height for which gravity and the magnetic field are computed."""
-        s = self.state
-        return self.model or (s.latitude, s.longitude, s.height)
 
     def has(self, sense: str) -> bool:
         """Does the device measure or estimate this?"""
@@ -463,8 +422,7 @@ class Surroundings:
                 return ()
             a = self.antenna(receiver)
             moves = earth.from_ned(a.latitude, a.longitude, a.velocity)
-            satellites = in_view(self.gps, a.latitude, a.longitude, a.height, moves, *self.receiver_clock(receiver))
-            return renumbered(satellites, self.signals_off) if self.signals_off else satellites
+            return in_view(self.gps, a.latitude, a.longitude, a.height, moves, *self.receiver_clock(receiver))
 
         return self.once(f"satellites {receiver}", look)
 

@@ -6,7 +6,7 @@ The item is an item of a list (`for_each`), an `Output` for other data, or, for 
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import atan2, hypot, pi, sin, sqrt
+from math import atan2, hypot, pi, sin
 from typing import Any, NamedTuple
 
 from ...geometry import earth
@@ -14,12 +14,11 @@ from ...geometry.attitude import (
     attitude_matrix,
     conjugate,
     euler,
-    euler_rotation,
     multiplied,
     quaternion,
     rotation_vector,
 )
-from ...geometry.earth import SECOND, WEEK, Matrix, Vector
+from ...geometry.earth import SECOND, WEEK, Vector
 from ..filter.estimate import Filter, rotated
 from ..surroundings.surroundings import Output, scaled, summed
 from .receivers import GNSS, Function
@@ -53,18 +52,17 @@ def _measured(w: World, sensor: str, true: Vector, constant: Vector, out: Any) -
 
 def _force(w: World, out: Any) -> Vector:
     force = w.within("accel", _measured(w, ACCEL, w.specific_force, w.accel_constant_left, out))
-    return w.vehicle(w.low_passed(ACCEL, out, force))  # type: ignore[arg-type]
+    return w.vehicle(force)
 
 
 def _rate(w: World, out: Any) -> Vector:
     rate = w.within("gyro", _measured(w, GYRO, w.state.rate, w.gyro_constant_left, out))
-    return w.vehicle(w.low_passed(GYRO, out, rate))  # type: ignore[arg-type]
+    return w.vehicle(rate)
 
 
 def _magnetic(w: World, out: Any) -> Vector:
     field = summed(_raw_magnetic(w, out), scaled(w.hard_iron, -1.0))
-    field = w.within("mag", earth.turned(w.soft_iron, field))
-    return w.vehicle(w.low_passed(MAG, out, field))  # type: ignore[arg-type]
+    return w.vehicle(w.within("mag", earth.turned(w.soft_iron, field)))
 
 
 def _raw_magnetic(w: World, out: Any) -> Vector:
@@ -75,20 +73,19 @@ def _raw_magnetic(w: World, out: Any) -> Vector:
 
 def _single(sensor: str, true: float, w: World, out: Any) -> float:
     noise = w.mean_noise(sensor, out)
-    return w.low_passed(sensor, out, (true if noise is None else true + noise[0],))[0]
+    return true if noise is None else true + noise[0]
 
 
-def _compensated_rate(w: World, out: Any) -> Vector:
-    """Returns the angular rate of the gyroscope, without the bias that the filter estimates."""
-    rate = summed(w.state.rate, scaled(w.gyro_bias_error, -1.0))
-    noise = _white(w, GYRO, out)
-    return w.vehicle(w.low_passed(GYRO, out, rate if noise is None else summed(rate, noise)))  # type: ignore[arg-type]
+def _compensated(sensor: str, bias: str, true: Callable[[World], Vector]) -> Function:
+    """Makes a quantity: what a sensor measures, without the bias that the filter estimates."""
 
+    def value(w: World, out: Any) -> Vector:
+        w.filter.advance()
+        v = summed(true(w), scaled(w.filter.error(bias), -1.0))
+        noise = _white(w, sensor, out)
+        return w.vehicle(v if noise is None else summed(v, noise))
 
-def _compensated_force(w: World, true: Vector, out: Any) -> Vector:
-    force = summed(true, scaled(w.accel_bias_error, -1.0))
-    noise = _white(w, ACCEL, out)
-    return w.vehicle(w.low_passed(ACCEL, out, force if noise is None else summed(force, noise)))  # type: ignore[arg-type]
+    return value
 
 
 def _white(w: World, sensor: str, out: Any) -> Vector | None:
@@ -148,42 +145,24 @@ def _ecef(w: World) -> Vector:
     return earth.ecef(x.latitude, x.longitude, x.height)
 
 
-def _deviations(w: World) -> tuple[tuple[Vector, Vector], ...]:
-    """Returns the deviations of attitude and gyroscope bias, of position and velocity, and of accelerometer bias."""
+def _deviation(what: str, axis: int | None = None) -> Function:
+    """Makes a quantity: what a property of the filter states, for all axes or one."""
 
-    def deviations_of(pairs: Any) -> tuple[Vector, Vector]:
-        a, b, c = pairs
-        return (sqrt(a.p), sqrt(b.p), sqrt(c.p)), (sqrt(a.r), sqrt(b.r), sqrt(c.r))
-
-    w.filter.advance()
-    return deviations_of(w.filter.attitude), deviations_of(w.filter.navigation), deviations_of(w.filter.accel_bias)
-
-
-def _deviation(group: int, part: int, axis: int | None = None) -> Function:
     def value(w: World, _: Any) -> Any:
-        values = w.once("deviations", lambda: _deviations(w))[group][part]
+        w.filter.advance()
+        values = getattr(w.filter, what)
         return values if axis is None else values[axis]
 
     return value
 
 
-def _earth_fixed(part: int) -> Function:
-    return lambda w, _: rotated(_deviation(1, part)(w, None), w.state.latitude, w.state.longitude)
+def _earth_fixed(what: str) -> Function:
+    return lambda w, _: rotated(_deviation(what)(w, None), w.state.latitude, w.state.longitude)
 
 
 def _of_quaternion(w: World, _: Any) -> tuple[float, ...]:
     """Returns an upper bound for the deviation of each element: half the deviation of the whole rotation."""
-    return (hypot(*_deviation(0, 0)(w, None)) / 2,) * 4
-
-
-def _complementary(w: World) -> Matrix:
-    """Returns the attitude that the complementary filter estimates."""
-
-    def value() -> Matrix:
-        wrong = w.complementary.errors
-        return euler_rotation(*summed(euler(w.dcm), wrong))[1] if any(wrong) else w.dcm
-
-    return w.once("complementary", value)
+    return (hypot(*_deviation("attitude")(w, None)) / 2,) * 4
 
 
 def _of_filter(read: Callable[[Filter], Any]) -> Function:
@@ -268,18 +247,18 @@ _MOTION: dict[str, Function] = {
     "attitude.pitch": lambda w, _: euler(w.attitude[1])[1],
     "attitude.yaw": lambda w, _: euler(w.attitude[1])[2],
     "attitude.sensor_heading": lambda w, _: euler(w.state.dcm)[2],
-    "complementary.quaternion": lambda w, _: quaternion(m) if (m := _complementary(w)) is not w.dcm else w.quaternion,
-    "complementary.dcm": lambda w, _: _complementary(w),
-    "complementary.roll": lambda w, _: euler(_complementary(w))[0],
-    "complementary.pitch": lambda w, _: euler(_complementary(w))[1],
-    "complementary.yaw": lambda w, _: euler(_complementary(w))[2],
-    "motion.angular_rate": _compensated_rate,
-    "motion.specific_force": lambda w, out: _compensated_force(w, w.specific_force, out),
-    "motion.acceleration": lambda w, out: _compensated_force(w, earth.turned(w.state.dcm, w.state.acceleration), out),
+    "complementary.quaternion": lambda w, _: quaternion(m) if (m := w.complementary) is not w.dcm else w.quaternion,
+    "complementary.dcm": lambda w, _: w.complementary,
+    "complementary.roll": lambda w, _: euler(w.complementary)[0],
+    "complementary.pitch": lambda w, _: euler(w.complementary)[1],
+    "complementary.yaw": lambda w, _: euler(w.complementary)[2],
+    "motion.angular_rate": _compensated(GYRO, "gyro_bias", lambda w: w.state.rate),
+    "motion.specific_force": _compensated(ACCEL, "accel_bias", lambda w: w.specific_force),
+    "motion.acceleration": _compensated(ACCEL, "accel_bias", lambda w: earth.turned(w.state.dcm, w.state.acceleration)),
     "gravity.vector": lambda w, _: earth.turned(w.attitude[1], (0.0, 0.0, w.gravity)),
-    "gravity.magnitude": lambda w, _: earth.gravity(w.modelled[0], w.modelled[2]),
-    "bias.angular_rate": lambda w, _: summed(w.gyro_bias_left, w.gyro_bias_error),
-    "bias.specific_force": lambda w, _: summed(w.accel_bias_left, w.accel_bias_error),
+    "gravity.magnitude": lambda w, _: w.gravity,
+    "bias.angular_rate": lambda w, _: summed(w.gyro_bias_left, w.filter.error("gyro_bias")),
+    "bias.specific_force": lambda w, _: summed(w.accel_bias_left, w.filter.error("accel_bias")),
     "bias.gyro_setting": lambda w, _: w.gyro_bias,
     "identity.matrix": lambda w, _: (1, 0, 0, 0, 1, 0, 0, 0, 1),
     "identity.quaternion": lambda w, _: (1, 0, 0, 0),
@@ -297,38 +276,30 @@ _MOTION: dict[str, Function] = {
 }
 
 
-def _inclination(north: float, east: float, down: float) -> float:
-    return atan2(down, hypot(north, east))
-
-
-def _declination(north: float, east: float, down: float) -> float:
-    return atan2(east, north)
-
-
 _SURROUNDINGS: dict[str, Function] = {
-    "magnetic.north": lambda w, _: w.modelled_field[0],
-    "magnetic.east": lambda w, _: w.modelled_field[1],
-    "magnetic.down": lambda w, _: w.modelled_field[2],
-    "magnetic.inclination": lambda w, _: _inclination(*w.modelled_field),
-    "magnetic.declination": lambda w, _: _declination(*w.modelled_field),
+    "magnetic.north": lambda w, _: w.magnetic_field[0],
+    "magnetic.east": lambda w, _: w.magnetic_field[1],
+    "magnetic.down": lambda w, _: w.magnetic_field[2],
+    "magnetic.inclination": lambda w, _: atan2(w.magnetic_field[2], hypot(*w.magnetic_field[:2])),
+    "magnetic.declination": lambda w, _: w.declination,
     "air.altitude": lambda w, _: w.altitude,
     "air.temperature": lambda w, _: w.air[0],
     "air.pressure": lambda w, _: w.air[1],
     "air.density": lambda w, _: w.air[2],
-    "uncertainty.roll": _deviation(0, 0, 0),
-    "uncertainty.pitch": _deviation(0, 0, 1),
-    "uncertainty.yaw": _deviation(0, 0, 2),
+    "uncertainty.roll": _deviation("attitude", 0),
+    "uncertainty.pitch": _deviation("attitude", 1),
+    "uncertainty.yaw": _deviation("attitude", 2),
     "uncertainty.quaternion": _of_quaternion,
-    "uncertainty.gyro_bias": _deviation(0, 1),
-    "uncertainty.accel_bias": _deviation(2, 0),
-    "uncertainty.north": _deviation(1, 0, 0),
-    "uncertainty.east": _deviation(1, 0, 1),
-    "uncertainty.down": _deviation(1, 0, 2),
-    "uncertainty.position": _earth_fixed(0),
-    "uncertainty.velocity_north": _deviation(1, 1, 0),
-    "uncertainty.velocity_east": _deviation(1, 1, 1),
-    "uncertainty.velocity_down": _deviation(1, 1, 2),
-    "uncertainty.velocity": _earth_fixed(1),
+    "uncertainty.gyro_bias": _deviation("gyro_bias"),
+    "uncertainty.accel_bias": _deviation("accel_bias"),
+    "uncertainty.north": _deviation("position", 0),
+    "uncertainty.east": _deviation("position", 1),
+    "uncertainty.down": _deviation("position", 2),
+    "uncertainty.position": _earth_fixed("position"),
+    "uncertainty.velocity_north": _deviation("velocity", 0),
+    "uncertainty.velocity_east": _deviation("velocity", 1),
+    "uncertainty.velocity_down": _deviation("velocity", 2),
+    "uncertainty.velocity": _earth_fixed("velocity"),
     "filter.has_attitude": _of_filter(lambda f: f.level),
     "filter.has_position": _of_filter(lambda f: f.placed),
     "filter.state": _of_filter(lambda f: f.state),

@@ -1,4 +1,4 @@
-"""The quantities of GNSS receivers, their satellites and ephemerides."""
+"""The quantities of GNSS receivers and their satellites."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from math import hypot, pi
 from typing import Any
 
 from ...geometry import earth
-from ...geometry.earth import LIGHT, SECOND, WEEK, Vector
+from ...geometry.earth import LIGHT, SECOND, Vector
 from ..surroundings import satellites
 from .world import World
 
@@ -26,12 +26,11 @@ def _base_station(w: World, _: Any) -> Vector:
     return earth.ecef(latitude + 5000.0 / earth.A, longitude, height)
 
 
-def _aiding(w: World) -> tuple[str, ...]:
-    """The aiding of the filter by the receivers."""
-    if not w.gnss:
+def _aiding(w: World, item: Any) -> tuple[str, ...]:
+    """The aiding of the filter by a receiver, or by both."""
+    if not w.gnss or getattr(item, "id", 0) not in {0, *w.filter.options.receivers}:
         return ("no_fix",)
-    used = {"gps": "gps_l1", "glonass": "glonass_l1", "galileo": "galileo_e1", "beidou": "beidou_b1"}
-    return ("tight_coupling", *(name for constellation, name in used.items() if constellation not in w.signals_off))
+    return "tight_coupling", "gps_l1", "glonass_l1", "galileo_e1", "beidou_b1"
 
 
 def _corrected(w: World) -> bool:
@@ -68,13 +67,12 @@ def _gnss(receiver: int) -> dict[str, Function]:
     return {f"gnss_{receiver}.{name}": function for name, function in own.items()}
 
 
-_GNSS: dict[str, Function] = {
+#: Names -> world and item -> value.
+GNSS: dict[str, Function] = {
     "gnss.fix": lambda w, _: w.gnss,
     "gnss.fix_type": lambda w, _: "fix_none" if not w.gnss else "fix_rtk_fixed" if _corrected(w) else "fix_3d",
-    "gnss.fix_flags": lambda w, _: (
-        ("sbas_used",) * (w.gnss and w.augmented) + ("dgnss_used",) * (w.gnss and _corrected(w))
-    ),
-    "gnss.aiding": lambda w, _: _aiding(w),
+    "gnss.fix_flags": lambda w, _: ("sbas_used",) * w.gnss + ("dgnss_used",) * (w.gnss and _corrected(w)),
+    "gnss.aiding": _aiding,
     **_gnss(1),
     **_gnss(2),
     "dop.gdop": lambda w, _: w.dop.gdop,
@@ -102,45 +100,5 @@ _GNSS: dict[str, Function] = {
     "satellite.doppler": lambda w, s: s.doppler,
     "satellite.lock_time": lambda w, s: (w.now - w.booted) / SECOND,
     "gnss.gps_satellites": lambda w, _: satellites.only(w.satellites(1), "gps"),
-    "sbas.system": lambda w, _: satellites.sbas(w.state.longitude)[0],
-    "sbas.id": lambda w, _: satellites.sbas(w.state.longitude)[1],
-    "sbas.corrections": lambda w, _: len(satellites.only(w.satellites(1), "gps")) if w.augmented else 0,
-    "sbas.used": lambda w, _: w.gnss and w.augmented,
     "base_station.ecef": _base_station,
 }
-
-
-def _visible(constellation: str) -> Function:
-    return lambda w, _: satellites.ephemerides(w.satellites(1), constellation, w.gps)
-
-
-def _day(e: satellites.Ephemeris) -> tuple[int, float]:
-    return satellites.glonass_day(e.time, earth.leap_seconds(e.time))
-
-
-_EPHEMERIDES: dict[str, Function] = {
-    **{f"ephemeris.{name}": _visible(name) for name in ("gps", "glonass", "galileo", "beidou")},
-    "ephemeris.satellite": lambda w, e: e.satellite.id,
-    "ephemeris.index": lambda w, e: e.number,
-    "ephemeris.count": lambda w, e: e.of,
-    "ephemeris.issue": lambda w, e: e.time // (7200 * SECOND) % 240,
-    "ephemeris.reference_time": lambda w, e: e.time % WEEK / SECOND,
-    "ephemeris.semi_major_axis": lambda w, e: e.satellite.axis,
-    "ephemeris.mean_anomaly": lambda w, e: e.mean_anomaly,
-    "ephemeris.eccentricity": lambda w, e: satellites.ECCENTRICITY,
-    "ephemeris.argument_of_perigee": lambda w, e: satellites.ARGUMENT,
-    "ephemeris.node": lambda w, e: e.node,
-    "ephemeris.node_rate": lambda w, e: satellites.NODE_RATE,
-    "ephemeris.inclination": lambda w, e: e.satellite.inclination,
-    "ephemeris.clock_bias": lambda w, e: e.satellite.clock_bias,
-    "ephemeris.frequency": lambda w, e: e.satellite.frequency_number,
-    "ephemeris.time_of_day": lambda w, e: _day(e)[1] // 30 * 30,
-    "ephemeris.day_time": lambda w, e: _day(e)[1],
-    "ephemeris.day": lambda w, e: _day(e)[0] % 256,
-    "ephemeris.odd": lambda w, e: int(_day(e)[1] // 900) % 2,
-    "ephemeris.position": lambda w, e: satellites.position_at(e.satellite, e.time / SECOND),
-    "ephemeris.velocity": lambda w, e: satellites.velocity(e.satellite, e.time / SECOND),
-}
-
-#: Names -> world and item -> value.
-GNSS: dict[str, Function] = {**_GNSS, **_EPHEMERIDES}

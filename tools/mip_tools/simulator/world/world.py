@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 from ...geometry import earth
 from ...geometry.attitude import Quaternion, euler, euler_rotation
 from ...geometry.earth import Matrix, Vector, turned_back
-from ..filter.estimate import Complementary, Filter
+from ..filter.estimate import COMPLEMENTARY, Filter, wandering
 from ..motion.state import Motion
-from ..surroundings.surroundings import ANTENNAS, ZERO, Antenna, Surroundings, scaled
+from ..surroundings.surroundings import ANTENNAS, ZERO, Antenna, Surroundings, summed
 
 
 class Place(NamedTuple):
@@ -28,7 +28,6 @@ class World(Surroundings):
     def __init__(self, motion: Motion, *, seed: int | str = 0, start: int | None = None, noise: float = 1.0) -> None:
         super().__init__(motion, seed=seed, start=start, noise=noise)
         self.filter = Filter(self, settled=True)
-        self.complementary = Complementary(self)
 
     def restart(self) -> None:
         """Restarts the device: its clock is at 0, and its settings have not been applied yet."""
@@ -50,12 +49,8 @@ class World(Surroundings):
 
     def _attitude(self) -> tuple[Quaternion, Matrix]:
         self.filter.advance()
-        since, left = self.filter.since, self.filter.left
-        wrong = [pair.shown(since, left) for pair in self.filter.attitude]
-        if not any(wrong):
-            return self.quaternion, self.dcm
-        roll, pitch, yaw = euler(self.dcm)
-        return euler_rotation(roll + wrong[0], pitch + wrong[1], yaw + wrong[2])
+        wrong = self.filter.error("attitude")
+        return euler_rotation(*summed(euler(self.dcm), wrong)) if any(wrong) else (self.quaternion, self.dcm)
 
     @property
     def place(self) -> Place:
@@ -68,42 +63,31 @@ class World(Surroundings):
         self.filter.advance()
         if not self.filter.placed:
             return Place(p.latitude, p.longitude, p.height, p.velocity)
-        since, left = self.filter.since, self.filter.left
-        n, e, d = (pair.shown(since, left) for pair in self.filter.navigation)
-        to_north, to_east, to_down = (pair.shown_rate(left) for pair in self.filter.navigation)
+        n, e, d = self.filter.error("position")
         along, across = earth.radii(p.latitude)
-        u, v, w = p.velocity
         return Place(
             p.latitude + n / (along + p.height),
             p.longitude + e / ((across + p.height) * cos(p.latitude)),
             p.height - d,
-            (u + to_north, v + to_east, w + to_down),
+            summed(p.velocity, self.filter.error("velocity")),
         )
 
     @property
-    def gyro_bias_error(self) -> Vector:
-        """The error of the estimated bias that the setting does not remove."""
-        self.filter.advance()
-        estimated = self.filter.options.estimated
-        if estimated is not None and "gyro_bias" not in estimated:
-            return scaled(self.gyro_bias_left, -1.0)
-        left = self.filter.left
-        return scaled([pair.shown_rate(left) for pair in self.filter.attitude], -1.0)
+    def complementary(self) -> Matrix:
+        """The attitude that the complementary filter estimates: it has errors of its own."""
+        return self.once("complementary", self._complementary)
 
-    @property
-    def accel_bias_error(self) -> Vector:
-        self.filter.advance()
-        estimated = self.filter.options.estimated
-        if estimated is not None and "accel_bias" not in estimated:
-            return scaled(self.accel_bias_left, -1.0)
-        left = self.filter.left
-        return scaled([pair.shown(0.0, left) for pair in self.filter.accel_bias], 1.0)
+    def _complementary(self) -> Matrix:
+        if not self.noise:
+            return self.dcm
+        deviation = self.noise * COMPLEMENTARY
+        wrong = [deviation * wandering(f"{self.seed}:complementary:{i}", self.time) for i in range(3)]
+        return euler_rotation(*summed(euler(self.dcm), wrong))[1]
 
     def fix(self, receiver: int) -> Antenna:
         """The position of the antenna as the receiver measures it."""
-        return self.once(f"fix {receiver}", lambda: self._fix(receiver))
-
-    def _fix(self, receiver: int) -> Antenna:
-        self.filter.advance()
-        wrong, faster = self.filter.fix_errors[receiver]
-        return Antenna(self.state, ANTENNAS[receiver], wrong, faster) if self.noise else self.antenna(receiver)
+        if not self.noise:
+            return self.antenna(receiver)
+        return self.once(
+            f"fix {receiver}", lambda: Antenna(self.state, ANTENNAS[receiver], *self.filter.fix_error(receiver))
+        )
