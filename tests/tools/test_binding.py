@@ -54,7 +54,6 @@ def test_every_way_to_name_a_package(own: Path) -> None:
         assert mip(*words, MIP_PACKAGE="nothing") == wanted, words
     assert mip("--package", folder.name, "fields", path=own) == wanted
     assert mip("fields", MIP_PACKAGE=str(own)) == wanted
-    assert mip("completion", "words", "--", "--package", own, "fields", "me").splitlines()[0] == "measurements"
 
 
 def test_columns_and_a_virtual_device_of_two_fields(own: Path) -> None:

@@ -1,4 +1,4 @@
-"""Tables: rows of instants and of packets, their names and types, in frames and in all files; rows at equal steps."""
+"""Tables: rows of instants and of packets, their names and types, in frames and in all files."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from mip_protocol.reflection import info
 from mip_protocol.timestamps import moments
 from mip_tools import read_log
 from mip_tools.__main__ import main
-from mip_tools.columns import frames, instants, resample, tables, text, timeline
+from mip_tools.columns import frames, instants, tables, text, timeline
 from mip_tools.columns.tables import Form
 from random_values import chance
 from support import later, rounds
-from test_columns import gps, reference
+from test_columns import gps
 from timed_packets import packet
 
 np, pa, pq, pandas, polars = (later(name) for name in ("numpy", "pyarrow", "pyarrow.parquet", "pandas", "polars"))
@@ -207,27 +207,14 @@ def test_frames_of_all_libraries_and_all_files_have_one_schema(tmp_path: Path) -
         base = tables_as_arrow(next(iter(tables.table_parts(log, kinds, form)))[0])
         assert base.num_rows > 100
         files = {}
-        for form_ in ("parquet", "arrow", "npz", "csv", "jsonl"):
+        for form_ in ("parquet", "csv", "jsonl"):
             files[form_] = tmp_path / f"t.{form_}"
             assert main(["export", str(tmp_path / "log.bin"), "-o", str(files[form_]), *words]) == 0
-        for read in (pq.read_table(files["parquet"]), pa.ipc.open_file(files["arrow"]).read_all()):
-            assert read.schema.equals(base.schema, check_metadata=True)
-            assert repr(read.to_pydict()) == repr(base.to_pydict())
+        read = pq.read_table(files["parquet"])
+        assert read.schema.equals(base.schema, check_metadata=True)
+        assert repr(read.to_pydict()) == repr(base.to_pydict())
         units = {f.name: (f.metadata or {}).get(b"unit", b"").decode() for f in base.schema}
         wanted = as_rows(base)
-
-        with np.load(files["npz"]) as arrays:
-            schema = json.loads(str(arrays["schema"]))
-            assert {name: facts.get("unit", "") for name, facts in schema.items()} == units
-            assert arrays["time"].dtype == "datetime64[ns]"
-            for name, kind in zip(base.schema.names, base.schema.types):
-                held = arrays[name]
-                valid = arrays[f"{name}/valid"] if f"{name}/valid" in arrays else np.ones(len(held), bool)
-                assert valid.tolist() == [v is not None for v in base[name].to_pylist()]
-                if name != "time":
-                    assert held.dtype == kind.to_pandas_dtype()
-                    present = [v for v in base[name].to_pylist() if v is not None]
-                    assert all(map(equal, held[valid].tolist(), present))
 
         table = list(csv.reader(io.StringIO(files["csv"].read_text())))
         assert table[0] == [f"{name} [{unit}]" if unit else name for name, unit in units.items()]
@@ -309,136 +296,7 @@ def test_parts_are_freed_as_they_are_passed() -> None:
         gc.enable()
 
 
-# --------------------------------------------------------------------------- equal steps
-
-
-def sampled(stream: bytes, rate: Any = "10Hz", kinds: Any = None, **options: Any) -> Any:
-    return read_log(stream).resample(rate, kinds, units=False, **options)
-
-
-def moving(times: list[float], make: Any, number: int = 0x80) -> bytes:
-    return b"".join(packet(number, gps(t), make(t)) for t in times)
-
-
-def test_linear_nearest_and_last() -> None:
-    stream = moving([10.0, 10.2, 10.4, 10.6], lambda t: accel(round(t - 10, 6)))
-    x = "scaled_accel.x"
-    kind = "sensor.scaled_accel"
-    assert sampled(stream, 10, kind)[x].tolist() == pytest.approx([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
-    near = sampled(stream, "20 Hz", kind, method="nearest")[x].tolist()
-    assert near == pytest.approx([0, 0, 0, 0.2, 0.2, 0.2, 0.2, 0.4, 0.4, 0.4, 0.4, 0.6, 0.6])
-    last = sampled(stream, "100ms", kind, method="last")[x].tolist()
-    assert last == pytest.approx([0, 0, 0.2, 0.2, 0.4, 0.4, 0.6])
-    assert sampled(stream, 5, kind)[x].tolist() == np.float32([0, 0.2, 0.4, 0.6]).tolist()  # exactly what was measured
-    times = sampled(stream, 10, kind)["time"].astype(str).tolist()
-    assert times[1].endswith("52.100000+00:00") and times[0].endswith("52+00:00")
-
-
-def test_angles_take_the_short_way_and_flags_are_never_between() -> None:
-    stream = moving([10.0, 10.2, 10.4], lambda t: angles({10.0: 3.0, 10.2: -3.0, 10.4: -2.8}[t], flags=1), 0x82)
-    frame = sampled(stream, 10, "filter_data.euler_angles")
-    middle = math.remainder((3.0 + (2 * math.pi - 3.0)) / 2, 2 * math.pi)
-    yaw = frame["yaw"].tolist()
-    assert abs(yaw[1]) == pytest.approx(abs(middle), abs=1e-6)
-    assert yaw[3] == pytest.approx(-2.9)
-    assert frame["valid_flags"].tolist() == [1] * 5
-    assert str(frame["valid_flags"].dtype).lower() == "uint16"
-
-
-def test_quaternions_stay_of_length_one() -> None:
-    half = math.sqrt(0.5)
-    values = {
-        10.0: (1, 0, 0, 0),
-        10.2: (-half, 0, 0, -half),
-        10.4: (0, 0, 0, 1),
-    }  # a quarter turn; the signs are arbitrary
-    stream = moving([*values], lambda t: (0x03, struct.pack(">4fH", *values[t], 1)), 0x82)
-    frame = sampled(stream, 10, "filter_data.attitude_quaternion")
-    parts = frame[[c for c in frame if c.endswith((".w", ".x", ".y", ".z"))]].to_numpy()
-    assert np.linalg.norm(parts, axis=1) == pytest.approx([1] * 5, abs=1e-6)
-    assert abs(parts[1] @ (math.cos(math.pi / 8), 0, 0, math.sin(math.pi / 8))) == pytest.approx(1, abs=1e-3)
-
-
-def test_gaps_pauses_and_invalid_values_are_not_bridged() -> None:
-    times = [10.0, 10.1, 10.2, 10.3, 11.0, 11.1, 11.2, 40.0, 40.1]
-    stream = moving(times, lambda t: angles(t / 100, flags=int(t != 10.1)), 0x82)
-    frame = sampled(stream, 10, "filter_data.euler_angles")
-    yaw = frame["yaw"].tolist()
-    assert yaw[1] == pytest.approx(0.101)  # between its valid neighbours
-    assert np.isnan(yaw[4:10]).all() and yaw[10] == pytest.approx(0.11)
-    assert len(frame) == 13 + 2  # nothing in the pause
-    again = moving([10.0, 10.1], accel) + moving([5000.0, 5000.1], accel) + moving([10.0, 10.1], accel)
-    assert sampled(again, 10, "sensor.scaled_accel")["scaled_accel.x"].tolist() == pytest.approx(
-        [10, 10.1, 5000, 5000.1, 10, 10.1], rel=1e-6
-    )
-
-
-@pytest.mark.parametrize("library", ["pandas", "pyarrow"])
-def test_clocks_are_merged_and_stated(library: str) -> None:
-    """The filter has only the reference clock; the sensor's packets have both."""
-    stream = b"".join(
-        packet(0x80, gps(10 + i / 10), reference(7_000_000_000 + i * 100_000_000), accel(i))
-        + packet(0x82, reference(7_050_000_000 + i * 100_000_000), angles(i / 10))
-        for i in range(10)
-    )
-    found = read_log(stream).resample("20Hz", library=library, time="gps")
-    if library == "pandas":
-        assert found.attrs.pop("units")["sensor.scaled_accel.x [g]"] == "g"
-        assert found.attrs == {"clock": "gps", "converted": "filter_data from reference"}
-        yaw = found["filter_data.euler_angles.yaw [rad]"].tolist()
-        assert yaw[1::2] == pytest.approx([i / 10 for i in range(10)], abs=1e-6)
-        assert np.isnan(yaw[0])
-    else:
-        assert found.schema.field("time").metadata == {b"clock": b"gps", b"converted": b"filter_data from reference"}
-
-
-@pytest.mark.parametrize("rate", ["fast", "0Hz", -1, "10 miles", "2h", float("nan"), "1GHz"])
-def test_rates_that_cannot_be(rate: Any) -> None:
-    with pytest.raises(ValueError, match="write '100Hz', '10ms', or a number in Hz"):
-        resample.parse_step(rate)
-
-
-def test_what_cannot_be_resampled() -> None:
-    with pytest.raises(ValueError, match="no valid timestamps"):
-        sampled(packet(0x80, accel(1)))
-    with pytest.raises(ValueError, match="method 'cubic': linear, nearest, last"):
-        sampled(moving([1.0], accel), method="cubic")
-
-
-# --------------------------------------------------------------------------- NMEA, and what notebooks show
-
-
-def nmea(body: str) -> bytes:
-    check = 0
-    for byte in body.encode():
-        check ^= byte
-    return f"${body}*{check:02X}\r\n".encode()
-
-
-def test_nmea_sentences_are_a_table_with_times() -> None:
-    lines = [nmea("GPGGA,1,2"), nmea("PMSTR,x"), nmea("GNRMC,,,A")]
-    data = [packet(0x80, gps(10 + i), accel(i)) for i in range(3)]
-    stream = lines[0] + data[0] + lines[1] + b"$GPGGA,bad*00\r\n" + data[1] + lines[2][:5] + data[2] + lines[2][5:]
-    log = read_log(stream)
-    frame = log.nmea()
-    assert frame["sentence"].tolist() == [line.strip().decode() for line in lines]
-    assert frame["talker"].tolist() == ["GP", "P", "GN"] and frame["type"].tolist() == ["GGA", "MSTR", "RMC"]
-    assert frame["fields"].tolist() == [["1", "2"], ["x"], ["", "", "A"]]
-    assert frame["offset"].tolist() == [0, len(lines[0] + data[0]), stream.index(b"$GNRM")]
-    assert frame["time"].isna().tolist() == [True, False, False]
-    assert str(frame["time"][2] - frame["time"][1]) == "0 days 00:00:01"
-    assert log.nmea(library="polars").height == log.nmea(library="pyarrow", time=None).num_rows == 3
-    assert len(read_log(data[0]).nmea()) == 0
-
-
-def test_what_a_notebook_shows() -> None:
-    log = read_log(b"".join(packet(0x80, reference(i * 10_000_000), accel(i)) for i in range(5)) + b"<x>")
-    shown = log._repr_html_()
-    assert "5 packets, 3 bytes outside packets" in shown and "&lt;Log in memory" in shown
-    assert "sensor.scaled_accel</td><td style='text-align: right'>5</td><td style='text-align: right'>100<" in shown
-    names = log._ipython_key_completions_()
-    assert names == ["sensor.scaled_accel", "shared.reference_timestamp"]
-    assert all(len(log[name]) == 5 for name in names)
+# --------------------------------------------------------------------------- texts
 
 
 def test_text_of_special_values() -> None:

@@ -77,14 +77,13 @@ def test_a_class_alone_finds_the_only_set() -> None:
 # --------------------------------------------------------------------------- the command line
 
 
-@pytest.mark.parametrize("align", [[], ["--align", "gnss_2.dop"]], ids=["rows", "aligned"])
-def test_an_export_has_both_receivers(align: list[str], log: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, error = run(capsys, "export", log, "-o", "-", *align)
+def test_an_export_has_both_receivers(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, error = run(capsys, "export", log, "-o", "-")
     assert code == 0 and error.endswith("no date: no timestamps; add one to the message format\n")
     rows = list(csv.DictReader(out.splitlines()))
     assert [r["gnss_2.dop.gdop"] for r in rows if r["gnss_2.dop.gdop"]] == ["146.0", "146.25", "146.5"]
     assert [r["gnss_1.dop.gdop"] for r in rows if r["gnss_1.dop.gdop"]] == ["145.0", "145.25", "145.5"]
-    code, out, error = run(capsys, "export", log, "-o", "-", "--format", "jsonl", *align)
+    code, out, error = run(capsys, "export", log, "-o", "-", "--format", "jsonl")
     found = [json.loads(line) for line in out.splitlines()]
     for name, wanted in (("gnss_1.dop.gdop", [145, 145.25, 145.5]), ("gnss_2.dop.gdop", [146, 146.25, 146.5])):
         assert [line[name] for line in found if name in line] == wanted
@@ -105,15 +104,9 @@ def test_reports_have_both_receivers(log: Path, capsys: pytest.CaptureFixture[st
     assert run(capsys, "fields", "gnss_2.dop")[1].startswith("gnss_2.dop (0x92,0x07), data\n")
     out = run(capsys, "fields", "gnss_2")[1]
     assert "0x92,0x07  gnss_2.dop " in out and "gnss_1" not in out
-    out = run(capsys, "bandwidth", "gnss_1.dop@1", "gnss_2.dop@2")[1]
-    assert "  gnss_1.dop " in out and "  gnss_2.dop " in out
-    assert "gnss_2.dop " in run(capsys, "bandwidth", "gnss_2:dop@2")[1]
-    assert "gnss_2.dop" in run(capsys, "completion", "words", "--", "fields", "gnss_2.do")[1]
 
 
-@pytest.mark.parametrize(
-    "words", [["bandwidth", "dop@1"], ["export", "LOG", "-o", "-", "--align", "dop"], ["plot", "LOG", "dop.gdop"]]
-)
+@pytest.mark.parametrize("words", [["plot", "LOG", "dop.gdop"]])
 def test_a_name_of_both_receivers_is_refused(words: list[str], log: Path, capsys: pytest.CaptureFixture[str]) -> None:
     if words[0] == "plot":
         words = [*words, "-o", str(log.with_name("t.png"))]

@@ -1,4 +1,4 @@
-"""`mip info`, `dump` and `cut` do the same by columns as packet by packet; and parts of their code."""
+"""`mip info` and `cut` do the same by columns as packet by packet; and parts of their code."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from mip_protocol.text import shortest
 from mip_tools.columns import intervals, read_log, text, timeline, times
 from mip_tools.columns import packets as columns_packets
 from mip_tools.columns.stamps import NONE
-from mip_tools.commands import cut, dump, info
+from mip_tools.commands import cut, info
 from mip_tools.formats import messages
 from mip_tools.formats.json_messages import encoded
-from mip_tools.logs import inputs, lines, scan
+from mip_tools.logs import inputs, scan
 from mip_tools.logs import report as log_report
 from mip_tools.names.occurrence import occurrence_in
 from mip_tools.names.selection import Selection
@@ -117,37 +117,8 @@ def test_info(stream: bytes, piece: int, monkeypatch: pytest.MonkeyPatch) -> Non
         assert {n: held(i) for n, i in fast.clocks[clock].items()} == {n: held(i) for n, i in sets.items()}
 
 
-@pairwise(
-    **each_stream,
-    form=[[], ["--json"]],
-    device=[[], ["--device", "3dm-gx5-15"]],
-    fields=[[], ["--only", "sensor,shared"], ["--without", "0x82"]],
-)
-def test_dump(
-    stream: bytes,
-    form: list[str],
-    device: list[str],
-    fields: list[str],
-    tmp_path: Path,
-    capsys: Any,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """The same lines by columns as packet by packet."""
-    (tmp_path / "log.bin").write_bytes(stream)
-    seen = []
-    monkeypatch.setattr(lines, "PART", 3000)
-    monkeypatch.setattr(row_texts, "_MANY", 1)  # pyarrow formats a few rows, too
-    whole = lines.object_lines
-    monkeypatch.setattr(lines, "object_lines", lambda *given: seen.append(1) or whole(*given))
-    words = ["dump", tmp_path / "log.bin", *form, *device, *fields]
-    fast = run(capsys, *words)
-    monkeypatch.setattr(dump, "_by_columns", lambda *given: False)
-    assert fast == run(capsys, *words)
-    assert len(seen) == 1
-
-
 @pytest.mark.parametrize("form", [[], ["--json"]])
-def test_bits_that_depend_on_a_state(form: list[str], tmp_path: Path, capsys: Any, monkeypatch: Any) -> None:
+def test_bits_that_depend_on_a_state(form: list[str], tmp_path: Path, capsys: Any) -> None:
     """The same flags in the different states of a filter have different names, in lines and in tables."""
     data = b""
     for state, flags in ((2, 0x1000), (1, 0x1000), (2, 1), (4, 1), (1, 0x1100), (2, 0x1000)):
@@ -156,10 +127,7 @@ def test_bits_that_depend_on_a_state(form: list[str], tmp_path: Path, capsys: An
     (tmp_path / "log").write_bytes(data)
     device = ["--device", "3dm-gx5-15"]
     words = ["dump", tmp_path / "log", *device, *form]
-    code, fast, _ = run(capsys, *words)
-    with monkeypatch.context() as plainly:
-        plainly.setattr(dump, "_by_columns", lambda *given: False)
-        assert (code, fast) == run(capsys, *words)[:2]
+    fast = run(capsys, *words)[1]
     run(capsys, "export", tmp_path / "log", "status", *device, "--names", "-o", tmp_path / "t.csv")
     names = [
         "run_mag_bias_est_high_warning",
@@ -177,10 +145,9 @@ def test_bits_that_depend_on_a_state(form: list[str], tmp_path: Path, capsys: An
 Pieces = list[scan.Piece]
 
 
-def cut_plainly(pieces: Pieces, options: dict[str, str], skipped: bool, pipe: bool) -> bytes:
+def cut_plainly(pieces: Pieces, options: dict[str, str]) -> bytes:
     """A part of a log packet by packet."""
     only = options.get("--only", "")
-    first, end = (int(n or 10**9) for n in options.get("--bytes", "0:").split(":"))
     since, until = (
         clocks.SECOND * float(options.get(word, late)) for word, late in (("--begin", "-inf"), ("--end", "inf"))
     )
@@ -191,11 +158,10 @@ def cut_plainly(pieces: Pieces, options: dict[str, str], skipped: bool, pipe: bo
         return b""
     moments = iter(times.of_packets(log, clock).tolist() if clock else [times.NONE] * len(pieces))
     added: Any = 0
-    within, out, start, now = first == 0 and "--begin" not in options, b"", None, None
+    out, start, now = b"", None, None
     found = False
     for piece in pieces:
         if piece.packet is None:
-            out += piece.data * (within and skipped)
             continue
         time = next(moments)
         if piece.offset in line.restarts(clock):
@@ -204,13 +170,12 @@ def cut_plainly(pieces: Pieces, options: dict[str, str], skipped: bool, pipe: bo
             added = now - time if added is None else added
             now = time + added
         start = now if start is None else start
-        timed = "--begin" not in options if now is None or start is None else since <= now - start < until
-        within = first <= piece.offset < end and timed
+        within = "--begin" not in options if now is None or start is None else since <= now - start < until
         fields = list(decoding.raw_fields(piece.packet))
         wanted = [raw for raw in fields if not only or (raw.set, raw.descriptor) in ((0x80, 4), (0x82, 5))]
         found = found or (within and (not only or bool(wanted)))
         if any((raw.set, raw.descriptor) == (0x01, 0x81) for raw in fields):  # of a file, also outside the bounds
-            out += piece.data * (not pipe or piece.offset < end)
+            out += piece.data
             continue
         if not within or (only and not wanted):
             continue
@@ -218,14 +183,13 @@ def cut_plainly(pieces: Pieces, options: dict[str, str], skipped: bool, pipe: bo
         for raw in wanted:
             builder.add(raw.descriptor, raw.data)
         out += piece.data if len(wanted) == len(fields) else bytes(builder.build())
-    return out if found or skipped else b""
+    return out if found else b""
 
 
 @pairwise(
     **each_stream,
-    part=[{}, {"--bytes": "300:9000"}, {"--begin": "0.5"}, {"--end": "1.5"}, {"--begin": "0", "--end": "1000"}],
+    part=[{}, {"--begin": "0.5"}, {"--end": "1.5"}, {"--begin": "0", "--end": "1000"}],
     only=[{}, {"--only": "sensor.scaled_accel,filter_data.euler_angles"}],
-    skipped=[False, True],
     piece=PIECES,
     pipe=[False, True],
 )
@@ -233,7 +197,6 @@ def test_cut(
     stream: bytes,
     part: dict[str, str],
     only: dict[str, str],
-    skipped: bool,
     piece: int,
     pipe: bool,
     tmp_path: Path,
@@ -245,8 +208,8 @@ def test_cut(
     monkeypatch.setattr(inputs, "_BATCH", 5 * piece)
     (tmp_path / "log").write_bytes(stream)
     scanner = scan.Scanner()
-    wanted = cut_plainly([*scanner.feed(stream), *scanner.flush()], part | only, skipped, pipe)
-    words = [*(word for option in (part | only).items() for word in option), *["--keep-skipped"] * skipped]
+    wanted = cut_plainly([*scanner.feed(stream), *scanner.flush()], part | only)
+    words = [*(word for option in (part | only).items() for word in option)]
     name, data = ("-", stream) if pipe else (tmp_path / "log", b"")
     code, _, error = mip("cut", name, "-o", tmp_path / "part", *words, data=data)
     assert (code, error.count("\n")) == (0, 0) if wanted else code == 1

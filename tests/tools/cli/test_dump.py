@@ -126,7 +126,7 @@ def test_any_bytes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
             ["dump", path, "--tree", "--device", "3dm-gx5-15"],
             ["info", path],
             ["info", path, "--json"],
-            ["cut", path, "-o", tmp_path / "part", "--only", "sensor", "--keep-skipped"],
+            ["cut", path, "-o", tmp_path / "part", "--only", "sensor"],
             ["cut", path, "-o", tmp_path / "part", "--begin", "0.1"],
             ["export", path, "-o", tmp_path / "out.csv", "--invalid", "mask", "--names"],
             ["export", path, "-o", tmp_path / "out.jsonl", "--time", "none"],

@@ -2,29 +2,24 @@
 
 from __future__ import annotations
 
-import json
 import os
 import random
 import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 from mip_tools import fleet, read_log
 from mip_tools.errors import Failure, Misuse
-from mip_tools.fleet import dataset, run, sources
-from program import ENVIRONMENT, command, log, mip, until
-from support import NIGHTLY, SEED, SPECS, heavy, later
+from mip_tools.fleet import dataset, sources
+from program import ENVIRONMENT, log, mip, until
+from support import NIGHTLY, SEED, heavy, later
 
 arrow = later("pyarrow")
 parquet = later("pyarrow.parquet")
-
-GROUP = 10_000  # bytes: small enough for several groups in these logs
 
 
 def logs(folder: Path, count: int = 5) -> Path:
@@ -36,18 +31,6 @@ def logs(folder: Path, count: int = 5) -> Path:
     (folder / "text.bin").write_bytes(b"no packets\n" * 100)
     (folder / "empty.bin").write_bytes(b"")
     return folder
-
-
-@pytest.fixture
-def here(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Workers are threads of this process, which takes a tenth of the time."""
-
-    @contextmanager
-    def client(dask: Any, workers: Any, scheduler: Any) -> Iterator[Any]:
-        with dask.Client(processes=False, n_workers=1, threads_per_worker=2, dashboard_address="127.0.0.1:0") as one:
-            yield one
-
-    monkeypatch.setattr(run, "_client", client)
 
 
 def rows(out: Path) -> dict[tuple[str, str, str], Any]:
@@ -90,10 +73,10 @@ def assert_complete(out: Path, folder: Path) -> None:
     assert manifest.rows == sum(map(len, want.values())) == sum(one.rows for one in manifest.logs)
 
 
-@heavy("Dask")
-def test_a_data_set_has_the_rows_of_its_logs(tmp_path: Path, here: None, capsys: Any) -> None:
+@heavy("workers")
+def test_a_data_set_has_the_rows_of_its_logs(tmp_path: Path) -> None:
     folder, out = logs(tmp_path / "logs"), tmp_path / "out"
-    code, said, errors = mip("fleet", folder, "-o", out, "--device-from", "^(car .)/")
+    code, said, errors = mip("fleet", folder, "-o", out, "--workers", "2")
     assert code == 1 and "5 logs added, 0 known, 2 failed" in said
     assert (
         errors
@@ -103,30 +86,30 @@ def test_a_data_set_has_the_rows_of_its_logs(tmp_path: Path, here: None, capsys:
     catalogue = fleet.open(out).catalogue().to_pylist()
     assert {row["log"] for row in catalogue} == {one.name for one in fleet.open(out).manifest.logs}
     sensor = next(row for row in catalogue if row["log"] == "car 1/drive3.bin" and row["set"] == "sensor")
-    assert sensor["device"] == "car 1" and sensor["rate"] == pytest.approx(100) and sensor["gaps"] == 0
+    assert sensor["device"] is None and sensor["rate"] == pytest.approx(100) and sensor["gaps"] == 0
     assert (sensor["last_utc"] - sensor["first_utc"]).total_seconds() == pytest.approx(4, abs=0.1)
     table = fleet.open(out).dataset("sensor.scaled_accel").to_table()
-    assert set(table["device"].to_pylist()) == {"car 0", "car 1"}
+    assert set(table["log"].to_pylist()) == {row["log"] for row in catalogue}
     with pytest.raises(LookupError, match="no such rows"):
         fleet.open(out).files("sensor.scaled_gyrox")
     # A second run adds nothing: a log under another name is known, and another log under a known name is rejected.
     before = rows(out)
     shutil.copy(folder / "car 0/drive0.bin", folder / "copy.bin")
     (folder / "car 0/drive2.bin").write_bytes(log(0.5))
-    built = fleet.build_dataset(folder, out, device="^(car .)/")
+    built = fleet.build_dataset(folder, out, workers=1)
     assert built.added == [] and "copy.bin" in built.unchanged and "has changed" in built.failed["car 0/drive2.bin"]
     assert rows(out).keys() == before.keys()
     with pytest.raises(Failure, match=r"only .*; use the same options, or another folder"):
-        fleet.build_dataset(folder, out, only=["sensor"], device="^(car .)/")
+        fleet.build_dataset(folder, out, only=["sensor"])
 
 
-@heavy("Dask")
-def test_a_run_that_fails_anywhere_goes_on(tmp_path: Path, here: None, monkeypatch: pytest.MonkeyPatch) -> None:
+@heavy("workers")
+def test_a_run_that_fails_anywhere_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder, out = logs(tmp_path / "logs", 2), tmp_path / "out"
-    fleet.build_dataset(folder, out, group=GROUP)
+    fleet.build_dataset(folder, out)
     logs(folder, 4)
     whole = tmp_path / "whole"
-    fleet.build_dataset(folder, whole, group=GROUP)
+    fleet.build_dataset(folder, whole)
     replace, places = os.replace, 0
 
     def counted(*paths: Any) -> None:
@@ -137,18 +120,18 @@ def test_a_run_that_fails_anywhere_goes_on(tmp_path: Path, here: None, monkeypat
         replace(*paths)
 
     before = rows(out)
-    for stop in (0, 1, 6, 13, 20, 26, 27, 28):
+    for stop in (0, 1, 6, 13, 20, 26):
         trial = tmp_path / f"trial{stop}"
         shutil.copytree(out, trial)
         monkeypatch.setattr(dataset.os, "replace", counted)
         places = stop
         try:
-            fleet.build_dataset(folder, trial, group=GROUP)
+            fleet.build_dataset(folder, trial)
         except Failure:
             assert rows(trial).keys() == before.keys()  # the manifest still has what was there
         monkeypatch.setattr(dataset.os, "replace", replace)
         if places == 0:
-            fleet.build_dataset(folder, trial, group=GROUP)
+            fleet.build_dataset(folder, trial)
         assert_complete(trial, folder)
         shutil.rmtree(trial)
 
@@ -157,11 +140,11 @@ PROGRAM = """
 import sys
 from mip_tools import fleet
 if __name__ == "__main__":
-    fleet.build_dataset(*sys.argv[1:3], workers=2, group=10000)
+    fleet.build_dataset(*sys.argv[1:3], workers=2)
 """
 
 
-@heavy("Dask")
+@heavy("workers")
 def test_workers_and_the_parent_are_killed(tmp_path: Path) -> None:
     import psutil
 
@@ -200,63 +183,26 @@ def cmdline(process: Any) -> list[str]:
         return []
 
 
-@heavy("Dask")
-def test_a_scheduler_elsewhere_by_its_address(tmp_path: Path) -> None:
-    """A scheduler and a worker that others have started; the worker uses the package that is named, too."""
-    folder, out, known = logs(tmp_path / "logs", 2), tmp_path / "out", tmp_path / "scheduler.json"
-    words = ["--scheduler-file", str(known), "--no-dashboard"]
-    started = []
-    for name, more in (("scheduler", ["--host", "127.0.0.1", "--port", "0"]), ("worker", ["--nthreads", "1"])):
-        where = [sys.executable, "-m", f"distributed.cli.dask_{name}", *words, *more]
-        started.append(subprocess.Popen(where, env=ENVIRONMENT, cwd=tmp_path, stderr=subprocess.DEVNULL))
-    try:
-        until(lambda: known.exists() and known.read_text("utf-8"))
-        address = json.loads(known.read_text("utf-8"))["address"]
-        done = subprocess.run(
-            command("fleet", folder, "-o", out, "--scheduler", address, "--package", SPECS["real"][1] / "python"),
-            env=ENVIRONMENT, capture_output=True, text=True,
-        )  # fmt: skip
-        assert done.returncode == 1 and "2 logs added, 0 known, 2 failed" in done.stdout, done.stderr
-        assert started[0].poll() is None  # it belongs to others
-    finally:
-        for process in started:
-            process.kill()
-            process.wait()
-    assert_complete(out, folder)
-
-
-@heavy("Dask")
-def test_urls_and_what_is_wrong(tmp_path: Path, here: None, monkeypatch: pytest.MonkeyPatch) -> None:
-    import fsspec
-
-    memory = fsspec.filesystem("memory")
-    memory.makedirs("/fleet/a", exist_ok=True)
-    with memory.open("/fleet/a/drive0.bin", "wb") as file:
-        file.write(log(1.0))
+@heavy("workers")
+def test_urls_and_what_is_wrong(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "logs/a").mkdir(parents=True)
     (tmp_path / "logs/a/drive0.bin").write_bytes(log(1.0))
-    fleet.build_dataset("memory://fleet", tmp_path / "out")
+    store = f"file://{tmp_path}/logs"
+    fleet.build_dataset(store, tmp_path / "out", workers=1)
     assert_complete(tmp_path / "out", tmp_path / "logs")
     with pytest.raises(Misuse, match=r"both called drive0\.bin"):
-        fleet.build_dataset([tmp_path / "logs/a", "memory://fleet/a"], tmp_path / "out")
+        fleet.build_dataset([tmp_path / "logs/a", f"{store}/a"], tmp_path / "out")
     with pytest.raises(Misuse, match=r"s3://bucket/out: a data set is made in a folder"):
-        fleet.build_dataset("memory://fleet", "s3://bucket/out")
+        fleet.build_dataset(store, "s3://bucket/out")
 
     def unreachable(*_: Any) -> bool:
         raise ConnectionError("no route to host\nwhile reading")
 
-    monkeypatch.setattr("fsspec.implementations.memory.MemoryFileSystem.isdir", unreachable)
-    with pytest.raises(Failure, match=r"^memory://fleet cannot be read: no route to host$"):
-        fleet.build_dataset("memory://fleet", tmp_path / "out")
+    monkeypatch.setattr("fsspec.implementations.local.LocalFileSystem.isdir", unreachable)
+    with pytest.raises(Failure, match=r"^file://.* cannot be read: no route to host$"):
+        fleet.build_dataset(store, tmp_path / "out")
     with dataset.alone(tmp_path / "out"), pytest.raises(Failure, match="another run is active"):
         fleet.build_dataset(tmp_path / "logs", tmp_path / "out")
-    done = subprocess.run(
-        command("fleet", tmp_path / "logs", "-o", tmp_path / "x", "--scheduler", "tcp://127.0.0.1:9"),
-        env={**ENVIRONMENT, "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "1"},
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 1 and "no Dask scheduler answers at tcp://127.0.0.1:9" in done.stderr
 
 
 def test_names_of_logs(tmp_path: Path) -> None:
@@ -273,5 +219,3 @@ def test_names_of_logs(tmp_path: Path) -> None:
             sources.find_logs([str(given)], "*.log")
     code, _, error = mip("fleet", tmp_path, "-o", tmp_path / "out", "--only", "sensor.acel")
     assert code == 2 and "did you mean" in error
-    code, _, error = mip("fleet", tmp_path, "-o", tmp_path / "out", "--device-from", "car")
-    assert code == 2 and "has no group" in error

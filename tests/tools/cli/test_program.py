@@ -1,14 +1,11 @@
-"""The program: help, errors, completion, the specification, bandwidths."""
+"""The program: help, errors, the specification."""
 
 from __future__ import annotations
 
 import json
 import marshal
-import os
 import re
 import shlex
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -17,7 +14,7 @@ from mip_tools import __main__
 from mip_tools.devices.profiles import device_named
 from mip_tools.names import search
 from mip_tools.simulator import VirtualDevice
-from program import DEVICE, ENVIRONMENT, log, mip, on_a_full_disk, run
+from program import DEVICE, ENVIRONMENT, log, on_a_full_disk, run
 from random_values import chance
 from support import ROOT, rounds
 
@@ -28,7 +25,7 @@ def test_help(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     text = __main__.COMMANDS[name]
     assert (code, error) == (0, "") and out.startswith("usage: mip ") and text[1:] in " ".join(out.split())
     assert name == "simulate" or all(len(line) <= 100 for line in out.splitlines()), max(out.splitlines(), key=len)
-    assert name == "completion" or "examples:" in out
+    assert "examples:" in out
     used = set(re.findall(r"(?<=\s)--?[a-z][a-z-]*", out.partition("examples:")[2]))
     assert used <= set(re.findall(r"--?[a-z][a-z-]*", out.partition("examples:")[0])) | {"--help"}
 
@@ -37,19 +34,16 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
     said = "'dumb' is not a command; did you mean 'dump'? `mip --help` lists them"
     assert run(capsys, "dumb") == (2, "", f"mip: {said}\n")
     assert run(capsys, "zzz") == (2, "", "mip: 'zzz' is not a command; `mip --help` lists them\n")
-    for words in (["dump"], ["dump", "--speed"], ["cut", "x", "-o", "y", "--bytes", "a"], ["send"]):
+    for words in (["dump"], ["dump", "--speed"], ["cut", "x", "-o", "y", "--begin", "a"], ["send"]):
         code, out, error = run(capsys, *words)
         assert (code, out) == (2, "") and error.startswith("usage: ") and "error: " in error.splitlines()[-1]
-    for words, required in (("send", "PORT"), ("completion", "SHELL"), ("export", "FILE, -o/--output")):
+    for words, required in (("send", "PORT"), ("export", "FILE, -o/--output")):
         assert run(capsys, words)[2].endswith(f"the following arguments are required: {required}\n")
     assert run(capsys, "send", "PORT") == (
         2,
         "",
         "mip send: the command is missing; `mip fields` lists the sets, `mip fields SET` their commands\n",
     )
-    code, out, error = run(capsys, "completion", "tcsh")
-    assert code == 2 and error.endswith("argument SHELL: 'tcsh' is not one of bash, zsh, fish\n")
-    assert "WORD" not in run(capsys, "completion", "--help")[1]
     _, _, error = run(capsys, "dump", "x", "--fast")
     assert error.splitlines()[-1] == "mip dump: error: --fast is not recognized; see --help"
 
@@ -65,7 +59,6 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
         ("send 3dm.accel_bias --hex write -1,0,0", "send --hex 3dm.accel_bias write -1,0,0"),
         ("dump LOG --count 3 LOG", "dump LOG LOG --count 3"),
         ("dump --count 1 -- LOG", "dump LOG --count 1"),
-        ("bandwidth sensor.scaled_accel@9 --baud 9600 gnss_1.llh_position@1", None),
     ],
 )
 def test_options_may_stand_between_the_words(
@@ -87,7 +80,7 @@ def test_options_may_stand_between_the_words(
 OF_A_DEVICE = (
     "dump LOG", "info LOG", "doctor LOG", "export LOG -o OUT", "plot LOG sensor.scaled_accel -o OUT.png",
     "cut LOG -o OUT", "cut - -o OUT", "monitor LOG", "stream LOG", "send --hex base.ping", "fleet FOLDER -o OUT",
-    "fields", "bandwidth sensor.scaled_accel@10",
+    "fields",
 )  # fmt: skip
 MISUSE = (
     "is not a (field|device|stream|data field|data set|TCP port|motion)|has a number above|not a known format|several|"
@@ -106,26 +99,16 @@ MISUSE = (
         ("dump LOG --only 0x80:256", "dump: '0x80:256' has a number above 255; use 0 to 255"),
         *((f"{words} --device gx5", f"{words.split()[0]}: 'gx5' is not a device; ") for words in OF_A_DEVICE),
         ("fleet FOLDER -o s3://bucket/data", "fleet: s3://bucket/data is not a folder of this machine; write to one"),
-        ("serve --simulate gx5", "serve: 'gx5' is not a device; "),
         ("simulate gx5", "simulate: 'gx5' is not a device; "),
         ("cut LOG -o FOLDER", "cut: FOLDER is a folder; name a file in it"),
         ("cut LOG -o NOWHERE/x", "cut: NOWHERE/x cannot be written: No such file or directory"),
-        ("export LOG -o OUT.xls", "export: '.xls' is not a known format; use --format csv, jsonl, npz, parquet, arrow"),
+        ("export LOG -o OUT.xls", "export: '.xls' is not a known format; use --format csv, jsonl, parquet, mcap"),
         ("export LOG gnss_2 -o OUT", "export: LOG has none of these fields; `mip info` lists its fields"),
-        ("export LOG -o - --split", "export: --split writes several files; name one with -o, "),
-        ("export LOG -o OUT --align gnss_2.utc_time", "export: LOG has no gnss_2.utc_time to align with"),
-        ("export LOG -o OUT --align gps_timestamp", "export: 'gps_timestamp' is in several sets; write "),
         ("fields sensor.x", "fields: 'sensor.x' is not a field; "),
         ("fields nope", "fields: 'nope' is not a field; `mip fields` lists the sets"),
         ("fields temperature", "fields: 'temperature' is not a field; "),
         ("fields sensor --search banana", "fields: no field matches NAME, --search and --device together; leave one "),
         ("fields --search qqqq", "fields: no field has a word of 'qqqq'; `mip fields` lists the sets"),
-        ("bandwidth sensor.scaled_accel", "bandwidth: 'sensor.scaled_accel' is not a stream; write NAME@HZ, as in "),
-        ("bandwidth base.ping@1", "bandwidth: base.ping is not a data field; only data is streamed"),
-        ("bandwidth shared.gps_timestamp@1", "bandwidth: shared.gps_timestamp is in every data set; name one: "),
-        ("bandwidth base:ping@1", "bandwidth: 'base' is not a data set; write SET:NAME@HZ"),
-        ("bandwidth sensor.scaled_accel@2000 --device DEVICE", "bandwidth: 3DM-CV7-GNSS/INS sends sensor at 1000 Hz "),
-        ("bandwidth sensor.scaled_accel@1000 --baud 9600", "bandwidth: 9600 Bd are not enough; 200000 are needed"),
     ],
 )
 def test_errors_are_one_line(
@@ -148,8 +131,8 @@ def test_errors_are_one_line(
 
 @pytest.mark.parametrize("name", ["3dm-cv7-ahrs", "3DM-CV7-AHRS", "cv7-ahrs", "CV7 AHRS"])
 def test_a_device_has_one_set_of_names(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    for words in (["fields", "sensor"], ["bandwidth", "sensor.scaled_accel@10"]):
-        assert run(capsys, *words, "--device", name) == run(capsys, *words, "--device", "3dm-cv7-ahrs")
+    words = ("fields", "sensor", "--device")
+    assert run(capsys, *words, name) == run(capsys, *words, "3dm-cv7-ahrs")
     assert device_named(name).id == VirtualDevice(name).profile.id == "3dm-cv7-ahrs"
 
 
@@ -200,73 +183,6 @@ def test_every_field_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
             assert f"  {p.name}: " in out
     found = json.loads(run(capsys, "fields", "--json")[1])
     assert [f["name"] for f in found] == [name for name, _ in names]
-
-
-# --------------------------------------------------------------------------- bandwidth
-
-
-def test_bandwidth(capsys: pytest.CaptureFixture[str]) -> None:
-    """The manual's formula: 60 * rate + 10 * sum of sizes * rates."""
-    out = run(capsys, "bandwidth", "sensor.scaled_accel@100", "sensor.scaled_gyro@50")[1]
-    assert f"minimum baud rate: {60 * 100 + 10 * (14 * 100 + 14 * 50)}\n" in out
-    both = ["sensor:shared.gps_timestamp@100", "sensor.scaled_accel@100", "filter_data.llh_position@10"]
-    out = run(capsys, "bandwidth", *both, "--device", DEVICE, "--baud", "115200")[1]
-    need = 10 * (6 * 100 + 28 * 100 + 6 * 10 + 28 * 10)
-    assert f"minimum baud rate: {need}\n" in out and out.endswith(f"115200: {need / 115200:.0%} used\n")
-    assert "\nUART 1: 115200 (" in out
-    many = [f"gnss_1.llh_position@{rate}" for rate in (3, 2)]  # not in step: each in a packet of its own
-    out = run(capsys, "bandwidth", *many)[1]
-    out = run(capsys, "bandwidth", "sensor.scaled_accel@500", "sensor.scaled_gyro@333.3", "--device", DEVICE)[1]
-    # Decimations 2 and 3 of 1000 Hz: four moments of six have a packet.
-    assert "\nsensor: packets            6  666.667     4000\n" in out
-    out = run(capsys, "bandwidth", *many)[1]
-    size = int(next(line.split()[1] for line in out.splitlines() if "llh_position" in line))
-    assert f"minimum baud rate: {10 * (6 + size) * 5}\n" in out
-
-
-# --------------------------------------------------------------------------- completion
-
-
-def completed(words: str, folder: Path) -> list[str]:
-    """What bash offers after these words."""
-    script = folder / "mip.bash"
-    script.write_text(mip("completion", "bash")[1])
-    program = folder / "bin/mip"
-    program.parent.mkdir(exist_ok=True)
-    program.write_text(f'#!/bin/sh\nexec {sys.executable} -m mip_tools "$@"\n')
-    program.chmod(0o755)
-    text = f"""
-        source {script}
-        COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))
-        {"COMP_WORDS+=(''); COMP_CWORD=$((COMP_CWORD + 1))" if words.endswith(" ") else ":"}
-        compopt() {{ :; }}
-        _mip
-        printf '%s\\n' "${{COMPREPLY[@]}}"
-    """
-    environment = {**ENVIRONMENT, "PATH": f"{program.parent}:{os.environ['PATH']}"}
-    done = subprocess.run(["bash", "-c", text], capture_output=True, text=True, cwd=folder, env=environment)
-    assert done.stderr == ""
-    return done.stdout.split()
-
-
-def test_completion_in_bash(tmp_path: Path) -> None:
-    assert completed("mip ex", tmp_path) == ["export"]
-    assert completed("mip export --inv", tmp_path) == ["--invalid"]
-    assert completed("mip export x --invalid ", tmp_path) == ["keep", "mask", "drop"]
-    assert completed("mip fields sensor.scaled_", tmp_path) == [
-        f"sensor.scaled_{x}" for x in ("accel", "gyro", "mag", "pressure")
-    ]
-    assert completed("mip send /dev/x base.pi", tmp_path) == ["base.ping"]
-    assert completed("mip send /dev/x 3dm.message_format ", tmp_path)[:2] == ["write", "read"]
-    assert completed("mip dump --device 3dm-cv7-g", tmp_path) == [DEVICE]
-    assert completed("mip completion z", tmp_path) == ["zsh"]
-    assert completed("mip nonsense x", tmp_path) == []
-
-
-@pytest.mark.parametrize("shell", ["zsh", "fish"])
-def test_completion_in_other_shells(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "completion", shell)
-    assert code == 0 and "mip completion words -- " in out
 
 
 def test_a_full_disk_cuts_no_compiled_module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,37 +4,31 @@ from __future__ import annotations
 
 import json
 import math
-import os
 import random
 import struct
-import subprocess
-import sys
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pytest
-import random_values
 from mip_protocol import PacketBuilder, Parser, filter_data, registry, shared
 from mip_tools.binding import info
-from mip_tools.columns import layout, read_log
+from mip_tools.columns import read_log
 from mip_tools.formats import messages
 from mip_tools.formats.json_messages import message_values, schema
 from mip_tools.names.occurrence import occurrence_in
 from mip_tools.ros import axes, standard
 from mip_tools.ros.types import Types
 from mip_tools.simulator import VirtualDevice
-from mipgen.lower import codec
 from program import DEVICE, log, mip
-from support import PYTHONPATH, ROOT, SPECS, heavy, later, model, set_of
+from support import heavy, later
 from test_doctor import sent, started
 from test_log_tables import drawn
 from timed_packets import packet
 
 np, jsonschema = later("numpy"), later("jsonschema")
 
-MESSAGES = ROOT / "generated/ros2"
 NAVIGATION = {
     0x80: ((0xD3, 10), (0x04, 10), (0x05, 10), (0x06, 10)),
     0x82: ((0xD3, 50), (0x03, 50), (0x01, 50), (0x02, 50), (0x08, 50), (0x09, 50), (0x0A, 50), (0x0E, 50)),
@@ -124,17 +118,13 @@ def test_names_of_mcap_are_those_of_the_device(command: str, tmp_path: Path) -> 
 @heavy("rosbags")
 def test_a_bag(tmp_path: Path) -> None:
     from rosbags.rosbag2 import Reader
-    from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+    from rosbags.typesys import Stores, get_typestore
 
     device = VirtualDevice(DEVICE)
     (tmp_path / "log").write_bytes(sent(device, started(device, NAVIGATION), 4))
     words = ("export", tmp_path / "log", "--format", "ros2", "-o", tmp_path / "drive")
-    assert mip(*words, "--messages", MESSAGES) == (0, "", "")
+    assert mip(*words) == (0, "", "")
     store = get_typestore(Stores.ROS2_HUMBLE)
-    types = {}
-    for path in (MESSAGES / "msg").iterdir():
-        types |= get_types_from_msg(path.read_text("utf-8"), f"mip_msgs/msg/{path.stem}")
-    store.register(types)
     found: dict[str, list[Any]] = {}
     with Reader(tmp_path / "drive") as bag:
         for connection, time, data in bag.messages():
@@ -142,14 +132,13 @@ def test_a_bag(tmp_path: Path) -> None:
             stamp = one.header.stamp
             assert stamp.sec * 10**9 + stamp.nanosec == time
             found.setdefault(connection.topic, []).append(one)
-    raw, imu = found["/mip/sensor/scaled_accel"], found["/imu/data"]
+    raw, imu = read_log(tmp_path / "log")["sensor.scaled_accel"]["scaled_accel"], found["/imu/data"]
     assert len(raw) == len(imu) == 400
-    for a, b in zip(raw, imu):
-        x, y, z = map(float, a.scaled_accel)
+    for (x, y, z), b in zip(raw.tolist(), imu):
         force = b.linear_acceleration
         assert (force.x, force.y, force.z) == pytest.approx((9.80665 * x, -9.80665 * y, -9.80665 * z))
     turned = [one for one in imu if one.orientation_covariance[0] != -1]
-    assert len(turned) == len(found["/mip/filter_data/attitude_quaternion"]) > 30
+    assert len(turned) == len(read_log(tmp_path / "log")["filter_data.attitude_quaternion"]) > 30
     assert {one.orientation.w for one in turned} <= {x.pose.pose.orientation.w for x in found["/filter/odometry"]}
     assert imu[0].linear_acceleration.z == pytest.approx(9.81, abs=0.1)
     assert len(found["/imu/mag"]) == 400 and abs(found["/imu/mag"][0].magnetic_field.x) < 1e-4
@@ -161,10 +150,6 @@ def test_a_bag(tmp_path: Path) -> None:
     reference = found["/time_reference"][0]
     assert reference.time_ref.sec == reference.header.stamp.sec and reference.source == "gps"
     assert mip(*words)[0] == 1  # it exists
-    standard = mip(*words[:-1], tmp_path / "standard")
-    assert standard == (0, "", "")
-    with Reader(tmp_path / "standard") as bag:
-        assert "/imu/data" in bag.topics and not any(t.startswith("/mip/") for t in bag.topics)
 
 
 HALF = math.sqrt(0.5)
@@ -232,73 +217,9 @@ def test_a_bag_is_the_same_however_the_log_is_divided(
     for part in (messages.PART, 3000):
         monkeypatch.setattr(messages, "PART", part)
         bag = tmp_path / str(part) / "drive"
-        assert mip("export", tmp_path / "log", "--format", "ros2", "-o", bag, "--messages", MESSAGES) == (0, "", "")
+        assert mip("export", tmp_path / "log", "--format", "ros2", "-o", bag) == (0, "", "")
         bags.append({path.name: path.read_bytes() for path in bag.iterdir()})
     assert bags[0] == bags[1] and len(bags[0]["drive.mcap"]) > 10_000
-
-
-@heavy("rosbags")
-def test_messages_are_encoded_as_rosbags_does() -> None:
-    rng, types = random.Random(1), Types(MESSAGES)
-    seen: dict[str, int] = {}
-    for number, kind in registry.all_types():
-        name, shape = types.of_kind(kind), layout.layout(kind)
-        if name is None or shape is None:
-            continue
-        number = 0x80 if number == registry.SHARED_SET else number
-        data = [rng.randbytes(shape.dtype.itemsize) for _ in range(20)]
-        log = read_log(b"".join(bytes(PacketBuilder(number).add(kind.DESCRIPTOR, one).build()) for one in data))
-        column = log.column(kind, number)
-        found = types.of_column(name, column, "imu_link")
-        wanted = [types.of_field(name, one, "imu_link") for one in column.objects()]
-        assert found is not None and len(found) == len(wanted) > 0
-        seen[name] = len(found)
-        for a, b in zip(found, wanted):  # a NaN that signals is quiet as a number of Python
-            assert a == b or repr(types.store.deserialize_cdr(a, name)) == repr(types.store.deserialize_cdr(b, name))
-    assert len(seen) > 100
-
-
-def flat(value: Any) -> list[str]:
-    """The numbers and texts of a value, in order; nothing for what is absent."""
-    if hasattr(value, "__msgtype__"):
-        value = {k: v for k, v in vars(value).items() if k not in ("header", "__msgtype__")}
-    if isinstance(value, dict):
-        value = list(value.values())
-    if isinstance(value, (list, tuple)) or getattr(value, "ndim", 0):
-        return [x for item in value for x in flat(item)]
-    if isinstance(value, str) and value.startswith("0x"):  # a drawn number, as bits
-        bits = bytes.fromhex(value[2:])
-        (value,) = struct.unpack(">f" if len(bits) == 4 else ">d", bits)
-    return [] if value is None else [value.rstrip("\0")] if isinstance(value, str) else [repr(float(value))]
-
-
-@heavy("rosbags")
-def test_messages_of_any_length(tmp_path: Path) -> None:
-    """Arrays, texts and parameters that may be absent: no data field of MIP has them, own ones may."""
-    from rosbags.rosbag2 import Reader
-
-    spec, folder = model("invented"), SPECS["invented"][1]
-    names = ("cloud", "growing", "strings")
-    fields = [f for f in spec.fields if f.family == "measurements" and f.name in names]
-    sent = [(f, values) for f in fields for values in random_values.drawn(f, 5)]
-    packets = [codec.build(spec, set_of(f, spec), [(f.descriptor, codec.encode(f, v))]) for f, v in sent]
-    (tmp_path / "log").write_bytes(b"".join(packets))
-    words = ["export", tmp_path / "log", "--format", "ros2", "-o", tmp_path / "bag", "--messages", folder / "ros2"]
-    words += ["--package", folder / "python"]
-    done = subprocess.run(
-        [sys.executable, "-m", "mip_tools", *map(str, words)], capture_output=True, text=True,
-        env={**os.environ, "PYTHONPATH": PYTHONPATH},
-    )  # fmt: skip
-    assert (done.returncode, done.stdout) == (0, "") and done.stderr.startswith("mip export: uptime clock, no date: ")
-    store, found = Types(folder / "ros2").store, []
-    with Reader(tmp_path / "bag") as bag:
-        for connection, _, data in bag.messages():
-            found.append((connection.msgtype, flat(store.deserialize_cdr(data, connection.msgtype))))
-    assert len(names) == len(fields) and len({len(values) for _, values in found}) > 4
-    for (f, wanted), (kind, values) in zip(sent, found, strict=True):
-        assert kind == f"mip_msgs/msg/Measurements{f.name.capitalize()}"
-        stated = [wanted.get(p.name) for p in f.parameters if p.kind != "counter"]  # a sequence has its length
-        assert values == flat(stated)
 
 
 # --------------------------------------------------------------------------- axes

@@ -27,8 +27,9 @@ SCENARIO = f"events:\n  - {{at: 0, event: magnetic_disturbance, field: [{', '.jo
 def tumbling(folder: Path) -> Path:
     """A motion through all attitudes."""
     path = folder / "tumble.csv"
-    rows = [f"{t},0,{t * 51:.3f},{60 * sin(t * tau / 23):.3f},{t * 11.6:.3f}" for t in range(0, 90)]
-    path.write_text("\n".join(["time [s],speed [m/s],roll [deg],pitch [deg],yaw [deg]", *rows]), "utf-8")
+    rows = [f"{t},0,0,0,{t * 51:.3f},{60 * sin(t * tau / 23):.3f},{t * 11.6:.3f}" for t in range(0, 90)]
+    head = "time [s],north [m],east [m],down [m],roll [deg],pitch [deg],yaw [deg]"
+    path.write_text("\n".join([head, *rows]), "utf-8")
     return path
 
 

@@ -146,7 +146,9 @@ def test_a_lost_port_is_opened_again(name: str, tmp_path: Path) -> None:
     if name == "record":
         assert output.read_bytes() == data
     else:
-        assert len(lines(output.read_text())) == len(lines(mip("stream", "-", data=data)[1]))
+        written = lines(output.read_text())
+        assert len(written) == len(lines(mip("stream", "-", data=data)[1]))
+        assert len([line for line in written if line.get("gap", 0) > 0]) == 2
 
 
 def test_a_log_has_no_rates(tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache
-from math import atan2, cos, degrees, dist, hypot, isclose, pi, sin, sqrt
+from math import atan2, cos, degrees, dist, hypot, isclose, sin, sqrt
 from pathlib import Path
 from tempfile import NamedTemporaryFile
 from typing import Any
@@ -60,10 +60,6 @@ MOTIONS: dict[str, Callable[[], Motion]] = {
         f"time [ms],east [km],north [ft],down [m],{ANGLES}",
         *((500 * t, sin(t / 5), 900 * cos(t / 5), t, 0, 3, 20 * t) for t in range(0, 1200)),
         latitude=-60.0,
-    ),
-    "speeds": lambda: trajectory(
-        "time [s],speed [km/h],pitch [rad],yaw [rad]",
-        *((t, 40 + 30 * sin(t / 9), 0.2 * sin(t / 9), t / 12) for t in range(700)),
     ),
 }
 each = pytest.mark.parametrize("motion", MOTIONS, indirect=True)
@@ -208,36 +204,22 @@ def test_a_trajectory_stays_between_its_rows() -> None:
     assert all(motion.at(10 + t / 10).velocity[0] >= 0 for t in range(20)) and motion.at(11.5).velocity[0] > 10
 
 
-def test_speeds_lead_along_the_first_axis() -> None:
-    """A quarter of a turn, as far as the Earth is flat."""
-    rows = [(t, 10, 0, t / 40 * 90) for t in range(41)]
-    motion = trajectory("time [s],speed [m/s],pitch [deg],yaw [deg]", *rows, latitude=0.0, longitude=0.0, height=0.0)
-    end, radius = motion.at(39.999999), 400 / (pi / 2)
-    north, east = radii(0, 0)
-    assert isclose(end.latitude * north, radius, rel_tol=1e-5) and isclose(end.longitude * east, radius, rel_tol=1e-5)
-    for t in range(40):
-        s = motion.at(t + 0.3)
-        assert atan2(s.velocity[1], s.velocity[0]) == pytest.approx(euler(s.dcm)[2], abs=1e-4)
-    climb = trajectory("time [s],speed [m/s],pitch [deg]", (0, 10, 30), (10, 10, 30), height=100.0)
-    assert climb.at(10).height == pytest.approx(150, abs=0.01)
-
-
 @pytest.mark.parametrize(
     "rows, message",
     [
         ("", ":1:1: a trajectory needs a line with names and units, and lines of numbers"),
-        ("time [s],speed\n0,1", ":1:10: 'speed' has no unit; write speed [m/s] or speed [km/h]"),
-        ("time [s],speed [kn]\n0,1", ":1:10: 'speed' cannot have the unit 'kn'; write speed [m/s] or speed [km/h]"),
-        ("time [s], sped [m/s]\n0,1", ":1:11: 'sped' is not a column of a trajectory; do you mean 'speed'?"),
+        ("time [s],north\n0,1", ":1:10: 'north' has no unit; write north [m] or north [km] or north [ft]"),
+        ("time [s],north [mi]\n0,1", ":1:10: 'north' cannot have the unit 'mi'; write north [m] or north [km] or"),
+        ("time [s], norht [m]\n0,1", ":1:11: 'norht' is not a column of a trajectory; do you mean 'north'?"),
         ("time [s],time [s]\n0,1", ":1:10: 'time' is there twice; remove one"),
-        ("speed [m/s]\n1", ":1:1: the column time is missing"),
+        ("north [m],east [m],down [m]\n1,1,1", ":1:1: the column time is missing"),
         ("time [s],north [m]\n0,1", ":1:1: the column east is missing"),
-        ("time [s]\n0", ":1:1: the file has no place and no speed; it needs one of: latitude, longitude, height; "),
-        ("time [s],speed [m/s],north [m]\n0,1,1", ":1:1: the file has more than one kind of place or speed; it needs"),
-        ("# a\ntime [s],speed [m/s]\n0,1\n\n1, x", ":5:4: 'x' is not a number; speed needs one"),
-        ("time [s],speed [m/s]\n0,nan", ":2:3: 'nan' is not a number; speed needs one"),
-        ("time [s],speed [m/s]\n0,1,2", ":2:1: 3 values for 2 columns"),
-        ("time [s],speed [m/s]\n1,1\n1,2", ":3:1: time 1 is not later than that on line 2"),
+        ("time [s]\n0", ":1:1: the file has no place; it needs one of: latitude, longitude, height; "),
+        ("time [s],height [m],north [m]\n0,1,1", ":1:1: the file has more than one kind of place; it needs"),
+        ("# a\ntime [s],north [m],east [m],down [m]\n0,1,1,1\n\n1, x,1,1", ":5:4: 'x' is not a number; north needs"),
+        ("time [s],north [m],east [m],down [m]\n0,1,1,nan", ":2:7: 'nan' is not a number; down needs one"),
+        ("time [s],north [m],east [m],down [m]\n0,1", ":2:1: 2 values for 4 columns"),
+        ("time [s],north [m],east [m],down [m]\n1,1,1,1\n1,2,2,2", ":3:1: time 1 is not later than that on line 2"),
         ("time [s],latitude [deg],longitude [deg],height [m]\n0,1,1,1\n1,95,0,0", ":3:1: the device is at 95°, 0 m"),
     ],
 )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import dist, isclose
+from math import dist
 from pathlib import Path
 from typing import Any
 
@@ -58,42 +58,6 @@ def test_recorded_values_come_back(log: Path) -> None:
             assert [shown.at(t + later).raw(name) for name in (*MOTION, "sensor.scaled_accel")] == wanted
 
 
-def test_other_fields_follow_from_the_recorded_motion(log: Path) -> None:
-    """Accelerations and rates are those between two records, so they agree up to the change between the two."""
-    circle = Circle(40, 6)
-    record(log, circle, {"f": ["shared.gps_timestamp", *MOTION]})
-    replay = Replay(log)
-    shown = Shown(replay)
-    for t in (0.52, 4.0, 7.77):
-        a, b = replay.at(t), circle.at(t)
-        assert (
-            dist(
-                (a.latitude * 6.4e6, a.longitude * 4.4e6, a.height), (b.latitude * 6.4e6, b.longitude * 4.4e6, b.height)
-            )
-            < 2e-3
-        )
-        assert dist(a.velocity, b.velocity) < 1e-3 and dist(a.quaternion, b.quaternion) < 1e-5
-        assert dist(a.acceleration, b.acceleration) < 0.01 and dist(a.rate, b.rate) < 1e-4
-        assert dist(a.dcm, b.dcm) < 2e-5
-        gyro = shown.at(t)("sensor.scaled_gyro").scaled_gyro
-        assert isclose(gyro[2], 6 / 40, abs_tol=1e-3), "a field that the log lacks"
-
-
-@pytest.mark.parametrize(
-    "names",
-    [
-        ["filter_data.attitude_dcm", "filter_data.ecef_position", "filter_data.ned_velocity"],
-        ["filter_data.euler_angles", "filter_data.llh_position"],
-    ],
-)
-def test_other_forms_of_the_motion(log: Path, names: list[str]) -> None:
-    circle = Circle(40, 6)
-    record(log, circle, {"f": ["shared.gps_timestamp", *names]})
-    a, b = Replay(log).at(5.0), circle.at(5.0)
-    assert dist(a.dcm, b.dcm) < 1e-5 and abs(a.latitude - b.latitude) < 1e-9 and abs(a.height - b.height) < 1e-3
-    assert (dist(a.velocity, b.velocity) < 1e-3) if "filter_data.ned_velocity" in names else a.velocity == (0, 0, 0)
-
-
 def test_a_log_without_a_motion_is_at_rest(log: Path) -> None:
     record(log, Circle(), {"s": ["shared.reference_timestamp", "sensor.scaled_mag"]})
     replay = Replay(log)
@@ -122,12 +86,13 @@ def test_times_are_those_of_the_simulation(log: Path) -> None:
 
 
 def test_fields_of_one_epoch_come_together(log: Path) -> None:
-    """Satellites have their own time, and all of one time are sent."""
+    """All of one time are sent."""
     shown = Shown(Circle())
     log_bytes = bytearray()
     for t in (0.0, 0.5, 1.0):
-        for data in shown.at(t).raw("gnss_1.satellite_status"):
-            log_bytes += bytes(PacketBuilder(0x91).add(0x20, data).build())
+        stamp = shown.at(t).raw("shared.gps_timestamp")[0]
+        for data in shown.raw("gnss_1.satellite_status"):
+            log_bytes += bytes(PacketBuilder(0x91).add(0xD3, stamp).add(0x20, data).build())
     log.write_bytes(log_bytes)
     replayed = Shown(Replay(log))
     for t in (0.0, 0.5, 1.0):
@@ -168,30 +133,14 @@ def test_a_log_without_times_needs_a_rate(log: Path) -> None:
 
 
 def test_a_clock_that_is_not_valid_runs_nevertheless(log: Path) -> None:
-    """As on 5-series devices, which have no bits for it; only the week determines when the log begins."""
+    """As on a device that is not synchronized: the log has times, but no date at which it begins."""
     stamp: Any = TYPES["sensor.gps_timestamp"]
-    for week, start in ((0, None), (2300, 2300 * WEEK + 7 * SECOND)):
+    for week in (0, 2300):
         log.write_bytes(
             b"".join(bytes(PacketBuilder(0x80).add(0x12, stamp(7.0 + i, week, 0).encode()).build()) for i in range(4))
         )
         replay = Replay(log)
-        assert replay.duration == 3 and replay.start == start
-
-
-def test_invalid_values_say_nothing_of_the_motion(log: Path) -> None:
-    kind: Any = TYPES["filter_data.llh_position"]
-    stamp: Any = TYPES["filter_data.timestamp"]
-    log.write_bytes(b"".join(
-        bytes(
-            PacketBuilder(0x82)
-            .add(0x11, stamp(100.0 + i, 2300, 1).encode())
-            .add(0x01, kind(10.0 * i, 20.0, 0.0, i % 2).encode())
-            .build()
-        )
-        for i in range(4)
-    ))  # fmt: skip
-    replay = Replay(log)
-    assert [round(replay.at(t).latitude * 57.29577951308232, 6) for t in (0, 1, 2, 3)] == [10, 10, 20, 30]
+        assert replay.duration == 3 and replay.start is None
 
 
 @pytest.mark.parametrize(

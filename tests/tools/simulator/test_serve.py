@@ -443,28 +443,16 @@ def test_the_program_ends_cleanly(number: int, tmp_path: Path) -> None:
     assert not path.is_symlink() and not list(tmp_path.glob("*.part"))
 
 
-def test_faults_and_a_signal_of_the_program(tmp_path: Path) -> None:
-    """The signal at a pin triggers an event, which sends a packet."""
+def test_faults_of_the_program(tmp_path: Path) -> None:
     log = tmp_path / "log"
-    commands: list[Command] = [
-        mip_3dm.GpioConfig.write(2, types.GpioFeature.GPIO, 1, types.GpioPinMode(0)),
-        mip_3dm.EventTriggerConfig.write(
-            1, types.EventTriggerType.GPIO, types.EventTriggerGpio(2, types.EventTriggerGpioMode.WHILE_HIGH)
-        ),
-        mip_3dm.EventActionConfig.write(
-            1, 1, types.EventActionType.MESSAGE, types.EventActionMessage(0x80, 0, (0x04,))
-        ),
-        mip_3dm.EventControl.write(1, types.EventTriggerMode.ENABLED),
-    ]
-    options = ["--signal", "2=50", "--fault", "lose_answer@1,nmea=1", "--fault", "unknown_set@2"]
-    options += ["--strict-baud", "--noise", "0"]
+    options = ["--fault", "lose_answer@1,nmea=1", "--fault", "unknown_set@2", "--strict-baud", "--noise", "0"]
     with running("simulate", DEVICE, "--tcp", "0", *options, "--fault-log", log, "--log-packets", text=True) as process:
         assert process.stdout is not None
         with Client(process.stdout.readline().strip()) as client:
             client.send(PING)
             until(lambda: "lose_answer" in log.read_text())
-            client.send(b"".join(bytes(command.packet()) for command in commands))
-            client.wait(lambda: sum(p[2] == 0x80 for p in client.packets) > 1)
+            client.send(PING + PING)
+            client.wait(lambda: len(client.packets) > 2)
         process.terminate()
         process.wait(PATIENCE)
     text = log.read_text()
@@ -539,7 +527,6 @@ def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: p
         ("DEVICE --fault loose=1", "fault 'loose' is unknown; do you mean 'lose'? known faults: "),
         ("DEVICE --log-packets", "--log-packets needs a file; add --fault-log FILE"),
         ("DEVICE --fault-log A_FILE", "A_FILE is not a log of faults; name another file"),
-        ("DEVICE --signal 9=10", "--signal 9=10: the device has no pin 9"),
         ("DEVICE --fault-log A_FILE/x", "A_FILE/x cannot be written: Not a directory"),
         ("DEVICE --storage A_FILE/x", "A_FILE/x cannot be written: Not a directory; name another file"),
         ("DEVICE --storage NOWHERE/x", "NOWHERE/x cannot be written: No such file or directory; name another"),
@@ -571,7 +558,7 @@ def test_errors_are_one_line_with_a_remedy(
     before = sorted(tmp_path.iterdir())
     with taken:
         code, out, text = run(capsys, "simulate", *shlex.split(arguments), "--duration", "0.01")
-    wrong = r"(the dev|dev|only |fault|'USB|--log|--signal)|.* (is not a (TCP port|motion|dev)|two term|has no port)"
+    wrong = r"(the dev|dev|only |fault|'USB|--log)|.* (is not a (TCP port|motion|dev)|two term|has no port)"
     status = 2 if re.match(wrong, error) else 1
     assert (code, out) == (status, "") and text.startswith(f"mip simulate: {error}") and text.count("\n") == 1
     assert sorted(tmp_path.iterdir()) == before and (tmp_path / "file").read_text() == "mine"
@@ -587,8 +574,6 @@ def test_errors_are_one_line_with_a_remedy(
         ("--start 3001-01-01", "is too late; use a year up to 3000"),
         ("--start 0001-01-01T00:00:00+14:00", "is not a time; write 2024-05-01T12:00:00"),
         ("--speed fast", "'fast' is not a speed; use 1 for real time"),
-        ("--signal 1", "'' is not a signal; write PIN=HZ, for example 1=10"),
-        ("--signal 0=10", "'0' is not a signal; write PIN=HZ, for example 1=10"),
     ],
 )
 def test_values_are_checked(arguments: str, error: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -218,8 +218,7 @@ def test_pressure_follows_from_the_height(height: float) -> None:
 
 @pytest.mark.parametrize(
     "geopotential, temperature, pressure",
-    [(11_000, -56.5, 226.32), (20_000, -56.5, 54.749), (32_000, -44.5, 8.6802), (47_000, -2.5, 1.10906),
-     (71_000, -58.5, 0.039564)],
+    [(0, 15.0, 1013.25), (11_000, -56.5, 226.32), (20_000, -56.5, 54.749)],
 )  # fmt: skip
 def test_layers_of_the_standard_atmosphere(geopotential: float, temperature: float, pressure: float) -> None:
     """The tables of 1976; the layers meet."""

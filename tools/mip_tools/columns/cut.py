@@ -14,16 +14,6 @@ from .scan import HEADER, Array
 Spans = tuple[Array, Array]
 
 
-def gaps(piece: Piece, free: int, wanted: Array) -> Spans:
-    """Returns the spans of bytes outside packets to keep: before the first packet, and behind each. `free` is the end
-    of the packet before the piece."""
-    first = max(0, free - piece.begin)
-    begin = np.concatenate(([first], piece.end))
-    end = np.concatenate((piece.at, [max(piece.size, int(begin[-1]))]))
-    kept = wanted & (begin < end)
-    return begin[kept], end[kept]
-
-
 class Fields:
     """The selected fields of a piece, by set and descriptor."""
 

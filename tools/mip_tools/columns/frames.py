@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from ..binding import CLOCKS, MissingExtra, timestamps
-from . import between, buffers, resample, tables, timeline
+from ..binding import CLOCKS, MissingExtra
+from . import buffers, tables, timeline
 from .column import Column
 from .packets import Kind, Packets
 from .reader import Reader
@@ -57,31 +57,6 @@ def frame(
     made = as_frame(series, library, units)
     first = next((each.name for each in series if each.name in ("time", "time_device")), None)
     return made if index is None or first is None else made.set_index(first)
-
-
-def resampled(
-    log: Packets, kinds: Sequence[Kind] | None, rate: str | float, method: str, library: str, time: str, units: bool
-) -> Any:
-    """See `Log.resample`."""
-    every = resample.parse_step(rate)
-    form = Form(invalid="mask")
-    if kinds is None:
-        kinds = data_of(log)
-    columns = log.columns(kinds)
-    form = form._replace(**_clocks(log, _sets(columns), time)._asdict())
-    return as_frame(resample.resampled(log, columns, every, method, form), _library(library), units)
-
-
-def nmea(log: Packets, library: str, time: str | None) -> Any:
-    """See `Log.nmea`."""
-    clocks = _clocks(log, [n for n in log.sets() if n >= 0x80], time)
-    return as_frame(between.nmea_table(log, clocks[:2]).columns, _library(library), True)
-
-
-def data_of(log: Packets) -> list[Kind]:
-    """Lists all data fields of a log, except timestamps."""
-    kinds = tables.survey_tables(log, Form(wanted=lambda set, descriptor: set >= 0x80))[0]
-    return [pair for pair in kinds if not timestamps.clocks_of(max(pair[0], 0x80), pair[1].DESCRIPTOR)]
 
 
 def _library(name: str) -> str:

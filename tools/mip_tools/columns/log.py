@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from html import escape
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, overload
 
 from ..binding import Field
@@ -27,7 +26,6 @@ F = TypeVar("F", bound=Field)
 By: TypeAlias = Literal["time", "packet"]
 #: Treatments of values that are not valid according to their flags.
 Invalid: TypeAlias = Literal["keep", "mask", "drop"]
-Method: TypeAlias = Literal["linear", "nearest", "last"]
 Names: TypeAlias = Literal["full", "plain"]
 Library: TypeAlias = Literal["pandas", "polars", "pyarrow"]
 
@@ -64,21 +62,6 @@ class Log(Packets):
         origin = self.source.origin
         name = repr(origin) if isinstance(origin, str) else "in memory"
         return f"<Log {name}: bytes {self.begin} to {self.end}>"
-
-    def _repr_html_(self) -> str:
-        """Shows the contents in notebooks."""
-        rows = "".join(
-            f"<tr><td>{escape(count.name)}</td><td style='text-align: right'>{count.count}</td>"
-            f"<td style='text-align: right'>{'' if count.rate is None else f'{count.rate:.4g}'}</td></tr>"
-            for count in self.types()
-        )
-        facts = f"{self.packets} packets, {self.skipped} bytes outside packets"
-        head = "<tr><th>field</th><th>count</th><th>rate in Hz</th></tr>"
-        return f"<p>{escape(repr(self))}: {facts}</p><table>{head}{rows}</table>"
-
-    def _ipython_key_completions_(self) -> list[str]:
-        """Returns the names that complete `log[...]`."""
-        return list(dict.fromkeys(count.name for count in self.types() if count.type is not None))
 
     def assumed(self) -> list[str]:
         """Returns in a line each what is assumed about the device: who it is, or how its flags are read."""
@@ -217,84 +200,6 @@ class Log(Packets):
         MissingExtra if the library is missing.
         """
         return frames.frame(self, types_listed(kinds), by, library, time, invalid, units, position, index, names)
-
-    @overload
-    def resample(
-        self,
-        rate: str | float,
-        kinds: Kind | Sequence[Kind] | None = ...,
-        *,
-        method: Method = ...,
-        library: Literal["pandas"] = ...,
-        time: str = ...,
-        units: bool = ...,
-    ) -> pandas.DataFrame: ...
-    @overload
-    def resample(
-        self,
-        rate: str | float,
-        kinds: Kind | Sequence[Kind] | None = ...,
-        *,
-        method: Method = ...,
-        library: Literal["polars"],
-        time: str = ...,
-        units: bool = ...,
-    ) -> polars.DataFrame: ...
-    @overload
-    def resample(
-        self,
-        rate: str | float,
-        kinds: Kind | Sequence[Kind] | None = ...,
-        *,
-        method: Method = ...,
-        library: Literal["pyarrow"],
-        time: str = ...,
-        units: bool = ...,
-    ) -> pyarrow.Table: ...
-    def resample(
-        self,
-        rate: str | float,
-        kinds: Kind | Sequence[Kind] | None = None,
-        *,
-        method: Method = "linear",
-        library: Library = "pandas",
-        time: str = "auto",
-        units: bool = True,
-    ) -> Any:
-        """Returns a data frame at a fixed rate, "100Hz", "10ms" or a number in Hz, of some types or of all data.
-
-        The rows are at whole multiples of the step. `method` is "linear", "nearest" or "last", the value
-        before. "linear" interpolates floats; angles in rad or deg go the short way round, and quaternions
-        are normalized. Integers, flags, text and matrices keep the value before. Values whose flags mark
-        them as invalid, and values in packets without a timestamp, are ignored. There is no value where
-        the neighbours are further apart than 2.5 usual intervals of their field. After a pause of more
-        than 10 s, or if the clock restarts, the rows restart.
-
-        All times are of one clock, as for `frame`. Times of a set without this clock are converted from
-        another clock, using packets that have both; the metadata of `time` state this (in pandas,
-        `frame.attrs`).
-
-        Raises LookupError as `log[kind]` does, ValueError for other choices or if the log has no
-        timestamps, MissingExtra if the library is missing.
-        """
-        chosen = None if kinds is None else types_listed(kinds)
-        return frames.resampled(self, chosen, rate, method, library, time, units)
-
-    @overload
-    def nmea(self, *, library: Literal["pandas"] = ..., time: str | None = ...) -> pandas.DataFrame: ...
-    @overload
-    def nmea(self, *, library: Literal["polars"], time: str | None = ...) -> polars.DataFrame: ...
-    @overload
-    def nmea(self, *, library: Literal["pyarrow"], time: str | None = ...) -> pyarrow.Table: ...
-    def nmea(self, *, library: Library = "pandas", time: str | None = "auto") -> Any:
-        """Returns a data frame of the NMEA sentences between the packets that have a correct checksum.
-
-        Its columns are `time` or `time_device`, as those of `frame`, of the last packet with a timestamp
-        before the sentence, `time_own`
-        (False), `offset` (in the file), `talker` ("GP"), `type` ("GGA"), `sentence` (the whole line), and
-        `fields` (the texts between its commas). Raises ValueError and MissingExtra as `frame` does.
-        """
-        return frames.nmea(self, library, time)
 
     # ----------------------------------------------------------------- time
 

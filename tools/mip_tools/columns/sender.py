@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
 
-from ..binding import DEVICES, Field, Parameter
+from ..binding import DEVICES, BitsInfo, Field, Parameter, info
 from ..devices.known import KnownDevice, identity_type, in_words
 from ..names.occurrence import every
 from . import scan, walk
+from .distinct import distinct
 from .scan import Array
 
 #: Bytes of a log that are searched at once.
@@ -60,6 +61,23 @@ class Sender(KnownDevice):
     def family(self) -> set[str]:
         """The devices whose flags are like those in the log; none if the log does not show it."""
         return set.intersection(*map(set, self._recognized.values())) if self._recognized else set()
+
+    def senders(self, column: Any, able: Iterable[str]) -> set[str]:
+        """Returns which of these devices may have sent a field: its values, and all flags seen so far, have a meaning
+        on them. If the values decide, `assumed` says so."""
+        able = set(able) & self.family or set(able)
+        found = able
+        for p in info(column.type).parameters:
+            kinds = {p.on(device).type for device in able}
+            if len(kinds) > 1 and len(column):
+                values = distinct(np.asarray(column[p.attribute])).tolist()
+                meant = {
+                    kind: kind is not None and all(_means(info(kind), value) for value in values) for kind in kinds
+                }
+                found = {device for device in found if meant[p.on(device).type]} or found
+        if found < able:
+            self._recognized.setdefault(column.type.NAME, tuple(sorted(found)))
+        return found
 
     def assumed(self, log: Any) -> list[str]:
         """Says in a line each what was assumed about the device."""
@@ -111,6 +129,15 @@ def _bits(log: Any, kind: type[Field], path: str, p: Parameter) -> int:
         if bits and p.recognized(bits).flags == p.readings[-1].flags:
             break
     return bits
+
+
+def _means(about: Any, value: int) -> bool:
+    """Has a value of an enumeration, or each part of a bitfield, a meaning?"""
+    if not isinstance(about, BitsInfo):
+        return value in about.names
+    parts = [(bit.type, (value & bit.mask) >> bit.first) for bit in about.bits if bit.type is not None]
+    known = sum(bit.mask for bit in about.bits if not bit.alias)
+    return not value & ~known and all(part in info(kind).names for kind, part in parts)
 
 
 def _those_of(devices: tuple[str, ...]) -> str:

@@ -19,7 +19,7 @@ from .stamps import NONE, Times
 from .states import different
 
 #: Columns of a table besides the parameters of fields.
-OWN = ("time", "time_device", "time_own", "time_host", "packet", "set", "offset")
+OWN = ("time", "time_device", "time_own", "time_host", "gap", "packet", "set", "offset")
 #: Bytes of a log whose rows are in memory at the same time.
 PART = 1 << 20
 
@@ -69,6 +69,7 @@ class Form(NamedTuple):
     named: bool = False
     wanted: Callable[[int, int], bool] | None = None  # is the field with this set and descriptor selected?
     arrivals: Array | None = None  # when each packet of the log arrived, in ns since 1970, UTC
+    gaps: Array | None = None  # for how many seconds the port was lost before each packet
 
     def check(self) -> None:
         """Raises ValueError if a choice does not exist."""
@@ -262,7 +263,7 @@ def _beside(
             yield time_column(values, clock)
     if clocks and form.shown != ():
         yield Series("time_own", own, None, {})
-    if not form.position and form.arrivals is None:
+    if not form.position and form.arrivals is None and form.gaps is None:
         return
     packet, set_number = np.zeros(count, np.int64), np.zeros(count, np.uint8)
     for part, left, place in zip(chosen, lefts, places):
@@ -271,6 +272,10 @@ def _beside(
         set_number[place[first]] = part.column.set[left[first]]
     if form.arrivals is not None:
         yield Series("time_host", form.arrivals[packet].view("datetime64[ns]"), None, {"clock": "host"})
+    if form.gaps is not None:
+        before = np.append(0.0, np.cumsum(form.gaps))  # also those within a row
+        lost = np.round(before[np.append(packet[1:], len(form.gaps))] - before[packet], 3)
+        yield Series("gap", lost, lost == 0, {"unit": "s"})
     if not form.position:
         return
     yield Series("packet", packet, None, {})
@@ -368,15 +373,6 @@ def _either(first: Array | None, second: Array | None) -> Array | None:
     return first | second
 
 
-def column_groups(column: Column[Any], form: Form, single: bool) -> list[list[Series]]:
-    """Returns the columns of a table for all rows of one type, in groups: the elements of a vector together."""
-    every = np.arange(len(column))
-    by_group: dict[str, list[Series]] = {}
-    for values in _values(column, form, single):
-        by_group.setdefault(values.group or values.name, []).append(_spread(values, every, every, len(every)))
-    return list(by_group.values())
-
-
 def _spread(column: _Values, left: Array, place: Array, count: int) -> Series:
     """Puts some of the values in their rows; the other rows have none."""
     if isinstance(column.values, Ragged):
@@ -396,38 +392,3 @@ def _spread(column: _Values, left: Array, place: Array, count: int) -> Series:
     mask = np.ones(count, bool)
     mask[place] = False if column.mask is None else column.mask[left]
     return Series(column.name, values, mask, column.facts)
-
-
-class Aligned:
-    """Makes tables with rows of one type only and the last values of the others, which may be in earlier parts."""
-
-    def __init__(self, base: int) -> None:
-        """`base` is the number of the type."""
-        self._base = base
-        self._before: dict[int, Series] = {}  # column number -> its last value
-
-    def aligned(self, table: Table) -> Table:
-        """Converts the next part."""
-        columns = list(table.columns)
-        count = len(table)
-        base = table.types[self._base][1]
-        for which, place in table.types:
-            last: Array = np.full(count + 1, 0)  # row 0 has the last values of the earlier parts
-            last[place + 1] = place + 1
-            last = np.maximum.accumulate(last)
-            for number in range(which.start, which.stop):
-                whole = self._with_before(number, columns[number])
-                self._before[number] = whole.rows(last[-1:])
-                columns[number] = whole.rows(last[base + 1])
-        kept = [series.rows(base) for series in columns[: table.types[0][0].start]]
-        return Table([*kept, *columns[len(kept) :]], [(which, np.arange(len(base))) for which, _ in table.types])
-
-    def _with_before(self, number: int, series: Series) -> Series:
-        """Adds a row before the others of a column: the last value of the earlier parts."""
-        before = self._before.get(number)
-        if before is None:
-            nothing = np.zeros((1, *series.values.shape[1:]), series.values.dtype)
-            before = series._replace(values=nothing, mask=np.ones(1, bool))
-        mask = np.zeros(len(series.values), bool) if series.mask is None else series.mask
-        gone = np.zeros(1, bool) if before.mask is None else before.mask
-        return series._replace(values=np.concatenate((before.values, series.values)), mask=np.concatenate((gone, mask)))

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..binding import CLOCKS, REACH, SETS, timestamps
+from ..binding import CLOCKS, REACH
 from . import timeline
 from .column import Column
 from .intervals import Intervals
@@ -36,29 +36,6 @@ def row_times(log: Packets, column: Column[Any], clock: str | None) -> Times:
     return Times(clock, values.view(dtype(clock)), own)
 
 
-def merged_times(log: Packets, column: Column[Any], clock: str) -> tuple[Array, dict[str, str]]:
-    """Returns the times of the packets of a column in nanoseconds, NONE for packets without a timestamp.
-
-    The times of a set without this clock are converted from another clock, using packets that
-    have both; the second result has the name of the set and of that clock.
-    """
-    total = np.full(len(column), NONE, np.int64)
-    converted = {}
-    for number in column.sets:
-        rows = np.flatnonzero(column.set == number)
-        own = read_timestamps(log, number, clock)
-        if own.some:
-            total[rows] = exact_times(own, column.packet[rows])
-            continue
-        for other in CLOCKS:
-            pairs = _pairs(log, other, clock) if read_timestamps(log, number, other).some else None
-            if pairs is not None:
-                total[rows] = _converted(exact_times(read_timestamps(log, number, other), column.packet[rows]), *pairs)
-                converted[SETS[number][0] if number in SETS else f"0x{number:02X}"] = other
-                break
-    return total, converted
-
-
 def exact_times(stamps: Stamps, packet: Array) -> Array:
     """Returns the times of packets that have a valid timestamp; NONE for other packets."""
     if np.array_equal(packet, stamps.packet):
@@ -67,45 +44,6 @@ def exact_times(stamps: Stamps, packet: Array) -> Array:
         return np.full(len(packet), NONE, np.int64)
     where = np.maximum(np.searchsorted(stamps.packet, packet, side="right") - 1, 0)
     return np.where(stamps.packet[where] == packet, stamps.value[where], NONE)
-
-
-def _pairs(log: Packets, other: str, clock: str, begin: int = 0, end: int | None = None) -> tuple[Array, Array] | None:
-    """Returns the times, by both clocks, of packets between two offsets that have both; None if there are none."""
-    pairs_of_sets = []
-    for number in (n for n in log.sets() if n >= 0x80):
-        if not timestamps.kinds(number, other) or not timestamps.kinds(number, clock):
-            continue
-        first, second = read_timestamps(log, number, other), read_timestamps(log, number, clock)
-        if first.some and second.some:
-            _, a, b = np.intersect1d(first.packet, second.packet, return_indices=True)
-            both = np.stack((first.value[a], second.value[b]))
-            there = (both != NONE).all(axis=0)
-            if begin or end is not None:
-                there &= (first.offset[a] >= begin) & (first.offset[a] < (log.size if end is None else end))
-            pairs_of_sets.append(both[:, there])
-    pairs = np.concatenate(pairs_of_sets, axis=1) if pairs_of_sets else np.zeros((2, 0), np.int64)
-    pairs = pairs[:, np.unique(pairs[0], return_index=True)[1]]
-    return (pairs[0], pairs[1]) if pairs.shape[1] else None
-
-
-def dates(log: Packets, time: Array, span: tuple[int, int], clock: str, dated: str) -> Array:
-    """Returns the dates of times by a clock without a date, in this range of bytes: each from the last
-    packet that has both times, or NONE."""
-    pairs = _pairs(log, clock, dated, *span)
-    if pairs is None:
-        return np.full(len(time), NONE, np.int64)
-    where = np.searchsorted(pairs[0], time, side="right") - 1
-    near = np.maximum(where, 0)
-    away = time - pairs[0][near]
-    usual = np.median(np.diff(pairs[0])) if pairs[0].size > 1 else 0
-    return np.where((where >= 0) & (away <= 2.5 * usual), pairs[1][near] + away, NONE)
-
-
-def _converted(time: Array, other: Array, clock: Array) -> Array:
-    """Converts times of one clock to another. Before the first and after the last pair, the difference is constant."""
-    begin = int(clock[0] - other[0])
-    more = np.interp(time.astype(np.float64), other.astype(np.float64), (clock - other - begin).astype(np.float64))
-    return np.where(time == NONE, NONE, time + begin + np.rint(more).astype(np.int64))
 
 
 def dtype(clock: str) -> str:

@@ -16,13 +16,13 @@ COMMANDS = {
     "info": "show what is in a log: types, rates, gaps, damage",
     "ports": "list the serial ports and the devices at them",
     "doctor": "find out what is wrong with a device or a log, and why",
-    "export": "write csv, jsonl, npz, parquet, arrow, mcap or ros2",
+    "export": "write csv, jsonl, parquet, mcap or ros2",
     "fleet": "write many logs as one Parquet data set, in parallel",
     "plot": "plot values of a log over time",
     "cut": "copy a part of a log",
     "record": "write what a device sends to a file",
     "monitor": "show the latest values of a device, live",
-    "stream": "write live data as JSON lines, CSV, MCAP, or to Foxglove",
+    "stream": "write live data as JSON lines, CSV or MCAP",
     "send": "send a command and show the reply",
     "corrections": "pass RTCM corrections from an NTRIP caster to a device",
     "calibrate-mag": "compute hard and soft iron of a magnetometer",
@@ -30,10 +30,8 @@ COMMANDS = {
     "config": "copy, compare and restore the settings of a device",
     "profile": "read what a device supports, for a specification",
     "fields": "look up fields: bytes, values, units, devices",
-    "bandwidth": "compute the baud rate that streams need",
     "simulate": "run a virtual device, on a pseudo-terminal or TCP",
-    "serve": "let pages in a browser use a device, or a virtual one",
-    "completion": "print a script for completion in a shell",
+    "serve": "let pages in a browser use a device",
 }
 
 PACKAGE = "--package"

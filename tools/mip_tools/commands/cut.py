@@ -14,7 +14,7 @@ from ..errors import Failure, Misuse
 from ..files import outputs
 from ..logs import inputs
 from ..logs.assumed import no_date
-from ..logs.bounds import Bounds, Range, When
+from ..logs.bounds import Bounds, When
 from ..names.selection import Selection
 from ..options import add_device, add_selection
 from ..text.numbers import count_text, readable
@@ -34,8 +34,7 @@ examples:
 
 A part contains whole packets, unchanged, without the bytes between them. --only and --without
 remove fields from packets. A packet without a time has the time of the packet before it. A reply
-with the name of the device is in each part, so that flags mean the same there; from a pipe, only
-one before the end of the range.
+with the name of the device is in each part, so that flags mean the same there.
 """
 
 
@@ -46,21 +45,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("-o", "--output", required=True, metavar="FILE", help="output file; - for standard output")
     add("--begin", type=_when, metavar="T", help="start at this time")
     add("--end", type=_when, metavar="T", help="end at this time")
-    add("--bytes", type=_range, metavar="A:B", help="packets that begin in these bytes, B not included")
-    add("--packets", type=_range, metavar="A:B", help="packets of these numbers, from 0, B not included")
-    add("--keep-skipped", action="store_true", help="also keep the bytes behind each packet")
     add_selection(parser)
     add_device(parser)
-
-
-def _range(text: str) -> Range:
-    match = re.fullmatch(r"(\d*):(\d*)", text, re.ASCII)
-    if match is None or text == ":":
-        raise argparse.ArgumentTypeError(f"'{text}' is not a range; write 100:200, 100: or :200")
-    wanted = Range(int(match[1] or 0), int(match[2]) if match[2] else None)
-    if wanted.end is not None and wanted.first > wanted.end:
-        raise argparse.ArgumentTypeError(f"'{text}' begins after its end")
-    return wanted
 
 
 def _when(text: str) -> When:
@@ -82,7 +68,7 @@ def _when(text: str) -> When:
 def run(options: argparse.Namespace) -> int:
     selection = Selection(options.only, options.without)
     outputs.refuse_input(options.output, options.file)
-    bounds = Bounds(options.begin, options.end, options.bytes or Range(), options.packets or Range())
+    bounds = Bounds(options.begin, options.end)
     begin, end = bounds.begin, bounds.end
     if begin and end and begin.absolute == end.absolute and begin.time > end.time:
         raise Misuse("--begin is after --end")
@@ -98,12 +84,12 @@ def run(options: argparse.Namespace) -> int:
             parts = ((0, part) for part in log.parts(PART))
         within = Within(bounds, clock)
         out = stack.enter_context(outputs.whole(options.output))
-        for data, count in kept(parts, within, selection, options.keep_skipped, log):
+        for data, count in kept(parts, within, selection):
             out.write(data)
             out.flush()
             size += len(data)
             packets += count
-        if not packets and not (size and options.keep_skipped):
+        if not packets:
             raise Failure(f"the part has no packets; {options.file} {within.description()}")
     outputs.note(f"{count_text(packets, 'packet')}, {readable(size)}")
     return 0
@@ -116,7 +102,7 @@ def _clock(log: Log, name: str, bounds: Bounds) -> str:
     line = timeline.of_log(log)
     clocks_of_log = line.clocks(line.sets)
     if not clocks_of_log.best:
-        raise Failure(f"{name} has no valid times; use --packets or --bytes")
+        raise Failure(f"{name} has no valid times")
     if bounds.dated and not clocks_of_log.dated:
         raise Failure(f"{name} has {no_date(line)}; use seconds from the start")
     return clocks_of_log.dated if bounds.dated else clocks_of_log.steady

@@ -7,12 +7,12 @@ import dataclasses
 import json
 from typing import TYPE_CHECKING
 
-from ..doctor import findings, report
+from ..doctor import findings
 from ..doctor.examined import Examined
 from ..doctor.findings import Finding
 from ..doctor.port import Patient
 from ..errors import Misuse
-from ..files import outputs, signals
+from ..files import signals
 from ..logs import inputs
 from ..logs.assumed import print_assumptions
 from ..options import add_baud, add_device, parse_rates, seconds
@@ -25,7 +25,6 @@ EPILOG = """\
 examples:
   mip doctor /dev/ttyACM0
   mip doctor /dev/ttyACM0 sensor.scaled_accel@500      is this rate reached, and if not, why?
-  mip doctor drive.bin --html drive.html
   mip doctor drive.bin --device 3dm-gq7                with the warnings of its filter
 
 At a port, it identifies the device and then only listens; no setting is changed. In a log, it finds
@@ -43,7 +42,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("input", metavar="PORT|LOG", help="a port such as /dev/ttyACM0, COM3, HOST:PORT; a log; - for standard input")
     add("names", nargs="*", default=[], metavar="NAME@HZ", help="rates that a device should reach")
     add("--duration", type=seconds, default=5.0, metavar="S", help="seconds to watch a device (default: 5)")
-    add("--html", metavar="FILE", help="write a report with a timeline")
     add("--json", action="store_true", help="print JSON, for programs")
     add_device(parser)
     add_baud(parser)
@@ -68,9 +66,6 @@ def run(options: argparse.Namespace) -> int:
         with inputs.open_columns(options.input, device) as log:
             examined = _examined(log)
         messages = findings.in_stream(examined)
-    if options.html:
-        with outputs.whole(options.html) as out:
-            out.write(report.page(options.input, examined, messages).encode())
     if options.json:
         print(json.dumps({"input": options.input, "findings": [dataclasses.asdict(f) for f in messages]}, indent=2))
     else:

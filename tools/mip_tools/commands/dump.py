@@ -62,8 +62,6 @@ def run(options: argparse.Namespace) -> int:
     between = options.skipped or explain
     if not explain:
         _check(options.input)
-    if _by_columns(options, explain) and (done := _fast(options, selection)) is not None:
-        return done
     shown = packets = bytes_skipped = 0
     begin = b""  # before the first packet
     for piece, device in _pieces(bytes_given or b"", options.device) if explain else _arriving(options):
@@ -119,34 +117,6 @@ def _skipped(piece: Piece, as_json: bool) -> str:
 
 def _none_shown(packets: int) -> None:
     print(f"mip dump: {count_text(packets, 'packet')}, none with these fields", file=sys.stderr)
-
-
-def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
-    """Can the faster way by columns be used: lines or objects of whole files, with NumPy installed?"""
-    if explain or options.tree or options.raw or options.skipped or options.count is not None:
-        return False
-    if not all(not inputs.is_port(name) and inputs.is_log(name) for name in options.input):
-        return False
-    return find_spec("numpy") is not None
-
-
-def _fast(options: argparse.Namespace, selection: Selection) -> int | None:
-    """Shows whole files. Returns None if they have no packet, so that the slower way reports the cause."""
-    from ..logs.lines import Lines, Objects, object_lines
-
-    packets = shown = 0
-    for name in options.input:
-        with inputs.open_columns(name, options.device) as log:
-            form = (Objects if options.json else Lines)(log.device)
-            print_assumptions("dump", log, False)
-            for count, texts in object_lines(log, selection, form):
-                packets += count
-                shown += len(texts)
-                if texts:
-                    print("\n".join(texts))
-    if packets and not shown:
-        _none_shown(packets)
-    return 0 if packets else None
 
 
 def _arriving(options: argparse.Namespace) -> Iterator[tuple[Piece | None, str | None]]:

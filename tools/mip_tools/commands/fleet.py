@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 import sys
 
 from ..errors import Misuse
@@ -17,9 +16,8 @@ EPILOG = """\
 examples:
   mip fleet logs -o data                                 all *.bin in a folder and its subfolders
   mip fleet logs -o data                                 again: adds new logs
-  mip fleet logs -o data --only sensor,filter_data --device-from '^([^/]+)/'
+  mip fleet logs -o data --only sensor,filter_data
   mip fleet s3://bucket/logs -o data                     needs s3fs
-  mip fleet logs -o data --scheduler tcp://host:8786     a cluster that sees the same folders
 
 The data set has a folder for each clock and each field, data/clock=gps/field=NAME, with the rows
 and columns of `mip export` for that field, plus `log` and `device`. data/_manifest.json lists the
@@ -44,20 +42,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="keep",
         help="values whose flags mark them as invalid: keep them (default), leave them empty, or drop their rows",
     )
-    add("--device-from", type=_group, metavar="REGEX", help="device of a log: first group of this pattern in its name")
     add_device(parser)
     add("--workers", type=positive, metavar="N", help="number of local processes (default: one for each core)")
-    add("--scheduler", metavar="ADDRESS", help="a Dask scheduler, instead of local processes")
-
-
-def _group(text: str) -> str:
-    try:
-        groups = re.compile(text).groups
-    except re.error as error:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a regular expression: {error}") from None
-    if groups < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' has no group; put the device in parentheses")
-    return text
 
 
 def run(options: argparse.Namespace) -> int:
@@ -76,10 +62,8 @@ def run(options: argparse.Namespace) -> int:
                 only=options.only,
                 pattern=options.pattern,
                 invalid=options.invalid,
-                device=options.device_from,
-                sender=options.device,
+                device=options.device,
                 workers=options.workers,
-                scheduler=options.scheduler,
                 progress=progress,
             )
         finally:

@@ -8,7 +8,6 @@ import sys
 import time
 
 from ..files import outputs, signals
-from ..logs import inputs
 from ..monitor.latest import Latest, device_pieces
 from ..names.selection import Selection
 from ..options import add_baud, add_device, add_timeout, hertz, seconds
@@ -19,10 +18,8 @@ examples:
   mip monitor localhost:5000 filter_data sensor.scaled_accel --rate 10
   mip monitor /dev/ttyACM0 --duration 5 > values.txt
 
-On a terminal with the extra `monitor` (textual), the view fills the screen: arrows and the mouse
-scroll, / filters by names and values, space pauses, q quits. Without the extra, only the values
-that fit on the screen are shown, and Ctrl-C ends the program. If the output is not a terminal, all
-values are printed again at each refresh.
+On a terminal, the values that fit on the screen are shown until Ctrl-C: name the fields to show. If
+the output is not a terminal, all values are printed again at each refresh.
 """
 
 
@@ -40,22 +37,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     latest = Latest(Selection(options.names), options.device)
-    if inputs.is_port(options.input) and sys.stdin.isatty() and outputs.redraws(sys.stdout):
-        try:
-            from ..monitor.screen import fill
-        except ImportError:  # textual is not installed
-            pass
-        else:
-            try:
-                fill(options, latest, device_pieces)
-            finally:
-                print("\n".join(_titled(options, latest)))
-            return 0
-    _draw(options, latest)
-    return 0
-
-
-def _draw(options: argparse.Namespace, latest: Latest) -> None:
     screen = _Screen()
     shown = time.monotonic()
     with signals.handled(signals.interrupt):
@@ -72,6 +53,7 @@ def _draw(options: argparse.Namespace, latest: Latest) -> None:
         finally:
             screen.draw(_titled(options, latest))
             screen.close()
+    return 0
 
 
 def _titled(options: argparse.Namespace, latest: Latest) -> list[str]:
@@ -96,7 +78,7 @@ class _Screen:
         width, height = shutil.get_terminal_size()
         if len(lines) > height - 1:
             shown = max(height - 2, 0)
-            more = f"… {len(lines) - shown} more lines; name the fields to show, or pip install textual"
+            more = f"… {len(lines) - shown} more lines; name the fields to show"
             lines = [*lines[:shown], more]
         text = "\r\n".join(line[:width] + "\x1b[K" for line in lines)
         sys.stdout.write(f"\x1b[H{text}\x1b[J")

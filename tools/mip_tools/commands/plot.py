@@ -29,19 +29,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("-o", "--output", metavar="FILE", help="write an image (default: open a window)")
     add_device(parser)
     add("--together", action="store_true", help="draw all in one diagram")
-    add("--invalid", choices=("mask", "keep"), default="mask", help="leave out invalid values (default), or keep them")
-    add("--size", type=_size, default=(10.0, 0.0), metavar="WxH", help="size in inches (default: 10 wide)")
-
-
-def _size(text: str) -> tuple[float, float]:
-    width, _, height = text.partition("x")
-    try:
-        size = float(width), float(height)
-    except ValueError:
-        size = 0.0, 0.0
-    if not all(1 <= number <= 100 for number in size):
-        raise argparse.ArgumentTypeError(f"'{text}' is not a size; write 10x6, in inches")
-    return size
 
 
 def run(options: argparse.Namespace) -> int:

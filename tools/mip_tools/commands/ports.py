@@ -78,7 +78,12 @@ def _device(port: _Port, options: argparse.Namespace) -> tuple[str, str, str, st
     except NoAnswer:
         return port.about, "", "", f"{port.role}, no reply".lstrip(", ")
     except Failure as failure:
-        return port.about, "", "", str(failure).removeprefix(f"{port.name} cannot be opened: ")
+        return (
+            port.about,
+            "",
+            "",
+            str(failure).removeprefix(f"{port.name} cannot be opened: ").removeprefix("no_device: "),
+        )
     except (OSError, MipError) as error:
         return port.about, "", "", connection.reason(error)
     listing = Listing(reply.device_info, ())

@@ -8,8 +8,7 @@ import sys
 from typing import Any
 
 from ..binding import MipError, connect
-from ..devices.profiles import device_named
-from ..errors import Failure, Misuse
+from ..errors import Failure
 from ..files import signals
 from ..options import add_baud
 from ..ports import connection
@@ -19,8 +18,6 @@ EPILOG = """\
 examples:
   mip serve /dev/ttyACM0                        finds the baud rate of the device
   mip serve localhost:5000 --tcp 5766
-  mip serve --simulate 3dm-cv7-gnss-ins --motion circle:radius=20,speed=5
-  mip serve --simulate 3dm-cv7-gnss-ins --fault lose_answer=0.1
 
 The first line of the output is an address with a token. Paste it into the live view of the
 workbench (`make workbench`, then build/workbench/live.html) on this machine. The server listens on
@@ -32,10 +29,7 @@ be connected at a time.
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
-    add("port", nargs="?", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
-    add("--simulate", metavar="DEVICE", help="serve a virtual device, as listed by `mip simulate --list`")
-    add("--motion", default="standing", metavar="MOTION", help="of the virtual device; see `mip simulate --help`")
-    add("--fault", action="append", default=[], metavar="FAULT,...", help="faults of the virtual device")
+    add("port", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
     add("--tcp", type=_number, default=0, metavar="N", help="TCP port on this machine (default: the system chooses)")
     add_baud(parser)
     parser.set_defaults(baud=None)
@@ -48,12 +42,10 @@ def _number(text: str) -> int:
 
 
 def run(options: argparse.Namespace) -> int:
-    if (options.port is None) == (options.simulate is None):
-        raise Misuse("name either a port or, with --simulate, a virtual device")
-    if options.simulate is None and (options.fault or options.motion != "standing"):
-        raise Misuse("--motion and --fault are for a virtual device; add --simulate DEVICE")
-    opened = _virtual(options) if options.simulate else lambda: _port(options.port, options.baud)
-    with Server(opened, options.tcp, say=_say) as server, signals.handled(lambda number, frame: server.stop()):
+    with (
+        Server(lambda: _port(options.port, options.baud), options.tcp, say=_say) as server,
+        signals.handled(lambda number, frame: server.stop()),
+    ):
         print(server.address, flush=True)
         server.run()
     return 0
@@ -70,23 +62,6 @@ def _port(name: str, baud: int | None) -> Any:
     if baud is None and getattr(port, "baudrate", None) is not None:
         _say(f"the device answers at {port.baudrate} Bd")
     return port
-
-
-def _virtual(options: argparse.Namespace) -> Any:
-    """Opens a port of a virtual device, which lives as long as the server."""
-    from ..simulator import Faults, LivePort, VirtualDevice
-    from ..simulator.faults.kinds import parse_faults
-    from ..simulator.motion import parse_motion
-    from ..simulator.motion.state import MotionError
-
-    try:
-        motion = parse_motion(options.motion)
-    except MotionError as error:
-        raise Misuse(f"--motion {error}") from None
-    plans = parse_faults(",".join(options.fault))
-    faults = Faults(plans=plans) if plans else None
-    device = VirtualDevice(device_named(options.simulate), motion=motion, faults=faults)
-    return lambda: LivePort(device)
 
 
 def _say(text: str) -> None:

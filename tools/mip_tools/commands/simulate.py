@@ -7,7 +7,6 @@ import re
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
-from dataclasses import replace
 from datetime import datetime, timezone
 from pathlib import Path
 from typing import TextIO
@@ -23,7 +22,7 @@ from ..simulator.endpoints.serve import Server
 from ..simulator.faults import Faults, Injected, json_log
 from ..simulator.faults.kinds import kinds_table, parse_faults
 from ..simulator.motion import MotionError, parse_motion
-from ..simulator.scenario import Scenario, Simulated, endpoint, read_scenario
+from ..simulator.scenario import endpoint, read_scenario
 from ..text.numbers import count_text
 
 Log = Callable[[Injected], None]
@@ -37,11 +36,11 @@ examples:
   mip simulate {_EXAMPLE} --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
   mip simulate {_EXAMPLE} --tcp 5000 --speed 10   TCP, ten times as fast as real time
   mip simulate {_EXAMPLE} --port "{_PORTS[0]}=pty:/tmp/first" --port "{_PORTS[-1]}=tcp:5000"
-  mip simulate --scenario test.yaml               devices, ports, motions and events of a file
+  mip simulate {_EXAMPLE} --tcp 5000 --scenario test.yaml     with the events of a file
   mip simulate {_EXAMPLE} --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
 
 When the device is ready, its endpoints are printed, one per line: first those of --pty, then --tcp, --udp and
---port; those of a scenario in the order of the file.
+--port.
 
 faults: KIND=RATE with a probability, KIND=RATE:AMOUNT also with a maximum amount, KIND@N at the Nth
 chance; all=RATE stands for every kind.
@@ -70,15 +69,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="MOTION",
         help="standing (default), circle:radius=20,speed=5, trajectory:file=CSV or replay:file=LOG",
     )
-    add("--scenario", type=Path, metavar="FILE", help="a YAML file with events, and optionally devices and their ports")
-    add(
-        "--signal",
-        type=_signal,
-        action="append",
-        default=[],
-        metavar="PIN=HZ",
-        help="a square wave at a pin of the device",
-    )
+    add("--scenario", type=Path, metavar="FILE", help="a YAML file with events")
     add("--noise", type=_noise, default=1.0, metavar="X", help="scales the noise (default: 1); 0: only constant biases")
     add("--seed", type=int, default=0, metavar="N", help="seed of noise and faults (default: 0)")
     add(
@@ -112,24 +103,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     if options.list:
         width = max(len(d.id) for d in DEVICES.values())
-        for device in DEVICES.values():
-            incomplete = f" (incomplete: {_share(device)})" if device.incomplete else ""
-            print(f"{device.id:<{width}}  {device.title}{incomplete}")
+        for listed in DEVICES.values():
+            incomplete = f" (incomplete: {_share(listed)})" if listed.incomplete else ""
+            print(f"{listed.id:<{width}}  {listed.title}{incomplete}")
         return 0
-    wanted = _wanted(options)
-    _different([endpoint for simulated in wanted for endpoint in simulated.endpoints])
+    profile = _profile(options.device)
+    endpoints = _endpoints(options, profile)
+    _different(endpoints)
     if options.log_packets and options.fault_log is None:
         raise Misuse("--log-packets needs a file; add --fault-log FILE")
     with ExitStack() as stack:
         file = _log(options, stack)
-        logs: list[Log | None] = [None] * len(wanted)
-        if file is not None:  # several devices are numbered in the log
-            numbers = ({"device": i} if wanted[1:] else {} for i in range(1, len(wanted) + 1))
-            logs = [json_log(file, **number) for number in numbers]
-        devices = [_device(simulated, options, log) for simulated, log in zip(wanted, logs)]
+        device = _device(profile, options, None if file is None else json_log(file))
         server = Server(
-            devices,
-            [replace(endpoint, device=i) for i, simulated in enumerate(wanted) for endpoint in simulated.endpoints],
+            device,
+            endpoints,
             options.speed,
             duration=options.duration,
             strict_baud=options.strict_baud,
@@ -139,69 +127,37 @@ def run(options: argparse.Namespace) -> int:
         )
         stack.enter_context(signals.handled(lambda number, frame: server.stop()))
         stack.enter_context(server)
-        for profile in {simulated.profile.id: simulated.profile for simulated in wanted}.values():
-            _introduce(profile, options.certain)
+        _introduce(profile, options.certain)
         server.run()
-    for served in devices:
-        if served.rtcm_frames:
-            _complain(f"{served.profile.title} has received {count_text(served.rtcm_frames, 'RTCM frame')}")
+    if device.rtcm_frames:
+        _complain(f"{profile.title} has received {count_text(device.rtcm_frames, 'RTCM frame')}")
     return 0
 
 
-def _wanted(options: argparse.Namespace) -> list[Simulated]:
-    """The devices to simulate. Raises Failure."""
-    scenario = Scenario() if options.scenario is None else read_scenario(options.scenario)
-    if not scenario.devices:
-        profile = _profile(options.device)
-        motion = None
-        if options.motion is not None:
-            try:
-                motion = parse_motion(options.motion)
-            except MotionError as error:
-                raise Failure(f"--motion {error}", 1 if "file=" in options.motion else 2) from None
-        return [
-            Simulated(
-                profile,
-                tuple(_endpoints(options, profile)),
-                motion,
-                sync=options.sync,
-                storage=options.storage,
-                events=scenario.events,
-            )
-        ]
-    for name in ("device", "pty", "tcp", "udp", "port", "motion", "signal", "storage", "sync"):
-        if getattr(options, name) not in (None, []):
-            what = f"'{options.device}'" if name == "device" else f"--{name}"
-            raise Misuse(f"{what} is for one device, but {options.scenario} names its own; remove one of them")
-    return [
-        replace(simulated, seed=options.seed + i if simulated.seed is None else simulated.seed)
-        for i, simulated in enumerate(scenario.devices)
-    ]
-
-
-def _device(simulated: Simulated, options: argparse.Namespace, log: Log | None) -> VirtualDevice:
-    seed = options.seed if simulated.seed is None else simulated.seed
+def _device(profile: Device, options: argparse.Namespace, log: Log | None) -> VirtualDevice:
+    """Makes the device. Raises Failure."""
+    events = () if options.scenario is None else read_scenario(options.scenario)
+    motion = None
+    if options.motion is not None:
+        try:
+            motion = parse_motion(options.motion)
+        except MotionError as error:
+            raise Failure(f"--motion {error}", 1 if "file=" in options.motion else 2) from None
     plans = parse_faults(",".join(options.fault))
     faults = None
-    if plans or log is not None or any(event.event == "faults" for event in simulated.events):
-        faults = Faults(seed=seed, log=log, every_packet=options.log_packets, plans=plans)
-    device = VirtualDevice(
-        certain(simulated.profile) if options.certain else simulated.profile,
-        motion=simulated.motion,
-        seed=seed,
+    if plans or log is not None or any(event.event == "faults" for event in events):
+        faults = Faults(seed=options.seed, log=log, every_packet=options.log_packets, plans=plans)
+    return VirtualDevice(
+        certain(profile) if options.certain else profile,
+        motion=motion,
+        seed=options.seed,
         noise=options.noise,
         start=options.start,
-        sync=simulated.sync,
-        storage=simulated.storage,
+        sync=options.sync,
+        storage=options.storage,
         faults=faults,
-        events=simulated.events,
+        events=events,
     )
-    for pin, hertz in options.signal:
-        try:
-            device.wave(pin, hertz)
-        except ValueError as error:
-            raise Misuse(f"--signal {pin}={hertz:g}: {error}") from None
-    return device
 
 
 def _log(options: argparse.Namespace, stack: ExitStack) -> TextIO | None:
@@ -272,12 +228,6 @@ def _different(endpoints: list[Endpoint]) -> None:
     for path in paths:
         if paths.count(path) > 1:
             raise Misuse(f"{path} is given for two terminals; choose different paths")
-
-
-def _signal(text: str) -> tuple[int, float]:
-    pin, _, hertz = text.partition("=")
-    what = "signal; write PIN=HZ, for example 1=10"
-    return int(_number(pin, 1, 255, what)), _number(hertz, 1e-6, 1e6, what)
 
 
 def _seconds(text: str) -> float:

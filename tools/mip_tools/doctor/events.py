@@ -16,7 +16,7 @@ CAUSES = {
     "line damage": "bytes were changed or lost in transit; check cable, baud rate and grounding",
     "changed format": "the message format was changed",
     "pause": "no data arrived, and none was damaged: the device was idle, unplugged, or not recorded",
-    "overload": "packets are missing while others arrived; send less, or raise the baud rate: `mip bandwidth`",
+    "overload": "packets are missing while others arrived; send less, or raise the baud rate",
     "not a number": "values are NaN or infinite although they are marked as valid, or have no flags",
     "dead": "a channel has only the value 0: the device lacks this sensor, or it does not work",
     "frozen": "a channel repeats its value: the sensor, or the program that wrote the log, has stopped",

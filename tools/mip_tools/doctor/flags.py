@@ -71,8 +71,8 @@ class Flags:
 
     def add(self, log: Log) -> None:
         """Counts the bits in the next part of a log."""
-        if self._open:
-            self._narrow(log.sender.family)
+        for (number, _), kind in list(self._open.items()):
+            self._narrow(log.sender.senders(log.column(kind, number), self._able))
         columns = log.columns([(number, watched.kind) for (number, _), watched in self._watched.items()])
         for watched, column in zip(self._watched.values(), columns):
             if len(column):

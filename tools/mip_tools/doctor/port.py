@@ -112,7 +112,7 @@ class Patient:
         used = len(self.data) * _BITS / (self._baud * seconds)
         if FULL < used < _IMPOSSIBLE:
             text = f"{min(used, 1):.0%} of {self._baud} Bd are used"
-            self._find("line is full", text, "raise the baud rate, or send less: `mip bandwidth`")
+            self._find("line is full", text, "raise the baud rate, or send less")
 
     def rates(self, wanted: Mapping[Occurrence, float], examined: Examined) -> None:
         """Adds a finding for each rate that is not reached, with the reason."""
@@ -130,7 +130,7 @@ class Patient:
             elif any(e.cause == "overload" for e in examined.events) or any(
                 f.cause == "line is full" for f in self.findings
             ):
-                remedy = "the line cannot carry it: `mip bandwidth`"
+                remedy = "the line cannot carry it: raise the baud rate"
             self._find("rate not reached", f"{occurrence.name}: {hertz(real)} Hz instead of {rate:g} Hz", remedy)
 
 

@@ -1,4 +1,4 @@
-"""Decodes many logs into one partitioned Parquet data set, in parallel with Dask.
+"""Decodes many logs into one partitioned Parquet data set, in parallel.
 
 A run continues where an interrupted one stopped, and no row is duplicated: see docs/fleet.md of mipgen.
 

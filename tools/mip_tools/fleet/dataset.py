@@ -2,10 +2,10 @@
 
     OUT/_manifest.json                     what belongs to the data set: files, their logs, and the options
     OUT/_catalogue.parquet                 a row for each log and descriptor set: device, times, rates, gaps
-    OUT/clock=gps/field=…/NAME.parquet     the rows
+    OUT/clock=gps/field=…/LOG.parquet      the rows of a log
     OUT/_work/                             files of an unfinished run
 
-A file gets its name when it is complete, and the name is derived from the content: making it again changes nothing.
+A file gets its place when it is complete, and its name is the identity of the log.
 Only files in the manifest belong to the data set, and the manifest is replaced as a whole.
 """
 
@@ -19,7 +19,7 @@ from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
-from urllib.parse import quote, unquote
+from urllib.parse import quote
 
 from ..errors import Failure
 
@@ -35,7 +35,6 @@ class Part:
     clock: str
     field: str
     rows: int
-    bytes: int  # size of the rows in memory
 
 
 @dataclass(frozen=True)
@@ -146,12 +145,6 @@ def placed(path: Path) -> Iterator[Path]:
 def rows_folder(clock: str, field: str) -> str:
     """Returns the folder for the rows of a field."""
     return f"clock={clock or 'none'}/field={quote(field, safe='')}"
-
-
-def belongs(path: Path) -> tuple[str, str]:
-    """Returns the clock and the field of a file."""
-    clock, field = (unquote(part.partition("=")[2]) for part in path.parts[-3:-1])
-    return clock, field
 
 
 def unlisted(folder: Path, manifest: Manifest) -> list[Path]:

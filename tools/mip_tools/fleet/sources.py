@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import re
 import shutil
 import tempfile
 from collections.abc import Iterable, Iterator
@@ -120,9 +119,3 @@ def _system(url: str) -> tuple[Any, str]:
         return cast(tuple[Any, str], import_module("fsspec.core").url_to_fs(url))
     except (ImportError, ValueError) as error:
         raise Misuse(f"{url}: {error}") from None
-
-
-def device_in(name: str, pattern: str | None) -> str | None:
-    """Returns the text that the first group of a regular expression matches in the name of a log."""
-    match = re.search(pattern, name) if pattern else None
-    return match[1] if match else None

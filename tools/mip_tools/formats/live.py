@@ -44,25 +44,27 @@ def write_stream(
     types: Sequence[Occurrence] = (),
     device: str | KnownDevice | None = None,
     host: bool = False,
+    gaps: list[float] | None = None,
 ) -> None:
     """Writes the fields of a stream until it ends. `types`: the columns of CSV; by default the fields in the preview.
-    `host`: with a column of the times when the packets arrive.
+    `host`: with a column of the times when the packets arrive. `gaps`: with a column of the seconds, which are added
+    here, for which the port was lost before a packet.
 
     The rows are the same as those of `mip export`, except that an instant that arrives in two pieces has two rows.
     Raises Failure if the stream ends without any of the fields.
     """
     if form == "mcap":
-        write_mcap(out, *stream_messages(arriving, options, selection, out.flush, device), live=True)
+        write_mcap(out, *_messages(arriving, options, selection, out.flush, device), live=True)
     else:
-        _write_table(out, form, arriving, options, selection, types, device, host)
+        _write_table(out, form, arriving, options, selection, types, device, host, gaps)
 
 
-def stream_messages(
+def _messages(
     arriving: Iterator[Piece | None],
     options: argparse.Namespace,
     selection: Selection,
-    flush: Callable[[], object] = lambda: None,
-    device: str | KnownDevice | None = None,
+    flush: Callable[[], object],
+    device: str | KnownDevice | None,
 ) -> tuple[Iterator[Batch], str | None, Callable[[Occurrence], Topic]]:
     """Returns the fields of a stream as messages, the clock of their times, and what makes the topic of a field."""
     inputs.need_numpy()
@@ -124,6 +126,7 @@ def _write_table(
     types: Sequence[Occurrence],
     device: str | KnownDevice | None,
     host: bool,
+    gaps: list[float] | None,
 ) -> None:
     inputs.need_numpy()
     import numpy as np
@@ -131,8 +134,8 @@ def _write_table(
     from ..columns import tables, timeline
     from . import writers
 
-    arrivals: list[int] = []
-    logs = _logs(_noted(arriving, arrivals) if host else arriving, device, options.command)
+    arrivals: list[tuple[int, float]] = []
+    logs = _logs(_noted(arriving, arrivals, gaps) if host or gaps is not None else arriving, device, options.command)
     first = next(logs, None)
     clocks = _clocks(first, options)
     wanted = tables.Form(
@@ -158,9 +161,12 @@ def _write_table(
                 if form == "csv":  # the columns are always the same
                     left_out |= {kind.name for kind in kinds if kind not in types}
                     kinds = list(types)
+                times, lost = zip(*arrivals[: log.packets]) if arrivals else ((), ())
                 if host:
-                    wanted = wanted._replace(arrivals=np.array(arrivals[: log.packets], np.int64))
-                    del arrivals[: log.packets]
+                    wanted = wanted._replace(arrivals=np.array(times, np.int64))
+                if gaps is not None:
+                    wanted = wanted._replace(gaps=np.array(lost))
+                del arrivals[: log.packets]
                 if kinds:
                     for table, _ in tables.table_parts(log, kinds, wanted):
                         write(started.converted(table.columns))
@@ -171,11 +177,15 @@ def _write_table(
             print(f"mip {options.command}: no columns for fields that came later: {names}; name them", file=sys.stderr)
 
 
-def _noted(arriving: Iterator[Piece | None], arrivals: list[int]) -> Iterator[Piece | None]:
-    """Yields the pieces, and notes when each packet arrived."""
+def _noted(
+    arriving: Iterator[Piece | None], arrivals: list[tuple[int, float]], gaps: list[float] | None
+) -> Iterator[Piece | None]:
+    """Yields the pieces, and notes when each packet arrived, and for how long the port was lost before."""
     for piece in arriving:
         if piece is not None and piece.packet is not None:
-            arrivals.append(time.time_ns())
+            arrivals.append((time.time_ns(), sum(gaps or ())))
+            if gaps:
+                gaps.clear()
         yield piece
 
 

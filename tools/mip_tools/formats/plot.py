@@ -118,13 +118,12 @@ def draw(pyplot: Any, log: Log, curves: Sequence[Curve], options: argparse.Names
         if not len(column):
             raise Failure(f"{options.file} has no {kind.name}; `mip info` lists its fields")
     count = 1 if options.together else len(curves)
-    width, height = options.size
     figure, axes = pyplot.subplots(
         count,
         1,
         sharex=True,
         squeeze=False,
-        figsize=(width, height or 1.0 + 2.2 * count + 1.5 * (count == 1)),
+        figsize=(10, 1.0 + 2.2 * count + 1.5 * (count == 1)),
         layout="constrained",
     )
     several = len(curves) > 1 and options.together
@@ -133,9 +132,8 @@ def draw(pyplot: Any, log: Log, curves: Sequence[Curve], options: argparse.Names
         axis = axes[0 if options.together else i][0]
         column = columns[curve.kind]
         values: Any = np.ma.filled(np.ma.asarray(column[curve.path], float), np.nan)
-        if options.invalid == "mask":
-            valid = column.valid(curve.path)
-            values = np.where(valid[:, None] if valid.ndim < values.ndim else valid, values, np.nan)
+        valid = column.valid(curve.path)
+        values = np.where(valid[:, None] if valid.ndim < values.ndim else valid, values, np.nan)
         times = _times(column, clock)
         for element, series in _series(curve, values):
             name = _title(curve) if several else curve.parameter.name

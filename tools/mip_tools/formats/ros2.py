@@ -1,4 +1,4 @@
-"""Writes ROS 2 bags: standard messages in the axes of REP 103, and messages of mip_msgs in those of the device."""
+"""Writes ROS 2 bags: standard messages in the axes of REP 103."""
 
 from __future__ import annotations
 
@@ -37,29 +37,24 @@ def require(form: str) -> None:
     Types()
 
 
-class _Form:
-    """Encodes fields as messages of mip_msgs, without their times; None if mip_msgs has no type for a field."""
+class _Times:
+    """Makes no messages of fields: a bag has only standard ones, with the times of the fields."""
 
     device: str | None = None
 
-    def __init__(self, types: Types) -> None:
-        self._types = types
+    def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[None]:
+        return [None] * len(column)
 
-    def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[bytes | None] | None:
-        name = self._types.of_kind(kind.kind)
-        return self._types.of_column(name, column, FRAME) if name else [None] * len(column)
-
-    def field(self, field: Field, kind: Occurrence) -> bytes | None:
-        name = self._types.of_kind(kind.kind)
-        return self._types.of_field(name, field, FRAME) if name else None
+    def field(self, field: Field, kind: Occurrence) -> None:
+        return None
 
 
 class Job(MessageExport):
     """The output for a log."""
 
     def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
-        if options.split or options.named:
-            raise Misuse("--split and --names are for tables; a bag has a topic for each message")
+        if options.named:
+            raise Misuse("--names is for tables; a bag has standard messages")
         if options.output == "-":
             raise Misuse("a bag is a folder; name one with -o")
         super().__init__(name, options, selection)
@@ -80,15 +75,14 @@ class Job(MessageExport):
 
     def _write(self, folder: Path, log: Log) -> None:
         rosbag2: Any = import_module("rosbags.rosbag2")
-        types = Types(self._options.messages)
-        made = Messages(self.types, self._selection, self._clock, self._options.invalid, _Form(types))
+        types = Types()
+        made = Messages(self.types, self._selection, self._clock, self._options.invalid, _Times())
         converter = standard.Converter(FRAME)
         waiting: dict[int, list[tuple[str, str, bytes]]] = {}  # standard messages of packets that are not written yet
         with rosbag2.Writer(folder, version=9, storage_plugin=rosbag2.StoragePlugin.MCAP) as bag:
             topics: dict[str, Any] = {}
-            own = {kind: (f"/mip/{kind.name.replace('.', '/')}", types.of_kind(kind.kind)) for kind in self.types}
 
-            def write(topic: str, kind: str | None, moment: int, message: bytes) -> None:
+            def write(topic: str, kind: str, moment: int, message: bytes) -> None:
                 if topic not in topics:
                     topics[topic] = bag.add_connection(topic, kind, typestore=types.store)
                 bag.write(topics[topic], moment, cdr.stamped(message, moment))
@@ -103,20 +97,17 @@ class Job(MessageExport):
 
             for batch, moments in timed(messages(), False):
                 has_time = batch.own & (batch.time != NONE)
-                rows = zip(*(each.tolist() for each in (batch.packet, batch.kind, moments, has_time, batch.time)))
-                for packet, group in groupby(zip(rows, batch.data), lambda row: row[0][0]):
+                rows = zip(*(each.tolist() for each in (batch.packet, moments, has_time, batch.time)))
+                for packet, group in groupby(rows, lambda row: row[0]):
                     several = list(group)
-                    for (_, number, moment, *_), data in several:
-                        self._check(packet, moment)
-                        if data is not None:
-                            write(*own[batch.kinds[number]], moment, data)
+                    self._check(packet, several[-1][1])
+                    _, moment, timed_itself, time = several[-1]
                     for topic, kind, message in waiting.pop(packet, ()):
                         write(topic, kind, moment, message)
-                    (_, _, moment, timed_itself, time), _ = several[-1]
                     if timed_itself and clocks.dated(self._clock):
                         write("/time_reference", REFERENCE, moment, self._reference(types, time))
         if not topics:
-            raise Failure(f"{self._options.file} has no data for standard messages; add --messages, for mip_msgs")
+            raise Failure(f"{self._options.file} has no data for standard messages; mcap has messages of all fields")
 
     def _check(self, packet: int, moment: int) -> None:
         """Raises Failure if a message cannot represent this time."""

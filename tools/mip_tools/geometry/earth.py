@@ -17,8 +17,6 @@ Matrix = tuple[float, float, float, float, float, float, float, float, float]
 A = 6378137.0
 F = 1 / 298.257223563
 E2 = F * (2 - F)
-GM = 3.986004418e14
-ROTATION = 7.2921151467e-5
 LIGHT = 299792458.0
 
 SECOND = 1_000_000_000
@@ -114,19 +112,6 @@ def magnetic_field(latitude: float, longitude: float) -> Vector:
     return to_ned(latitude, longitude, (x, y, z))
 
 
-# Geopotential height in m, temperature in K, pressure in mbar at the lower end, and lapse rate in K/m of each layer.
-_LAYERS = (
-    (0.0, 288.15, 1013.25, -0.0065),
-    (11000.0, 216.65, 226.3206, 0.0),
-    (20000.0, 216.65, 54.74889, 0.001),
-    (32000.0, 228.65, 8.680187, 0.0028),
-    (47000.0, 270.65, 1.109063, 0.0),
-    (51000.0, 270.65, 0.6693887, -0.0028),
-    (71000.0, 214.65, 0.03956420, -0.002),
-)
-_AIR = 0.0341631947363104  # g0 * molar mass / gas constant, K/m
-
-
 def geopotential(height: float) -> float:
     """Converts a height above mean sea level to a geopotential height."""
     return 6356766.0 * height / (6356766.0 + height)
@@ -135,12 +120,10 @@ def geopotential(height: float) -> float:
 def atmosphere(height: float) -> tuple[float, float, float]:
     """Returns temperature in degrees Celsius, pressure in mbar, density in kg/m^3 at a geopotential height.
 
-    These are of the US Standard Atmosphere 1976; outside its range, the values at the end of the range.
+    These are of the US Standard Atmosphere 1976 up to 20 km; above, the temperature stays the same.
     """
-    h = min(max(height, -5000.0), 84852.0)
-    base, t0, p0, lapse = next((layer for layer in reversed(_LAYERS) if h >= layer[0]), _LAYERS[0])
-    t = t0 + lapse * (h - base)
-    p = p0 * (t0 / t) ** (_AIR / lapse) if lapse else p0 * exp(-_AIR * (h - base) / t0)
+    t = 288.15 - 0.0065 * min(max(height, -5000.0), 11000.0)
+    p = 1013.25 * (t / 288.15) ** 5.255877 * exp(-max(height - 11000.0, 0.0) / 6341.62)
     return t - 273.15, p, 100 * p / (287.05287 * t)
 
 

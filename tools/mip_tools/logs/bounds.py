@@ -6,13 +6,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 
-class Range(NamedTuple):
-    """The numbers from `first` up to, but not including, `end`."""
-
-    first: int = 0
-    end: int | None = None
-
-
 class When(NamedTuple):
     """A time in ns: from the start of the log, or since 1970 in UTC."""
 
@@ -22,12 +15,10 @@ class When(NamedTuple):
 
 @dataclass(frozen=True)
 class Bounds:
-    """The requested part of a log: all limits apply together."""
+    """The requested part of a log: both limits apply together."""
 
     begin: When | None
     end: When | None
-    bytes: Range
-    packets: Range
 
     @property
     def timed(self) -> bool:

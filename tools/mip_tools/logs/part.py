@@ -9,7 +9,7 @@ import numpy as np
 from ..binding import SECOND
 from ..columns import Log, cut, timeline, times
 from ..columns.scan import Array
-from ..columns.sender import identifies, near_replies
+from ..columns.sender import identifies
 from ..columns.stamps import NONE
 from ..names.selection import Selection
 from ..text import clocks
@@ -28,17 +28,13 @@ class Within:
         self._added = 0  # what the clock lacks since its last restart
         self._read = 0  # packets
         self._count = 0  # packets within the bounds
-        #: The offset of the first packet behind the range of bytes and packet numbers; None until it is reached.
-        self.end: int | None = None
-        #: Are the bytes before the first packet within the bounds?
-        self.first = not bounds.bytes.first and not bounds.packets.first and bounds.begin is None
 
     def description(self) -> str:
         """Describes the log, for the message that nothing was found in the range."""
         if self._count:
             return "has only other fields there; `mip info` lists them"
-        if self._now is None or self._start is None or self.end is not None:
-            return f"has {count_text(self._read, 'packet')}{' up to there' * (self.end is not None)}"
+        if self._now is None or self._start is None:
+            return f"has {count_text(self._read, 'packet')}"
         begin = ""
         if self._bounds.dated:
             begin = f"begins at {clocks.stamp(self._clock or '', self._start, 2)} and "
@@ -46,6 +42,7 @@ class Within:
 
     def by_time(self, part: Log) -> Array:
         """Returns which packets of the next part are within the limits of time."""
+        self._read += part.packets
         if self._clock is None:
             return np.ones(part.packets, bool)
         own = times.of_packets(part, self._clock)
@@ -80,57 +77,25 @@ class Within:
     def _limit(self, when: When) -> int:
         return when.time + (0 if when.absolute else self._start or 0)
 
-    def by_place(self, offset: Array) -> Array:
-        """Returns which of the next packets are within the limits of bytes and packet numbers."""
-        number = self._read + np.arange(len(offset))
-        ended = np.zeros(len(offset), bool)
-        within = np.ones(len(offset), bool)
-        for places, limits in ((offset, self._bounds.bytes), (number, self._bounds.packets)):
-            within &= places >= limits.first
-            if limits.end is not None:
-                ended |= places >= limits.end
-        self.end = int(offset[ended][0]) if ended.any() else None
-        self._read += int((~ended).sum())
-        return np.asarray(within & ~ended)
-
     def count(self, within: Array) -> None:
         """Counts the packets within the bounds."""
         self._count += int(within.sum())
 
 
-def _identifying(log: Log, begin: int) -> Iterator[bytes]:
-    """Yields the packets that identify the device and begin at this offset or later."""
-    for part in near_replies(log, begin):
-        for piece in part.pieces():
-            for at, end in zip(piece.at.tolist(), piece.end.tolist()):
-                yield piece.data[at:end].tobytes()
-
-
-def kept(
-    parts: Iterable[tuple[int, Log]], within: Within, selection: Selection, skipped: bool, whole_log: Log | None = None
-) -> Iterator[tuple[bytes, int]]:
+def kept(parts: Iterable[tuple[int, Log]], within: Within, selection: Selection) -> Iterator[tuple[bytes, int]]:
     """Yields the bytes of the packets within the bounds, and the number of these packets.
 
-    `parts` are logs, each with the offset at which its bytes begin; `skipped` also keeps the bytes behind each packet.
-    Packets that identify the device are kept anywhere in `whole_log`, without it only before the end of the range.
+    `parts` are logs, each with the offset at which its bytes begin. Packets that identify the device are kept anywhere.
     """
-    before, free = within.first, 0  # the last packet: is it within the bounds, and where does it end?
-    for place, part in parts:
+    for _, part in parts:
         by_time = within.by_time(part)
         for piece in part.pieces(fields=not selection.everything):
             count = len(piece.at)
-            offset = place + piece.begin + piece.at
-            here: Array = within.by_place(offset) & by_time[piece.number : piece.number + count]
+            here: Array = by_time[piece.number : piece.number + count]
             within.count(here)
             spans: list[cut.Spans] = []
-            if skipped:
-                spans.append(cut.gaps(piece, free - place, np.concatenate(([before], here))))
-            if count:
-                before, free = bool(here[-1]), place + piece.begin + int(piece.end[-1])
             # without the name of the device, flags could mean something else
             whole, identifying = here, identifies(piece.data, piece.at)
-            if within.end is not None:
-                identifying &= offset < within.end
             mixed: Array = np.zeros(count, bool)
             if not selection.everything:
                 fields = cut.Fields(piece, selection.has)
@@ -140,7 +105,3 @@ def kept(
             whole, mixed = whole | identifying, mixed & ~identifying
             spans.append((piece.at[whole], piece.end[whole]))
             yield cut.cut(piece, spans, mixed), count
-            if within.end is not None:
-                if whole_log is not None:
-                    yield b"".join(_identifying(whole_log, within.end)), 0
-                return

@@ -97,6 +97,8 @@ def _back(device: DeviceAtPort, line: Line, begin: Begin | None, end: float | No
             time.sleep(_TURN)
             continue
         gap, now = time.monotonic() - lost, datetime.now()
+        if line.gaps is not None:
+            line.gaps.append(gap)
         print(f"mip {line.command}: {line.name} was lost for {gap:.1f} s, until {now:%H:%M:%S}", file=sys.stderr)
         return True
     return False

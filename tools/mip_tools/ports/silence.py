@@ -27,6 +27,7 @@ class Line(NamedTuple):
     command: str  # of `mip`, for its messages
     timeout: float | None = None  # seconds without data
     reopen: bool = False  # if the port is lost
+    gaps: list[float] | None = None  # the seconds for which it was lost are added here
 
 
 class Silence:

@@ -34,10 +34,6 @@ class Layout(NamedTuple):
         data, size = made.tobytes(), len(self.empty)
         return [HEAD + data[at : at + size] for at in range(0, len(data), size)]
 
-    def numbers(self) -> list[str]:
-        """Returns the names of the values that are not texts."""
-        return [name for name in self.dtype.names or () if self.dtype[name].names is None]
-
 
 def cdr_layout(definitions: Any, name: str, texts: Mapping[str, str]) -> Layout | None:
     """Computes the layout of messages with these texts; None if their length varies."""

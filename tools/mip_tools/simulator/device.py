@@ -34,7 +34,6 @@ from .motion import Motion, Standing, parse_motion
 from .script import Script, ScriptedEvent
 from .state import DeviceState, Encoder
 from .streams import formats, nmea, values
-from .streams.events import Events
 from .streams.stream import Stream, combined_answers, combined_fields
 from .world.world import World
 
@@ -97,10 +96,8 @@ class VirtualDevice(DeviceState):
         self._behind: list[Callable[[], None]] = []  # actions to run after the answer to this command
         self.trace = trace
         self._streams: list[Stream] = []
-        self._encoders: dict[tuple[int, int, str], Encoder] = {}
+        self._encoders: dict[tuple[int, int], Encoder] = {}
         self._disturbed = DISTURBANCE_TIME
-        self.events: Events = Events(self)
-        self._waves: list[Stream] = []
         self.script = Script(self, events)
         self._settle()
 
@@ -139,32 +136,6 @@ class VirtualDevice(DeviceState):
         for link in list(self.links):
             self.disconnect(link)
 
-    def drive(self, pin: int, level: bool) -> None:
-        """Sets the level of a pin from outside, which has an effect while the pin is an input.
-
-        Raises ValueError if the device has no such pin.
-        """
-        self._check(pin)
-        before = self.world.level(pin)
-        self.world.signals[pin] = level
-        if self.world.level(pin) != before:
-            self.events.changed(pin, level)
-
-    def wave(self, pin: int, hertz: float) -> None:
-        """Drives a pin with a square wave, low at first. Raises ValueError if the device has no such pin."""
-        self._check(pin)
-        change = [(1, pin)]
-        self._waves.append(Stream(2 * hertz, change, self._change, self.now, self.now))
-
-    def _check(self, pin: int) -> None:
-        limit = self.profile.limits.get("gpio_pins")
-        if not 1 <= pin <= (255 if limit is None else limit.value):
-            raise ValueError(f"the device has no pin {pin}")
-
-    def _change(self, pins: list[int]) -> None:
-        for pin in pins:
-            self.drive(pin, not self.world.signals.get(pin, False))
-
     def advance(self, seconds: float) -> None:
         """Lets time pass."""
         self.run_until(self.now + round(seconds * SECOND))
@@ -180,15 +151,11 @@ class VirtualDevice(DeviceState):
                 link.arrive(due)
                 for data in link.due(due):
                     self._transmit(link, data)
-            for wave in self._waves:
-                if wave.next <= due:
-                    wave.fire()
             if self._busy_until is not None and self._busy_until <= due:
                 self._go_on()
             for stream in list(self._streams):
                 if stream.next <= due and stream in self._streams:
                     stream.fire()
-            self.events.run(due)
             if self.faults is not None and self._disturbed <= due:
                 self._disturb()
         self._move(max(self.now, time))
@@ -196,10 +163,10 @@ class VirtualDevice(DeviceState):
     @property
     def next(self) -> int | None:
         """Returns the time of the next event that the host does not cause; None if there is none."""
-        times = [stream.next for stream in (*self._streams, *self._waves)]
+        times = [stream.next for stream in self._streams]
         times += [link.next for link in self.links if link.next is not None]
         times += [link.heard + SILENCE for link in self.links if link.parser.pending]
-        times += [t for t in (self._busy_until, self.events.next, self.script.next) if t is not None]
+        times += [t for t in (self._busy_until, self.script.next) if t is not None]
         if self.faults is not None:
             times.append(self._disturbed)
         return min(times, default=None)
@@ -208,8 +175,7 @@ class VirtualDevice(DeviceState):
     def busy(self) -> bool:
         """Will the device send something without a command?"""
         late = any(link.next is not None for link in self.links)
-        streams = bool(self._streams) or self.events.sends
-        return self.plugged and (streams or late or self._busy_until is not None)
+        return self.plugged and (bool(self._streams) or late or self._busy_until is not None)
 
     def reset(self) -> None:
         """Restarts the device with its saved settings."""
@@ -299,7 +265,6 @@ class VirtualDevice(DeviceState):
         """Sends no data for some time."""
         for stream in self._streams:
             stream.skip(self.now + time)
-        self.events.skip(self.now + time)
 
     # ----------------------------------------------------------------------- settings
 
@@ -338,10 +303,8 @@ class VirtualDevice(DeviceState):
         self.world.started = True
         ports.arrange(self)
         self.arrange()
-        self.events.reset()
 
     def disable_trigger(self, instance: int) -> None:
-        self.events.keep_mode(instance, None)
         for name, behavior in COMMANDS.items():
             if behavior.effect == "trigger_mode":
                 self.settings.reset((name, (instance,)))
@@ -353,14 +316,14 @@ class VirtualDevice(DeviceState):
         quiet = self.idle or self.direct
         self._streams = [] if quiet else formats.streams(self, max(self.now, self.ready_at))
 
-    def encoder(self, set_number: int, descriptor: int, channel: str = "") -> Encoder:
-        """Returns the encoder of a field. Each channel counts from the time at which it last sent the field."""
-        encoder = self._encoders.get((set_number, descriptor, channel))
+    def encoder(self, set_number: int, descriptor: int) -> Encoder:
+        """Returns the encoder of a field."""
+        encoder = self._encoders.get((set_number, descriptor))
         if encoder is None:
             kind = registry.types(set_number, descriptor)[0]
-            encode = values.encoder(kind, self.profile, self.world, set_number, channel)
+            encode = values.encoder(kind, self.profile, self.world, set_number)
             encoder = partial(_fields, set_number, descriptor, encode)
-            self._encoders[set_number, descriptor, channel] = encoder
+            self._encoders[set_number, descriptor] = encoder
         return encoder
 
     def send_data(self, set_number: int, wanted: Iterable[int], link: Link | None = None) -> None:

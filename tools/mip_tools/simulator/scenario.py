@@ -1,47 +1,22 @@
-"""Scenario files: devices with their ports and motions, and the events that affect them."""
+"""Scenario files: the events that affect a device."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isfinite
 from pathlib import Path
 from typing import Any
 
 from ..binding import Device
-from ..devices.profiles import device_named, port_named
+from ..devices.profiles import port_named
 from ..errors import Failure, Misuse
 from ..text.yaml_reader import Wrong, YamlReader, hint, kind_of
 from .endpoints.endpoint import KINDS as ENDPOINTS
-from .endpoints.endpoint import Endpoint, pty_at
-from .motion import MotionError, parse_motion
-from .motion.state import Motion
+from .endpoints.endpoint import Endpoint
 from .script import KINDS, ScriptedEvent
 
 
-@dataclass(frozen=True)
-class Simulated:
-    """A device of a scenario."""
-
-    profile: Device
-    endpoints: tuple[Endpoint, ...] = ()
-    motion: Motion | None = None
-    seed: int | None = None
-    sync: bool | None = None
-    storage: Path | None = None
-    events: tuple[ScriptedEvent, ...] = ()
-
-
-@dataclass(frozen=True)
-class Scenario:
-    """The content of a scenario file."""
-
-    devices: tuple[Simulated, ...] = ()
-    events: tuple[ScriptedEvent, ...] = ()
-    """The events of all devices, in a file without devices."""
-
-
-def read_scenario(path: Path) -> Scenario:
+def read_scenario(path: Path) -> tuple[ScriptedEvent, ...]:
     """Reads a scenario. Raises Failure with all mistakes and their positions."""
     return _Reader(path).scenario()
 
@@ -56,88 +31,36 @@ def endpoint(text: str, profile: Device) -> Endpoint:
     return ENDPOINTS[kind](place, port_named(profile, name).name if equals else None)
 
 
-def _yes_or_no(text: str) -> bool:
-    if text.lower() not in ("true", "yes", "false", "no"):
-        raise Misuse(f"'{text}' cannot be read; write true or false")
-    return text.lower() in ("true", "yes")
-
-
 class _Reader(YamlReader):
-    def scenario(self) -> Scenario:
-        root = self.root("a scenario; it needs 'devices', 'events' or both")
-        parts = self.keys(root, ("devices", "events"), "a scenario")
-        events = self.events(parts.get("events"))
-        devices = [self.device(node, events) for node in self.items(parts.get("devices"), "devices")]
+    def scenario(self) -> tuple[ScriptedEvent, ...]:
+        root = self.root("a scenario; it needs 'events'")
+        node = self.keys(root, ("events",), "a scenario").get("events")
+        events = []
+        if node is None or kind_of(node) != "sequence" or not node.value:
+            self.wrong(Wrong(node or root, "'events' must be a list with at least one item"))
+        else:
+            for item in node.value:
+                try:
+                    events.append(self.event(item))
+                except Wrong as mistake:
+                    self.wrong(mistake)
         self.end()
-        return Scenario(tuple(d for d in devices if d is not None), () if devices else events)
-
-    def items(self, node: Any, what: str) -> Sequence[Any]:
-        if node is None:
-            return ()
-        if kind_of(node) != "sequence" or not node.value:
-            self.wrong(Wrong(node, f"'{what}' must be a list with at least one item"))
-            return ()
-        return list(node.value)
-
-    # ----------------------------------------------------------------- devices
-
-    def device(self, node: Any, events: tuple[ScriptedEvent, ...]) -> Simulated | None:
-        parts = self.keys(node, ("device", "ports", "motion", "seed", "sync", "storage", "events"), "a device")
-        own = self.events(parts.get("events"))
-        try:
-            if "device" not in parts:
-                raise Wrong(node, "'device' is missing; `mip simulate --list` names the devices")
-            made: Simulated = self.tried(
-                parts["device"], lambda text: Simulated(device_named(text), events=events + own)
-            )
-            if "motion" in parts:
-                made = replace(made, motion=self.tried(parts["motion"], lambda x: parse_motion(x, self.path.parent)))
-            if "seed" in parts:
-                made = replace(made, seed=int(self.number(parts["seed"], "seed", whole=True)))
-            if "sync" in parts:
-                made = replace(made, sync=self.tried(parts["sync"], _yes_or_no))
-            if "storage" in parts:
-                made = replace(made, storage=self.path.parent / self.text(parts["storage"]))
-            ports = self.items(parts.get("ports"), "ports")
-            endpoints = [self.tried(port, lambda text: endpoint(text, made.profile)) for port in ports]
-        except Wrong as mistake:
-            self.wrong(mistake)
-            return None
-        return replace(made, endpoints=tuple(endpoints) or (pty_at(""),))
+        return tuple(events)
 
     def text(self, node: Any) -> str:
         if kind_of(node) != "scalar" or not node.value:
             raise Wrong(node, "this needs a text")
         return str(node.value)
 
-    def tried(self, node: Any, read: Any) -> Any:
-        """Parses a text in the form of the command line. Raises Wrong at this node."""
-        try:
-            return read(self.text(node))
-        except (Failure, MotionError) as error:
-            raise Wrong(node, str(error)) from None
-
-    def number(self, node: Any, name: str, least: float = 0.0, whole: bool = False) -> float:
+    def number(self, node: Any, name: str, least: float = 0.0) -> float:
         try:
             value = float(node.value)
         except (TypeError, ValueError):
             value = -1.0
-        if not least <= value < 1e10 or not isfinite(value) or (whole and value != int(value)):
+        if not least <= value < 1e10 or not isfinite(value):
             limit = "more than 0" if least else "0 or more"
-            what = "a whole number" if whole else "a number of seconds"
-            raise Wrong(node, f"'{name}' needs {what}, {limit}")
+            raise Wrong(node, f"'{name}' needs a number of seconds, {limit}")
         return value
-
-    # ----------------------------------------------------------------- events
-
-    def events(self, node: Any) -> tuple[ScriptedEvent, ...]:
-        events = []
-        for item in self.items(node, "events"):
-            try:
-                events.append(self.event(item))
-            except Wrong as mistake:
-                self.wrong(mistake)
-        return tuple(events)
 
     def event(self, node: Any) -> ScriptedEvent:
         parts = self.keys(node, ("event", "at", "for", "every", "field", "faults"), "an event")

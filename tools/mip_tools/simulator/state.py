@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
-from typing import Any, Protocol
+from typing import Any
 
-from ..binding import Command, Device, RawField
+from ..binding import Device, RawField
 from ..devices.checks import NOTHING
 from ..devices.facts import COMMANDS
 from ..devices.profiles import assumed_ports
@@ -18,18 +18,8 @@ from .world.world import World
 Encoder = Callable[[], list[RawField]]
 
 
-class EventState(Protocol):
-    """What commands do with the events of a device."""
-
-    def active(self, instance: int) -> bool: ...
-    def arrange(self) -> None: ...
-    def keep_mode(self, instance: int, mode: Command | None) -> None: ...
-
-
 class DeviceState(ABC):
     """The settings, the world and the connections of a device. Times are in nanoseconds since the start."""
-
-    events: EventState
 
     def __init__(self, profile: Device, settings: Settings, world: World, faults: Faults | None, seed: int) -> None:
         self.profile = profile
@@ -91,7 +81,7 @@ class DeviceState(ABC):
     @abstractmethod
     def disable_trigger(self, instance: int) -> None: ...
     @abstractmethod
-    def encoder(self, set_number: int, descriptor: int, channel: str = "") -> Encoder: ...
+    def encoder(self, set_number: int, descriptor: int) -> Encoder: ...
     @abstractmethod
     def send_data(self, set_number: int, wanted: Iterable[int], link: Link | None = None) -> None: ...
     @abstractmethod

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import replace
-from enum import IntEnum
 from typing import Any
 
 from ..binding import Described, Parameter, Structure, info
@@ -16,13 +15,6 @@ from .references import Inside
 def value_text(p: Parameter, value: Any) -> str:
     """Formats a value, with names but without units."""
     return replace(p, units=()).format(value)
-
-
-def name_of_value(value: int) -> str:
-    """Returns the name of an enumeration value, or its number if it is undefined."""
-    if isinstance(value, IntEnum):
-        return info(type(value)).names.get(int(value), str(int(value)))
-    return str(int(value))
 
 
 def rounded(value: float, scalar: str) -> str:

@@ -21,7 +21,7 @@ from ...devices.settings import arguments, command_type
 from ...geometry.earth import LAST_WEEK, SECOND, WEEK
 from ..link import Link
 from ..state import DeviceState
-from ..streams import events, formats
+from ..streams import formats
 from . import knowledge, ports
 from .filter_effects import FILTER_EFFECTS
 
@@ -198,12 +198,13 @@ def _protocols(device: DeviceState, call: Call) -> Outcome:
 def _trigger(device: DeviceState, call: Call) -> Outcome:
     """Disables a trigger that is configured. Rejects one that watches data that the device does not send."""
     if call.writes:
-        if call.values["set"] is not None and not events.can_watch(device, call.values):
+        watched = call.values["set"]
+        if watched is not None and not device.sends(watched, call.values["field"]):
             raise Refused(INVALID_PARAMETER)
         if not knowledge.has_room(device, "trigger", call.values):
             raise Refused(COMMAND_FAILED)
         device.disable_trigger(call.values["instance"])
-    return Outcome(after=device.events.arrange)
+    return DONE
 
 
 def _action(device: DeviceState, call: Call) -> Outcome:
@@ -215,17 +216,14 @@ def _action(device: DeviceState, call: Call) -> Outcome:
             raise Refused(INVALID_PARAMETER)
     if call.writes and not knowledge.has_room(device, "action", call.values):
         raise Refused(COMMAND_FAILED)
-    return Outcome(after=device.events.arrange)
+    return DONE
 
 
 def _trigger_mode(device: DeviceState, call: Call) -> Outcome:
     instance = call.values["instance"]
     if call.writes and instance and not knowledge.trigger_type(device, instance) and call.values["mode"]:
         raise Refused(COMMAND_FAILED)
-    if call.writes:
-        pulse = call.values["mode"].name == "TEST_PULSE"
-        device.events.keep_mode(instance, device.settings.current(call.command) if pulse else None)
-    return Outcome(after=device.events.arrange)
+    return DONE
 
 
 def _pin(device: DeviceState, call: Call) -> Outcome:
@@ -240,7 +238,7 @@ def _pin(device: DeviceState, call: Call) -> Outcome:
         device.world.pulled_up.add(pin)
     else:
         device.world.pulled_up.discard(pin)
-    return Outcome(after=device.events.arrange)
+    return DONE
 
 
 def _pin_state(device: DeviceState, call: Call) -> Outcome:

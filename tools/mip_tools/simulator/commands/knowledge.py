@@ -80,12 +80,12 @@ def _asked(device: DeviceState, context: Context, limit: str) -> Sequence[int]:
 
 
 def _trigger_status(device: DeviceState, context: Context) -> Sequence[tuple[int, int]]:
-    """Returns the type and the state of each trigger. A trigger in a test mode is active."""
+    """Returns the type and the state of each trigger. Only one in a test mode is active."""
     modes = {setting["instance"]: setting["mode"] for setting in device.settings_of("trigger_mode")}
     rows = []
     for instance in _asked(device, context, TRIGGERS):
         mode = modes.get(instance, 0)
-        state = {0: 0, 1: 0b010 | device.events.active(instance)}.get(mode, 0b111)
+        state = {0: 0, 1: 0b010}.get(mode, 0b111)
         rows.append((trigger_type(device, instance), state))
     return rows
 

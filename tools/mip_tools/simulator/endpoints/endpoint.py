@@ -39,8 +39,6 @@ class Endpoint:
     path: str = ""
     port: str | None = None
     """The name of the device's port in its profile; None: its main port."""
-    device: int = 0
-    """The number of the device, from 0."""
 
 
 def pty_at(path: str, port: str | None = None) -> Endpoint:

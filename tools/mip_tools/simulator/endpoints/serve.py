@@ -7,7 +7,7 @@ import os
 import selectors
 import socket
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from typing import Any, Protocol
 
 from .channel import CAPACITY, Channel, Link, Peer
@@ -44,36 +44,12 @@ class Device(Protocol):
     def disconnect(self, link: Any) -> None: ...
 
 
-class Together:
-    """Devices that share the same time."""
-
-    def __init__(self, devices: Sequence[Device]) -> None:
-        self.devices = devices
-
-    @property
-    def now(self) -> int:
-        return self.devices[0].now
-
-    @property
-    def next(self) -> int | None:
-        """Returns the time of the next event that no host causes."""
-        return min((d.next for d in self.devices if d.next is not None), default=None)
-
-    @property
-    def busy(self) -> bool:
-        return any(d.busy for d in self.devices)
-
-    def advance(self, seconds: float) -> None:
-        for device in self.devices:
-            device.advance(seconds)
-
-
 class Server:
-    """Devices at their endpoints. Use it in a `with` statement, which opens and closes them."""
+    """A device at its endpoints. Use it in a `with` statement, which opens and closes them."""
 
     def __init__(
         self,
-        devices: Device | Sequence[Device],
+        device: Device,
         endpoints: Iterable[Endpoint],
         speed: float = 1.0,
         *,
@@ -90,7 +66,7 @@ class Server:
 
         `duration`: simulated seconds until `run` returns. `ready` is called with each endpoint.
         """
-        self._device = Together(devices if isinstance(devices, Sequence) else (devices,))
+        self._device = device
         self._endpoints = tuple(endpoints)
         self._speed = speed
         self._clock = clock
@@ -149,7 +125,7 @@ class Server:
     def _plug(self) -> None:
         """Closes the ports of an unplugged device, and opens them when it is plugged in again."""
         for endpoint in self._endpoints:
-            plugged = self._of(endpoint).plugged
+            plugged = self._device.plugged
             if plugged and endpoint not in self._plugged:
                 for channel in [c for c, e in self._channels.items() if e is endpoint]:
                     self._remove(channel, again=False)
@@ -160,9 +136,6 @@ class Server:
                 if listener is not None:
                     self._selector.unregister(listener)
                     listener.close()
-
-    def _of(self, endpoint: Endpoint) -> Device:
-        return self._device.devices[endpoint.device]
 
     def _accept(self, listener: Listener, endpoint: Endpoint) -> None:
         client = listener.accept()
@@ -175,7 +148,7 @@ class Server:
         self._add(client, endpoint)
 
     def _add(self, peer: Peer, endpoint: Endpoint) -> None:
-        link: Link = self._of(endpoint).connect(endpoint.port)
+        link: Link = self._device.connect(endpoint.port)
         channel = Channel(peer, link, self._garble, self._pace, self._capacity)
         self._channels[channel] = endpoint
         self._selector.register(peer, selectors.EVENT_READ, lambda events: self._serve(channel, events))
@@ -189,9 +162,9 @@ class Server:
             # There may be no client: the simulator cannot tell whether a terminal is open.
             packets = f"{channel.dropped} packet{'s' * (channel.dropped != 1)}"
             self._complain(f"{channel.peer}: {packets} dropped, as no client read them in time")
-        self._of(endpoint).disconnect(channel.link)
+        self._device.disconnect(channel.link)
         channel.peer.close()
-        if again and endpoint.kind != "tcp" and self._of(endpoint).plugged:  # the same path leads to a new terminal
+        if again and endpoint.kind != "tcp" and self._device.plugged:  # the same path leads to a new terminal
             self._open(endpoint)
 
     def close(self) -> None:

@@ -27,9 +27,9 @@ class Injected:
     command: RawField | None = None
     """The command whose answer is wrong, late or missing."""
 
-    def as_json(self, **more: Any) -> str:
+    def as_json(self) -> str:
         """Formats one line, without absent values; bytes are hexadecimal."""
-        line: dict[str, Any] = {"time": self.now / 1e9, **more, "kind": self.kind, "detail": self.detail}
+        line: dict[str, Any] = {"time": self.now / 1e9, "kind": self.kind, "detail": self.detail}
         if self.packet is not None:
             line |= {"packet": self.packet.hex(), "damaged": self.damaged}
         if self.added:
@@ -40,11 +40,11 @@ class Injected:
         return json.dumps(line)
 
 
-def json_log(file: TextIO, **more: Any) -> Callable[[Injected], None]:
-    """Makes a log that writes each fault at once, as one JSON object that also contains `more`."""
+def json_log(file: TextIO) -> Callable[[Injected], None]:
+    """Makes a log that writes each fault at once, as one JSON object."""
 
     def write(injected: Injected) -> None:
-        file.write(injected.as_json(**more) + "\n")
+        file.write(injected.as_json() + "\n")
         file.flush()
 
     return write

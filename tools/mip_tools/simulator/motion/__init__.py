@@ -10,11 +10,8 @@ from typing import Any
 from ...geometry.attitude import euler_rotation
 from ...geometry.earth import radii
 from .replay import Replay
-from .state import Motion, MotionError, State, check_place, state
+from .state import HEIGHT, LATITUDE, LONGITUDE, Motion, MotionError, State, check_place, state
 from .trajectory import Trajectory
-
-#: The default position: degrees and metres.
-LATITUDE, LONGITUDE, HEIGHT = 47.0, 8.0, 500.0
 
 
 class Standing:

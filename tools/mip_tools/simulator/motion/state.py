@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from math import cos, sin
+from math import cos, radians, sin
 from typing import NamedTuple, Protocol
 
 from ...geometry.attitude import Quaternion, euler_rotation
 from ...geometry.earth import E2, Matrix, Vector, radii
+
+#: The default position: degrees and metres.
+LATITUDE, LONGITUDE, HEIGHT = 47.0, 8.0, 500.0
 
 
 class MotionError(ValueError):
@@ -40,6 +43,13 @@ class State(NamedTuple):
     quaternion: Quaternion  # v_body = q^-1 * v_ned * q
     dcm: Matrix  # v_body = dcm * v_ned
     rate: Vector  # of the body relative to north, east, down, in the axes of the body, rad/s
+
+
+#: At rest at the default position, level, to the north.
+REST = State(
+    radians(LATITUDE), radians(LONGITUDE), HEIGHT, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0),
+    (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0), (0.0, 0.0, 0.0),
+)  # fmt: skip
 
 
 class Motion(Protocol):

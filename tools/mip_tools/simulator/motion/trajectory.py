@@ -10,27 +10,20 @@ from itertools import pairwise
 from math import cos, degrees, inf, isfinite, pi, radians
 from pathlib import Path
 
-from ...geometry.attitude import euler_rotation
 from ...geometry.earth import Vector, radii
 from .state import PLACES, MotionError, State, check_place, is_place, state
 
 _TIME = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 _LENGTH = {"m": 1.0, "km": 1e3, "ft": 0.3048}
 _ANGLE = {"deg": radians(1), "rad": 1.0}
-_SPEED = {"m/s": 1.0, "km/h": 1 / 3.6}
-PLACE, LOCAL, SPEED = ("latitude", "longitude", "height"), ("north", "east", "down"), ("speed",)
+PLACE, LOCAL = ("latitude", "longitude", "height"), ("north", "east", "down")
 ATTITUDE = ("roll", "pitch", "yaw")
 
 #: The columns of a file, and the units that each may have.
 COLUMNS = {
     "time": _TIME, "latitude": _ANGLE, "longitude": _ANGLE, "height": _LENGTH, **dict.fromkeys(LOCAL, _LENGTH),
-    "speed": _SPEED, **dict.fromkeys(ATTITUDE, _ANGLE),
+    **dict.fromkeys(ATTITUDE, _ANGLE),
 }  # fmt: skip
-
-#: Seconds between two positions that are computed from speeds.
-STEP = 0.05
-#: The maximum number of rows and steps of a file.
-MOST = 5_000_000
 
 _HEADING = re.compile(r"\s*([a-z]+)\s*(?:\[([^\]]*)\])?\s*\Z")
 
@@ -38,10 +31,9 @@ _HEADING = re.compile(r"\s*([a-z]+)\s*(?:\[([^\]]*)\])?\s*\Z")
 class Curve:
     """A smooth curve through values: cubic pieces with a slope at each value. It is constant before and after them."""
 
-    def __init__(self, times: Sequence[float], values: Sequence[float], slopes: Sequence[float] | None = None) -> None:
-        """By default, the slopes keep the curve between neighbouring values."""
-        self.times, self.values = times, values
-        self.slopes = _slopes(times, values) if slopes is None else slopes
+    def __init__(self, times: Sequence[float], values: Sequence[float]) -> None:
+        """The slopes keep the curve between neighbouring values."""
+        self.times, self.values, self.slopes = times, values, _slopes(times, values)
 
     def at(self, t: float) -> Vector:
         """Returns the value, and its first and second derivatives."""
@@ -70,11 +62,11 @@ def _slopes(times: Sequence[float], values: Sequence[float]) -> list[float]:
 
 
 class Trajectory:
-    """Follows the positions or speeds, and the attitudes, in a CSV file. At its end, the device stays there.
+    """Follows the positions and the attitudes in a CSV file. At its end, the device stays there.
 
     The first line names the columns, each with its unit: `time [s]`, then `latitude [deg]`, `longitude [deg]`,
-    `height [m]`, or `north [m]`, `east [m]`, `down [m]` relative to the options' position, or `speed [m/s]` along
-    the x axis of the device; and `roll [deg]`, `pitch [deg]`, `yaw [deg]`, each 0 if left out.
+    `height [m]`, or `north [m]`, `east [m]`, `down [m]` relative to the options' position; and `roll [deg]`,
+    `pitch [deg]`, `yaw [deg]`, each 0 if left out.
     """
 
     def __init__(
@@ -92,53 +84,18 @@ class Trajectory:
         if table.place == PLACE:
             latitudes, longitudes, heights = (table.columns[name] for name in PLACE)
             self._place = [Curve(times, latitudes), Curve(times, _unwound(longitudes)), Curve(times, heights)]
-        elif table.place == LOCAL:
+        else:
             (m, n), c = radii(start[0]), cos(start[0])
             scales = ((m + height, start[0]), ((n + height) * c, start[1]), (-1.0, height))
             self._place = [
                 Curve(times, [origin + x / scale for x in table.columns[name]])
                 for name, (scale, origin) in zip(LOCAL, scales)
             ]
-        else:
-            self._place = self._driven(start, Curve(times, table.columns["speed"]))
         for i, t in enumerate(self._place[0].times):
             where = [curve.values[i] for curve in self._place]
             if not is_place(degrees(where[0]), 0.0, where[2]):
                 at = table.line(t + table.times[0])
                 raise MotionError(f"{path}:{at}:1: the device is at {degrees(where[0]):g}°, {where[2]:g} m; {PLACES}")
-
-    def _driven(self, start: Vector, speed: Curve) -> list[Curve]:
-        """Computes positions from the speed and the attitude, in small steps."""
-
-        def rates(t: float, at: Sequence[float]) -> Vector:
-            _, m = euler_rotation(*(angle.at(t)[0] for angle in self._angles))
-            v = speed.at(t)[0]
-            along, across = radii(at[0])
-            return m[0] * v / (along + at[2]), m[1] * v / ((across + at[2]) * cos(at[0])), -m[2] * v
-
-        times: list[float] = []
-        places: list[Sequence[float]] = []
-        slopes: list[Vector] = []
-        at: Sequence[float] = start
-        for a, b in pairwise(speed.times):
-            count = max(1, round((b - a) / STEP))
-            if len(times) + count > MOST:
-                raise MotionError(f"trajectory: {self.duration:g} s are too long for a file with speeds; divide it")
-            h = (b - a) / count
-            for i in range(count):
-                t = a + i * h
-                first = rates(t, at)
-                times.append(t)
-                places.append(at)
-                slopes.append(first)
-                middle = rates(t + h / 2, [x + h / 2 * k for x, k in zip(at, first)])
-                again = rates(t + h / 2, [x + h / 2 * k for x, k in zip(at, middle)])
-                last = rates(t + h, [x + h * k for x, k in zip(at, again)])
-                at = [x + h / 6 * (p + 2 * q + 2 * r + s) for x, p, q, r, s in zip(at, first, middle, again, last)]
-        times.append(self.duration)
-        places.append(at)
-        slopes.append(rates(self.duration, at))
-        return [Curve(times, [p[i] for p in places], [s[i] for s in slopes]) for i in range(3)]
 
     def at(self, t: float) -> State:
         if self._loop and self.duration > 0:
@@ -200,10 +157,10 @@ class _Table:
                 raise self._wrong(number, column, f"'{name}' is there twice; remove one")
             heads.append((name, COLUMNS[name][unit.strip()]))
         names = {name for name, _ in heads}
-        groups = [kind for kind in (PLACE, LOCAL, SPEED) if names.intersection(kind)]
+        groups = [kind for kind in (PLACE, LOCAL) if names.intersection(kind)]
         if len(groups) != 1:
-            what = "no place and no speed" if not groups else "more than one kind of place or speed"
-            kinds = "; ".join(", ".join(kind) for kind in (PLACE, LOCAL, SPEED))
+            what = "no place" if not groups else "more than one kind of place"
+            kinds = "; ".join(", ".join(kind) for kind in (PLACE, LOCAL))
             raise self._wrong(number, 1, f"the file has {what}; it needs one of: {kinds}")
         self.place = groups[0]
         if missing := [name for name in ("time", *self.place) if name not in names]:

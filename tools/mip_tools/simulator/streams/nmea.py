@@ -77,7 +77,7 @@ def _declination(world: World) -> float:
 
 
 def _gga(world: World, fix: _Fix) -> Iterator[str]:
-    used, hdop = len(world.satellites(fix.receiver)), world.dop.hdop
+    used, hdop = len(world.satellites), quantity(world, "dop.hdop")
     yield gga(fix.time, _place(fix), used, hdop, fix.height - world.geoid, world.geoid)
 
 
@@ -87,13 +87,13 @@ def _gll(world: World, fix: _Fix) -> Iterator[str]:
 
 def _gsv(world: World, fix: _Fix) -> Iterator[str]:
     for constellation, (talker, offset) in _CONSTELLATIONS.items():
-        seen = only(world.satellites(fix.receiver), constellation)
+        seen = only(world.satellites, constellation)
         groups = [seen[i : i + 4] for i in range(0, len(seen), 4)]
         for number, group in enumerate(groups, 1):
             text = f"{talker}GSV,{len(groups)},{number},{len(seen):02d}"
             for s in group:
                 azimuth = round(degrees(s.azimuth)) % 360
-                text += f",{s.satellite.id + offset:02d},{degrees(s.elevation):02.0f},{azimuth:03d},{s.strength:02.0f}"
+                text += f",{s.id + offset:02d},{degrees(s.elevation):02.0f},{azimuth:03d},{s.strength:02.0f}"
             yield text
 
 

@@ -6,7 +6,6 @@ import struct
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from enum import IntEnum, IntFlag
-from functools import cache
 from typing import Any
 
 from ...binding import SCALARS, Device, Field, Parameter, reflection, registry
@@ -30,16 +29,16 @@ LARGEST = (2 - 2**-23) * 2.0**127
 _CLOCKS = ("gps.", "clock.", "utc.", "reference.", "external.", "ticks.", "event.")
 
 
-def encoder(kind: type[Field], profile: Device, world: World, set_number: int, channel: str = "") -> Encoder:
+def encoder(kind: type[Field], profile: Device, world: World, set_number: int) -> Encoder:
     """Makes the encoder of a field, which returns the data of the fields to send now, without lengths and descriptors.
 
-    `set_number` is the set of the packets. Quantities that count from the last output have a count for each channel.
+    `set_number` is the set of the packets.
     """
     if not all(_packs(p) for p, _ in _flat(kind)):
         unchanging = _defaults(kind)
         return lambda: [unchanging]
     source = _computed(value_sources(kind, set_number))
-    simulated = _encoder(kind, profile, world, set_number, source, channel)
+    simulated = _encoder(kind, profile, world, set_number, source)
     motion = world.motion
     if not isinstance(motion, Replay) or not _recorded(source):
         return simulated
@@ -61,18 +60,6 @@ def senses(profile: Device) -> frozenset[str]:
         if (number, kind.DESCRIPTOR) in profile.fields:
             quantities.update(v.quantity for v in value_sources(kind, number).parameters.values())
     return frozenset(sense for sense, quantity in _SENSES.items() if quantity in quantities)
-
-
-@cache
-def receiver_of(number: int) -> int:
-    """Returns the number of the GNSS receiver to which a set belongs; 0: none."""
-    quantities = {
-        v.quantity[:6]
-        for set_number, kind in registry.all_types()
-        if set_number == number
-        for v in value_sources(kind, set_number).parameters.values()
-    }
-    return next((receiver for receiver in (1, 2) if f"gnss_{receiver}" in quantities), 0)
 
 
 def _packs(p: Parameter) -> bool:
@@ -109,12 +96,10 @@ def _recorded(source: FieldValues) -> bool:
     return not names or any(not name.startswith(_CLOCKS) for name in names)
 
 
-def _encoder(
-    kind: type[Field], profile: Device, world: World, set_number: int, source: FieldValues, channel: str
-) -> Encoder:
+def _encoder(kind: type[Field], profile: Device, world: World, set_number: int, source: FieldValues) -> Encoder:
     readers, layout = _readers(kind, profile, world, source)
     pack = _packer(layout)
-    encode = _valid_encoder(kind, profile, world, set_number, source, channel, readers, pack)
+    encode = _valid_encoder(kind, profile, world, set_number, source, readers, pack)
     if not source.valid_if:
         return encode
     valid, nothing = QUANTITIES[source.valid_if], bytes(struct.calcsize(">" + layout))
@@ -127,7 +112,6 @@ def _valid_encoder(
     world: World,
     set_number: int,
     source: FieldValues,
-    channel: str,
     readers: list[Reader],
     pack: Callable[..., bytes],
 ) -> Encoder:
@@ -143,7 +127,7 @@ def _valid_encoder(
             (only,) = readers
             return lambda: [pack(*only(plain))]
         return lambda: [pack(*_joined(readers, plain))]
-    output = world.output(set_number, counting[0], rate, channel) if counting else Output(rate)
+    output = world.output(set_number, counting[0], rate) if counting else Output(rate)
 
     def encode() -> list[bytes]:
         output.begin(world)

@@ -13,7 +13,7 @@ from ...geometry.attitude import Quaternion, quaternion
 from ...geometry.earth import SECOND, Matrix, Vector, turned, turned_back
 from ..motion.state import Motion, State
 from .noise import Noise, Values
-from .satellites import DAY, Dop, Seen, dop, in_view
+from .satellites import IN_VIEW, Seen
 
 T = TypeVar("T")
 
@@ -105,9 +105,7 @@ class Surroundings:
         self.time = 0.0  # `now` in seconds
         self.gps = self.start  # ns since the GPS epoch
         self.pins: dict[int, bool] = {}  # levels of outputs, by pin from 1
-        self.signals: dict[int, bool] = {}  # levels set from outside
-        self.pulled_up: set[int] = set()  # pins that are high without a signal
-        self.trigger = 0  # the event trigger that causes the current output; 0: none
+        self.pulled_up: set[int] = set()  # inputs that are high
         self.senses: frozenset[str] | None = None  # what the device measures: mag, pressure, position, …; None: all
         self.gnss = True  # the receivers receive satellites
         self.outside = False  # a pulse per second and its time arrive from outside
@@ -123,7 +121,7 @@ class Surroundings:
             name: Noise(1 if name in _SINGLE else 3, Random(f"{seed}:{name}"), **figures)
             for name, figures in NOISE.items()
         }
-        self._outputs: dict[tuple[int, str, str], Output] = {}
+        self._outputs: dict[tuple[int, str], Output] = {}
         self._state: State | None = None
         self._cache: dict[str, Any] = {}
         self._turn: Matrix | None = None
@@ -236,14 +234,11 @@ class Surroundings:
 
     def level(self, pin: int) -> bool:
         """Is a pin high?"""
-        return self.pins.get(pin, self.signals.get(pin, pin in self.pulled_up))
+        return self.pins.get(pin, pin in self.pulled_up)
 
-    def output(self, set_number: int, quantity: str, rate: float, channel: str = "") -> Output:
-        """Returns the output that all fields of a set with this quantity share: sending any of them restarts the count.
-
-        Channels count separately: scheduled data, and each event action.
-        """
-        return self._outputs.setdefault((set_number, quantity, channel), Output(rate))
+    def output(self, set_number: int, quantity: str, rate: float) -> Output:
+        """Returns the output that all fields of a set with this quantity share."""
+        return self._outputs.setdefault((set_number, quantity), Output(rate))
 
     # ------------------------------------------------------------------ frames
 
@@ -413,22 +408,12 @@ class Surroundings:
     def receiver_clock(self, receiver: int) -> tuple[float, float]:
         """Returns bias and drift of a receiver's clock, which oscillates once a day."""
         rate = 2 * pi / 86_400
-        angle = self.gps % DAY / SECOND * rate + receiver
+        angle = self.gps % (86_400 * SECOND) / SECOND * rate + receiver
         return 1e-4 * sin(angle), 1e-4 * rate * cos(angle)
 
-    def satellites(self, receiver: int) -> tuple[Seen, ...]:
-        def look() -> tuple[Seen, ...]:
-            if not self.gnss:
-                return ()
-            a = self.antenna(receiver)
-            moves = earth.from_ned(a.latitude, a.longitude, a.velocity)
-            return in_view(self.gps, a.latitude, a.longitude, a.height, moves, *self.receiver_clock(receiver))
-
-        return self.once(f"satellites {receiver}", look)
-
     @property
-    def dop(self) -> Dop:
-        return self.once("dop", lambda: dop(self.satellites(1)))
+    def satellites(self) -> tuple[Seen, ...]:
+        return IN_VIEW if self.gnss else ()
 
     def course(self, velocity: Vector) -> float:
         """Returns the direction over ground, 0 to 2 pi; at rest, the heading of the vehicle."""

@@ -209,7 +209,7 @@ _TIME: dict[str, Function] = {
     "reference.counts": lambda w, _: (w.now - w.booted) // 16000 % 2**32,
     "ticks.count": lambda w, out: _ticks(w.now - w.booted, out),
     "ticks.delta": lambda w, out: _ticks(w.now, out) - _ticks(out.previous, out) & 0xFFFFFFFF,
-    "event.trigger": lambda w, _: w.trigger,
+    "event.trigger": lambda w, _: 0,
 }
 
 _SENSORS: dict[str, Function] = {
@@ -236,7 +236,7 @@ _SENSORS: dict[str, Function] = {
     "temperature.min": _temperature(-2.0),
     "temperature.max": _temperature(2.0),
     "temperature.mean": _temperature(0.0),
-    "gpio.states": lambda w, _: sum(1 << (pin - 1) for pin in {*w.pins, *w.signals, *w.pulled_up} if w.level(pin)),
+    "gpio.states": lambda w, _: sum(1 << (pin - 1) for pin in {*w.pins, *w.pulled_up} if w.level(pin)),
     "gpio.voltage": lambda w, _: 0.0,
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from math import hypot, pi
 from typing import Any
 
@@ -13,6 +14,8 @@ from .world import World
 
 Function = Callable[[World, Any], Any]
 
+#: The dilution of precision; the parts add up.
+_DOP = {"gdop": 1.3, "pdop": 1.2, "hdop": 0.72, "vdop": 0.96, "tdop": 0.5, "ndop": 0.52, "edop": 0.498}
 #: How long corrections are used.
 CORRECTED = 10 * SECOND
 
@@ -62,7 +65,7 @@ def _gnss(receiver: int) -> dict[str, Function]:
         "course_accuracy": course_accuracy,
         "clock_bias": lambda w, _: w.receiver_clock(receiver)[0],
         "clock_drift": lambda w, _: w.receiver_clock(receiver)[1],
-        "satellites": lambda w, _: w.satellites(receiver),
+        "satellites": lambda w, _: w.satellites,
     }
     return {f"gnss_{receiver}.{name}": function for name, function in own.items()}
 
@@ -75,30 +78,24 @@ GNSS: dict[str, Function] = {
     "gnss.aiding": _aiding,
     **_gnss(1),
     **_gnss(2),
-    "dop.gdop": lambda w, _: w.dop.gdop,
-    "dop.pdop": lambda w, _: w.dop.pdop,
-    "dop.hdop": lambda w, _: w.dop.hdop,
-    "dop.vdop": lambda w, _: w.dop.vdop,
-    "dop.tdop": lambda w, _: w.dop.tdop,
-    "dop.ndop": lambda w, _: w.dop.ndop,
-    "dop.edop": lambda w, _: w.dop.edop,
+    **{f"dop.{name}": partial(lambda value, w, _: value, value) for name, value in _DOP.items()},
     "gnss.horizontal_accuracy": lambda w, _: 1.0,
     "gnss.vertical_accuracy": lambda w, _: 1.5,
     "gnss.position_accuracy": lambda w, _: hypot(1.0, 1.5),
     "satellite.index": lambda w, s: s.number,
     "satellite.count": lambda w, s: s.of,
-    "satellite.used": lambda w, _: len(w.satellites(1)),
+    "satellite.used": lambda w, _: len(w.satellites),
     "satellite.channel": lambda w, s: s.number,
-    "satellite.constellation": lambda w, s: s.satellite.constellation,
-    "satellite.id": lambda w, s: s.satellite.id,
-    "satellite.signal": lambda w, s: s.satellite.signal,
+    "satellite.constellation": lambda w, s: s.constellation,
+    "satellite.id": lambda w, s: s.id,
+    "satellite.signal": lambda w, s: s.signal,
     "satellite.elevation": lambda w, s: s.elevation,
     "satellite.azimuth": lambda w, s: s.azimuth,
     "satellite.strength": lambda w, s: s.strength,
     "satellite.pseudorange": lambda w, s: s.pseudorange,
-    "satellite.phase": lambda w, s: s.pseudorange * s.satellite.frequency / LIGHT,
-    "satellite.doppler": lambda w, s: s.doppler,
+    "satellite.phase": lambda w, s: s.pseudorange * s.frequency / LIGHT,
+    "satellite.doppler": lambda w, s: -w.receiver_clock(1)[1] * s.frequency,
     "satellite.lock_time": lambda w, s: (w.now - w.booted) / SECOND,
-    "gnss.gps_satellites": lambda w, _: satellites.only(w.satellites(1), "gps"),
+    "gnss.gps_satellites": lambda w, _: satellites.only(w.satellites, "gps"),
     "base_station.ecef": _base_station,
 }
