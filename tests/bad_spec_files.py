@@ -60,8 +60,12 @@ class BadSpec:
 
     def lay(self, folder: Path) -> Path:
         """Writes the whole specification below `folder`."""
-        spec = folder / "spec"
-        shutil.copytree(BASE, spec)
+        spec = Path(shutil.copytree(BASE, folder / "spec"))
+        self.change(spec)
+        return spec
+
+    def change(self, spec: Path) -> None:
+        """Makes the good specification in this folder the bad one."""
         if self.lines:
             (spec / self.file).parent.mkdir(exist_ok=True)
             text = "".join(f"{line}\n" for line in self.lines)
@@ -71,7 +75,16 @@ class BadSpec:
             (spec / "packets/bad.yaml").write_text(f"typical: {self.options['typical']}\n", "utf-8")
         if "remove" in self.options:
             (spec / self.options["remove"]).unlink()
-        return spec
+
+    def restore(self, spec: Path) -> None:
+        """Makes it the good one again."""
+        for name in {self.file, "packets/bad.yaml", self.options.get("remove", self.file)}:
+            if (BASE / name).is_file():
+                shutil.copyfile(BASE / name, spec / name)
+            else:
+                (spec / name).unlink(missing_ok=True)
+            if not (BASE / name).parent.is_dir() and (spec / name).parent.is_dir():
+                (spec / name).parent.rmdir()
 
     @property
     def target(self) -> str | None:
@@ -146,6 +159,7 @@ def problems(spec: Path, target: str | None = None) -> list[str]:
 
 def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
     """Files that were valid and have not changed are neither parsed nor checked again: for tests with many runs."""
+    monkeypatch.setenv("MIPGEN_CACHE", "")
     good: dict[tuple[str, bytes], nodes.Node] = {}
     judge = loader._valid
 

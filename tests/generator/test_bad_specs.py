@@ -19,6 +19,7 @@ from mipgen.lower import codec
 from mipgen.read import syntax
 from mipgen.resolve import checks
 from mipgen.resolve.load import load_model
+from support import tree
 
 GENERATOR = Path(mipgen.__file__).parent
 MODULES = (
@@ -181,9 +182,12 @@ def test_every_message_and_every_site_that_reports_one(tmp_path: Path, monkeypat
             for function, code in watched(GENERATOR / module, own, reached):
                 patch.setattr(function, "__code__", code)
         found = {}
+        spec = Path(shutil.copytree(BASE, tmp_path / "spec"))
         for bad in bad_specs():
-            found[bad.name] = problems(bad.lay(tmp_path), bad.target)
-            shutil.rmtree(tmp_path / "spec")
+            bad.change(spec)
+            found[bad.name] = problems(spec, bad.target)
+            bad.restore(spec)
+    assert tree(spec) == tree(BASE)
     assert found == {bad.name: bad.errors for bad in bad_specs()}
     assert sorted(str(s) for s in wanted - reached) == sorted(UNREACHABLE)
 
