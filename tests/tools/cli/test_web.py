@@ -116,6 +116,7 @@ def test_a_page_that_knows_the_token_uses_the_device() -> None:
     [
         ("/", "", "403", {}),
         ("/guess", "", "403", {}),
+        ("/\u00ff", "", "403", {}),  # bytes beyond ASCII
         ("/{token}x", "", "403", {}),
         ("/{token}", "evil.example:{number}", "403", {}),  # a name that was made to lead here
         ("/{token}", "evil.example", "403", {}),

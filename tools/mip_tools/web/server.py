@@ -97,7 +97,7 @@ class Server:
         hosts, origins = request.headers.get_all("Host"), request.headers.get_all("Origin")
         if len(hosts) != 1 or not host_is_known(hosts[0], HOST):
             return "This name is not that of the server."
-        if hmac.compare_digest(request.path.encode(), f"/{self.token}".encode()):
+        if hmac.compare_digest(request.path.encode(errors="surrogateescape"), f"/{self.token}".encode()):
             return None
         origin = ascii(origins[0][:80]) if origins else "unknown origin"
         self._say(f"a page of {origin} was rejected: it does not know the token")
