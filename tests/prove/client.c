@@ -10,7 +10,9 @@
 #include "mip/core.h"
 
 static bool any_walk_next(struct mip_walk *walk, struct mip_field *field);
+static size_t any_field_at(struct mip_field *field, const uint8_t *at, size_t left);
 #define mip_walk_next any_walk_next
+#define mip_field_at any_field_at
 #include "mip/core/client.c"
 
 #define REQUESTS 3
@@ -49,7 +51,15 @@ static bool any_walk_next(struct mip_walk *walk, struct mip_field *field) {
     field->data = any_bytes(field->size);
     field->descriptor = nondet_byte();
     field->descriptor_set = nondet_byte();
+    walk->end = field->data + field->size;
     return true;
+}
+
+/* Finds a field of any bytes, or none, which changes nothing. */
+static size_t any_field_at(struct mip_field *field, const uint8_t *at, size_t left) {
+    struct mip_walk walk;
+    (void)at, (void)left;
+    return any_walk_next(&walk, field) ? 2U + field->size : 0;
 }
 
 bool mip_codec_matches(const struct mip_codec *of, const struct mip_field *field) {

@@ -57,7 +57,7 @@ size_t receive(uint8_t *bytes, size_t size);
 int main(void) {
     static const struct mip_port port = {NULL, port_write, port_now, NULL};
     static struct mip_request request;
-    unsigned step = 0;
+    static unsigned step;
     mip_device_init(&device, &port, MIP_ARRAY(handlers));
     request.result.outcome = MIP_ACKNOWLEDGED;
     for (;;) {

@@ -158,25 +158,34 @@ static inline struct mip_walk mip_walk_packet(const struct mip_packet *packet) {
     return walk;
 }
 
+/** Sets a field's descriptor and data to those of the field that begins at `at`, and returns its
+ * length; 0 if it does not end within the next `left` bytes. */
+static inline size_t mip_field_at(struct mip_field *field, const uint8_t *at, size_t left) {
+    const size_t length = left > 0 ? at[0] : 0;
+    if (length < 2 || length > left) {
+        return 0;
+    }
+    field->data = at + 2;
+    field->size = (uint8_t)(length - 2);
+    field->descriptor = at[1];
+    return length;
+}
+
 /** Gets the next field. Returns false at the end; `error` is then MIP_OK if all fields are valid.
  */
 static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field) {
     const size_t left = (size_t)(walk->end - walk->at);
-    if (left == 0) {
-        return false;
+    const size_t length = mip_field_at(field, walk->at, left);
+    if (length > 0) {
+        field->descriptor_set = walk->descriptor_set;
+        walk->at += length;
+        return true;
     }
-    const uint8_t length = walk->at[0];
-    if (length < 2 || length > left) {
+    if (left > 0) {
         walk->at = walk->end;
         walk->error = MIP_ERROR_FIELD_LENGTH;
-        return false;
     }
-    field->data = walk->at + 2;
-    field->size = (uint8_t)(length - 2);
-    field->descriptor_set = walk->descriptor_set;
-    field->descriptor = walk->at[1];
-    walk->at += length;
-    return true;
+    return false;
 }
 
 /** Descriptor set and descriptor of a field as one constant. */

@@ -137,6 +137,8 @@ struct mip_device {
      * out of order, such as UDP: each command is then preceded by what has arrived, as data. Serial
      * ports and TCP keep the order. */
     bool (*waits)(void *user);
+    /** Waits by the port's `read`: mip_device_wait, or NULL if there is no `read`. */
+    void (*wait)(struct mip_device *device, uint8_t *bytes, struct mip_request *request);
     /** In handlers and observers, the packet that is being handled: mip_walk_packet finds all its
      * fields, for example a timestamp and the values of that time. NULL otherwise. */
     const struct mip_packet *packet;
@@ -198,12 +200,26 @@ static inline bool mip_again(struct mip_retry *retry, struct mip_result result) 
     return retry->attempts > 0 && (retry->outcomes >> result.outcome & 1u) != 0;
 }
 
+/** Waits for the reply to a request; without one, takes in what has arrived. Only mip_device_init
+ * refers to this. */
+MIP_API void mip_device_wait(struct mip_device *device, uint8_t *bytes,
+                             struct mip_request *request);
+
+/** Like mip_device_init, for a port whose `read` is NULL. */
+MIP_API void mip_device_begin(struct mip_device *device, const struct mip_port *port,
+                              size_t handler_count, const struct mip_handler *handlers);
+
 /**
  * Initializes a device. The port is copied. The handlers must stay at their address; they may be
  * constant, or NULL if there are none. Nothing is sent or read.
  */
-MIP_API void mip_device_init(struct mip_device *device, const struct mip_port *port,
-                             size_t handler_count, const struct mip_handler *handlers);
+static inline void mip_device_init(struct mip_device *device, const struct mip_port *port,
+                                   size_t handler_count, const struct mip_handler *handlers) {
+    mip_device_begin(device, port, handler_count, handlers);
+    if (port->read != NULL) { /* otherwise a program that never waits does not link what waits */
+        device->wait = mip_device_wait;
+    }
+}
 
 /**
  * Reads once, at most as many bytes as the longest packet has, and calls the handlers of the fields

@@ -297,9 +297,9 @@ MIP_API bool mip_client_passes(struct mip_client *client, const struct mip_packe
  * barrier precedes the next packet. */
 MIP_API void mip_client_miss(struct mip_client *client);
 
-/** Matches an acknowledge field that mip_walk_next has found to a request, and returns that, or
- * NULL. If the response follows, advances the walk, and stores it in `field`. */
-MIP_API struct mip_request *mip_client_match(struct mip_client *client, struct mip_walk *walk,
+/** Matches an acknowledge field of a packet, whose payload ends at `end`, to a request, and returns
+ * that, or NULL. If the response follows, replaces `field` by it. */
+MIP_API struct mip_request *mip_client_match(struct mip_client *client, const uint8_t *end,
                                              struct mip_field *field);
 
 /**
@@ -316,9 +316,11 @@ MIP_API struct mip_request *mip_client_match(struct mip_client *client, struct m
 static inline bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
                                    struct mip_request **answered, struct mip_field *field) {
     const bool more = mip_walk_next(walk, field);
-    *answered = more && client->waiting != NULL && field->descriptor == MIP_ACKNOWLEDGE_DESCRIPTOR
-                    ? mip_client_match(client, walk, field)
-                    : NULL;
+    *answered = NULL;
+    if (more && client->waiting != NULL && field->descriptor == MIP_ACKNOWLEDGE_DESCRIPTOR) {
+        *answered = mip_client_match(client, walk->end, field);
+        walk->at = field->data + field->size;
+    }
     return more;
 }
 

@@ -108,19 +108,20 @@ mip_error mip_client_send(struct mip_client *client, struct mip_request *request
     return error;
 }
 
-/** Returns the outcome of a request after a response to its command; it still waits if it has
- * requested another response. */
-static enum mip_outcome respond(struct mip_request *request, const struct mip_field *field) {
+/** Returns the outcome of a request after a response to its command, which then takes the place of
+ * `field`; it still waits if it has requested another response. */
+static enum mip_outcome respond(struct mip_request *request, const struct mip_field *behind,
+                                struct mip_field *field) {
     const struct mip_response *r = request->asked;
-    while (r->descriptor != field->descriptor ||
-           (r->layout != NULL && !mip_codec_matches(r->layout, field))) {
+    while (r->descriptor != behind->descriptor ||
+           (r->layout != NULL && !mip_codec_matches(r->layout, behind))) {
         if (!r->more) {
             return MIP_WAITING;
         }
         r++;
     }
     if (request->response != NULL) {
-        const mip_error error = mip_decode(request->codec, request->response, field, NULL);
+        const mip_error error = mip_decode(request->codec, request->response, behind, NULL);
         if (error == MIP_ERROR_CONSTANT) {
             return MIP_WAITING; /* it answers something else */
         }
@@ -130,20 +131,21 @@ static enum mip_outcome respond(struct mip_request *request, const struct mip_fi
     if (r->layout != NULL && !request->result.responded) {
         request->codec = r->layout;
     }
+    *field = *behind;
     return request->result.error != MIP_OK ? MIP_UNDECODABLE : MIP_ACKNOWLEDGED;
 }
 
-/** Returns the outcome of a request after an acknowledge of its command and the field after that.
- */
+/** Returns the outcome of a request after an acknowledge of its command, with a code, and the field
+ * after that. */
 static enum mip_outcome judge(struct mip_request *request, uint8_t code,
-                              const struct mip_field *behind) {
+                              const struct mip_field *behind, struct mip_field *field) {
     const struct mip_response *r = request->exchange->responses;
     if (code != 0) {
         return MIP_REFUSED;
     }
     for (size_t left = request->exchange->response_count; left > 0; left--) {
         if (r->descriptor == behind->descriptor) {
-            return request->asked != NULL ? respond(request, behind) : MIP_WAITING;
+            return request->asked != NULL ? respond(request, behind, field) : MIP_WAITING;
         }
         r++;
     }
@@ -163,23 +165,25 @@ static void leave(struct mip_request **at, enum mip_outcome outcome) {
  * reply to another one. An acknowledge without a response is matched first to requests that expect
  * none.
  */
-struct mip_request *mip_client_match(struct mip_client *client, struct mip_walk *walk,
+struct mip_request *mip_client_match(struct mip_client *client, const uint8_t *end,
                                      struct mip_field *field) {
     struct mip_request **found = NULL;
     struct mip_request *r;
     enum mip_outcome outcome = MIP_WAITING;
-    struct mip_walk ahead = *walk;
+    const uint8_t *const next = field->data + field->size;
     if (field->size < 2) {
         return NULL;
     }
+    const uint8_t descriptor = field->data[0];
+    const uint8_t code = field->data[1];
     struct mip_field behind = *field; /* without a field, there is no response */
-    mip_walk_next(&ahead, &behind);
+    mip_field_at(&behind, next, (size_t)(end - next));
     for (struct mip_request **at = &client->waiting; (r = *at) != NULL; at = &r->next) {
-        if (r->behind != 0 || r->exchange->descriptor != field->data[0] ||
+        if (r->behind != 0 || r->exchange->descriptor != descriptor ||
             r->exchange->descriptor_set != field->descriptor_set) {
             continue;
         }
-        const enum mip_outcome judged = judge(r, field->data[1], &behind);
+        const enum mip_outcome judged = judge(r, code, &behind, field);
         if (judged == MIP_WAITING || judged == outcome) {
             continue; /* if several lack their response, the first counts */
         }
@@ -189,15 +193,10 @@ struct mip_request *mip_client_match(struct mip_client *client, struct mip_walk 
             break;
         }
     }
-    if (found == NULL) {
-        return NULL;
-    }
-    r = *found;
-    r->result.code = field->data[1];
-    leave(found, outcome);
-    if (r->asked != NULL && outcome != MIP_REFUSED && outcome != MIP_MISSING_RESPONSE) {
-        *walk = ahead; /* its response */
-        *field = behind;
+    if (found != NULL) {
+        r = *found;
+        r->result.code = code;
+        leave(found, outcome);
     }
     return r;
 }

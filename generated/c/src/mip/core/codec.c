@@ -209,7 +209,7 @@ bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *fi
 }
 
 /** Checks that a field is of this type. */
-static mip_error check(const struct mip_field *field, const struct mip_codec *codec) {
+MIP_APART mip_error check(const struct mip_field *field, const struct mip_codec *codec) {
     return field->descriptor != codec->descriptor             ? MIP_ERROR_DESCRIPTOR
            : !mip_codec_belongs(codec, field->descriptor_set) ? MIP_ERROR_SET
            : !mip_codec_matches(codec, field)                 ? MIP_ERROR_LAYOUT
@@ -218,8 +218,8 @@ static mip_error check(const struct mip_field *field, const struct mip_codec *co
 }
 
 bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec) {
-    const mip_error error = check(field, codec);
-    return error == MIP_OK || error == MIP_ERROR_TRUNCATED;
+    return field->descriptor == codec->descriptor &&
+           mip_codec_belongs(codec, field->descriptor_set) && mip_codec_matches(codec, field);
 }
 
 /** Decodes most fields, without a call. Returns false for others; then nothing has changed. */

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-void mip_device_init(struct mip_device *device, const struct mip_port *port, size_t handler_count,
-                     const struct mip_handler *handlers) {
+void mip_device_begin(struct mip_device *device, const struct mip_port *port, size_t handler_count,
+                      const struct mip_handler *handlers) {
     MIP_ASSERT(port->write != NULL && port->now != NULL);
     memset(device, 0, sizeof(*device)); /* which also initializes the parser */
     device->port = *port;
@@ -17,28 +17,20 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port, siz
 /* No field has descriptor 0. */
 const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, 0, NULL, NULL};
 
-/** Does a handler match this field? Most differ in the descriptor. */
-static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
-    const struct mip_codec *type = handler->type;
-    if (type == NULL || (handler->descriptor_set != MIP_ANY_SET &&
-                         handler->descriptor_set != field->descriptor_set)) {
-        return false;
-    }
-    return type->descriptor == 0 ||
-           (type->descriptor == field->descriptor && mip_field_is(field, type));
-}
-
-/** Calls the first handler that matches a field. */
+/** Calls the first handler that matches a field. Most handlers differ in the descriptor. */
 static void dispatch(const struct mip_device *device, const struct mip_field *field) {
     const struct mip_handler *h = device->handlers;
-    for (size_t left = device->handler_count; left > 0; left--) {
-        if (is_for(h, field)) {
+    for (size_t left = device->handler_count; left > 0; left--, h++) {
+        const struct mip_codec *type = h->type;
+        if (type != NULL && (type->descriptor == 0 || type->descriptor == field->descriptor) &&
+            (h->descriptor_set == MIP_ANY_SET || h->descriptor_set == field->descriptor_set) &&
+            (type->descriptor == 0 ||
+             (mip_codec_belongs(type, field->descriptor_set) && mip_codec_matches(type, field)))) {
             if (h->handle != NULL) {
                 h->handle(h->user, field, device->heard);
             }
             return;
         }
-        h++;
     }
 }
 
@@ -59,11 +51,16 @@ static void count_packet(struct mip_device *device, const struct mip_packet *pac
 #endif
 }
 
+/** Tells the program where a packet begins or ends. */
+static void observe(const struct mip_device *device, bool ends) {
+    if (device->observer != NULL) {
+        device->observer->packet(device->observer->user, device, ends);
+    }
+}
+
 /** Passes the replies in a packet to the client, and the other fields to the handlers. */
 static void handle(struct mip_device *device, const struct mip_packet *packet) {
-    struct mip_walk walk = {packet->bytes + MIP_HEADER_SIZE,
-                            packet->bytes + packet->size - MIP_CHECKSUM_SIZE,
-                            packet->descriptor_set, MIP_OK};
+    struct mip_walk walk = mip_walk_packet(packet);
     struct mip_request *answered;
     struct mip_field field;
     count_packet(device, packet);
@@ -71,18 +68,13 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
         return;
     }
     device->packet = packet;
-    bool ends = false;
-    do { /* once for the fields, and once after the last field */
-        if (device->observer != NULL) {
-            device->observer->packet(device->observer->user, device, ends);
+    observe(device, false);
+    while (mip_client_next(&device->client, &walk, &answered, &field)) {
+        if (answered == NULL) {
+            dispatch(device, &field);
         }
-        while (mip_client_next(&device->client, &walk, &answered, &field)) {
-            if (answered == NULL) {
-                dispatch(device, &field);
-            }
-        }
-        ends = !ends;
-    } while (ends);
+    }
+    observe(device, true);
     device->packet = NULL;
 }
 
@@ -100,26 +92,27 @@ static void show(const struct mip_device *device, const uint8_t *bytes, size_t s
 static bool handle_bytes(struct mip_device *device, const uint8_t *data, size_t size, bool open) {
     struct mip_packet packet;
     mip_device_lock(device, true);
-    const bool outside = device->packet == NULL;
-    if (outside) {
-        uint32_t now = device->port.now(device->port.user);
-        if (size > 0) {
-            device->heard = now;
-        }
-        const bool ended =
-            !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
-        if (size >= MIP_MAX_PACKET) { /* the reply may already wait after the bytes read */
-            now -= MIP_BACKLOG;
-        }
-        show(device, data, size, false);
-        while (mip_parser_next(&device->parser, &data, &size, &packet) ||
-               (ended && mip_parser_flush(&device->parser, &packet)) ||
-               mip_client_poll(&device->client, &device->parser, now, &packet)) {
-            handle(device, &packet);
-        }
+    if (device->packet != NULL) {
+        mip_device_lock(device, false);
+        return false;
+    }
+    uint32_t now = device->port.now(device->port.user);
+    if (size > 0) {
+        device->heard = now;
+    }
+    const bool ended =
+        !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
+    if (size >= MIP_MAX_PACKET) { /* the reply may already wait after the bytes read */
+        now -= MIP_BACKLOG;
+    }
+    show(device, data, size, false);
+    while (mip_parser_next(&device->parser, &data, &size, &packet) ||
+           (ended && mip_parser_flush(&device->parser, &packet)) ||
+           mip_client_poll(&device->client, &device->parser, now, &packet)) {
+        handle(device, &packet);
     }
     mip_device_lock(device, false);
-    return outside;
+    return true;
 }
 
 /** Reads once, into MIP_MAX_PACKET bytes, and updates the time. Returns false if the port is lost.
@@ -172,7 +165,21 @@ static bool guard(struct mip_device *device) {
 
 /** Takes in what has arrived before a command is sent: it cannot be the reply to that. */
 static void take_in(struct mip_device *device, uint8_t *bytes) {
-    while (device->waits != NULL && device->waits(device->port.user) && poll(device, bytes)) {
+    if (device->wait != NULL) {
+        device->wait(device, bytes, NULL);
+    }
+}
+
+void mip_device_wait(struct mip_device *device, uint8_t *bytes, struct mip_request *request) {
+    if (request == NULL) {
+        while (device->waits != NULL && device->waits(device->port.user) && poll(device, bytes)) {
+        }
+        return;
+    }
+    while (mip_request_result(device, request).outcome == MIP_WAITING) {
+        if (!update(device, bytes)) {           /* reuses the packet's memory */
+            mip_device_cancel(device, request); /* unless it was just answered */
+        }
     }
 }
 
@@ -187,14 +194,17 @@ static struct mip_result carry_out(struct mip_device *device, struct mip_request
         mip_client_cancel(&device->client, deferred); /* it may still wait */
         *deferred = *request;
         request = deferred;
-    } else if (device->packet != NULL) { /* in a handler */
+    } else if (device->packet != NULL || device->wait == NULL) { /* in a handler, or no `read` */
         request->result.outcome = MIP_BUSY;
+        mip_device_lock(device, false);
+        return request->result;
     }
-    if (request->result.outcome != MIP_BUSY && request->result.error == MIP_OK) {
-        device->sent = request->exchange;
+    if (request->result.error == MIP_OK) {
+        const struct mip_exchange *const exchange = request->exchange;
+        device->sent = exchange;
         bytes[4] = (uint8_t)(size + 2);
-        bytes[5] = request->exchange->descriptor;
-        size = mip_packet_seal(bytes, request->exchange->descriptor_set, size + 2);
+        bytes[5] = exchange->descriptor;
+        size = mip_packet_seal(bytes, exchange->descriptor_set, size + 2);
         if (guard(device) && write(device, bytes, size)) {
             mip_client_wait(&device->client, request, device->port.now(device->port.user));
         } else {
@@ -202,10 +212,8 @@ static struct mip_result carry_out(struct mip_device *device, struct mip_request
         }
     }
     mip_device_lock(device, false);
-    while (deferred == NULL && mip_request_result(device, request).outcome == MIP_WAITING) {
-        if (!update(device, bytes)) {           /* reuses the packet's memory */
-            mip_device_cancel(device, request); /* unless it was just answered */
-        }
+    if (deferred == NULL) {
+        device->wait(device, bytes, request);
     }
     return mip_request_result(device, request);
 }
@@ -239,8 +247,8 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
 }
 
 /** Sends data, and waits for the reply. */
-static struct mip_result send(struct mip_device *device, struct mip_request *request,
-                              const uint8_t *data, size_t size) {
+MIP_INLINE struct mip_result send(struct mip_device *device, struct mip_request *request,
+                                  const uint8_t *data, size_t size) {
     uint8_t bytes[MIP_MAX_PACKET];
     take_in(device, bytes);
     if (size > MIP_MAX_FIELD_DATA) {
